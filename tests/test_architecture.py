@@ -83,11 +83,11 @@ def test_templates_print_and_do_not_think() -> None:
 
 
 ARITHMETIC = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.MatMult, ast.Pow, ast.Mod, ast.FloorDiv)
-SHARED = [*PACKAGE.glob("laws/*/data.py")] + [
+SHARED = [
     PACKAGE / f"{name}.py"
     for name in ("contract/functions", "contract/laws", "core/stand/model", "core/stand/state", "errors")
 ]
-"""All that more than one derivation imports, by the contract `raw-data` of pyproject.toml."""
+"""All that more than one derivation imports, by the contract `raw-data` of pyproject.toml, but `law` of the laws."""
 
 
 def arithmetic(text: str) -> list[int]:
@@ -103,6 +103,15 @@ def test_what_derivations_share_computes_nothing() -> None:
     assert faults_by_file(SHARED, lambda path: arithmetic(path.read_text(encoding="utf-8"))) == {}
     numeric = re.compile(r"^(import|from) (numpy|sympy|casadi|flint)", re.MULTILINE)
     assert faults_by_file(SHARED, lambda path: numeric.findall(path.read_text(encoding="utf-8"))) == {}
+    for law in PACKAGE.glob("laws/*/law.py"):
+        functions = [node for node in ast.walk(ast.parse(law.read_text())) if isinstance(node, ast.FunctionDef)]
+        computing = {each.name for each in functions if arithmetic(ast.unparse(each)) or "np." in ast.unparse(each)}
+        for part in ("derive", "reference", "energy"):
+            if (path := law.with_stem(part)).is_file():
+                nodes = list(ast.walk(ast.parse(path.read_text())))
+                named = {n.attr for n in nodes if isinstance(n, ast.Attribute)}
+                named |= {each.name for n in nodes if isinstance(n, ast.ImportFrom) for each in n.names}
+                assert not computing & named, path
     assert arithmetic("def moved(J, m, r):\n    return J + m * (r @ r)\n") == [2, 2, 2]
 
 
@@ -112,7 +121,7 @@ def test_a_folder_has_the_whole_law_and_every_folder_is_listed() -> None:
     assert set(folders) == {*LAWS, *BODY_LAWS}
     for folder in folders.values():
         parts = {path.stem for path in folder.glob("*.py")}
-        assert parts >= {"lower", "reference", "second", "plan"}, folder.name
+        assert parts >= {"lower", "reference", "energy"}, folder.name
 
 
 @pytest.mark.parametrize(

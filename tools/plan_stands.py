@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
 from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Vec3
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 
 Array = NDArray[np.float64]
 

@@ -15,8 +15,8 @@ from audits.audit import Array, rigid_mass, rigid_products, to_body
 from mahovik.core.stand import Stand, State, load, loads
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.summary import summarize
-from mahovik.laws.fin.data import Fin, Fins
-from mahovik.laws.propeller.data import Propellers
+from mahovik.laws.fin.law import Fin, Fins
+from mahovik.laws.propeller.law import Propellers
 from mahovik.proof.reference import evaluate
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import conclusion

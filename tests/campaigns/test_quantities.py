@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.out.campaign import pose
@@ -163,7 +163,7 @@ def test_what_ties_transmit_is_that_of_the_literal_reference(tmp_path: Path) -> 
     q = np.roll(Rotation.from_matrix([own.C for own in found]).as_quat(), 1, axis=1).T
     at = pose.Pose(np.array([s.position for s in states]).T, C, np.array([s.V for s in states]).T)
     checked = []
-    for law in laws.parts("loads"):
+    for law in parts("loads", pose.Loads):
         names = law.names(structure(stand))
         for k, name in enumerate(names):
             values = law.wrench(name, numbers, at, q)

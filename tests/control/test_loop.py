@@ -16,7 +16,7 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.use.control.controller import Encoders
 from mahovik.use.control.loop import Case, close_loop, starting_state
 from mahovik.use.control.mismatch import with_mismatch

@@ -17,7 +17,7 @@ from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.write import dumps
 from mahovik.errors import DesignError, MahovikError
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.use.design import DesignOptions, Outcome, design_stand, freedom_of_keys
 from mahovik.use.design.freedom import WIDTH, Freedom, Limits, Mask, Tie, Weights
 from mahovik.use.design.outcome import as_object, summary

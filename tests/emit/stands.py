@@ -17,10 +17,10 @@ from mahovik.core.stand import load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, LawData, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.damping.data import Damping
-from mahovik.laws.leg.data import Legs, legs_of
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.damping.law import Damping
+from mahovik.laws.leg.law import Legs, legs_of
+from mahovik.laws.suspension.law import Suspension
 
 WET = Features("aircraft", 1, True, True, True, 1, False, False, {"suspension": 0, "leg": 0})
 HUNG = Features("euler", 1, True, False, False, 0, True, True, {"suspension": 1, "leg": 2})

@@ -17,7 +17,7 @@ from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Sample
 from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.out.export.programme import ProgrammeExport, export_programme
 from toolchain.tools import compile_c
 

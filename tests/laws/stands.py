@@ -9,11 +9,11 @@ import numpy as np
 from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.model import LawData
 from mahovik.core.stand.random import Features, random_stand
-from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.laws.damping.data import Damping
-from mahovik.laws.fading.data import FadingDamping
-from mahovik.laws.fin.data import Fin, Fins
-from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.cross_flow.law import CrossFlow
+from mahovik.laws.damping.law import Damping
+from mahovik.laws.fading.law import FadingDamping
+from mahovik.laws.fin.law import Fin, Fins
+from mahovik.laws.propeller.law import Propeller, Propellers
 
 CARRIER = """
 schema = 1

@@ -18,20 +18,20 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import dumps, identities, loads
 from mahovik.core.stand.random import BARE, random_stand, random_state
 from mahovik.errors import StandError
-from mahovik.laws.control.data import ControlDerivatives
+from mahovik.laws.control.law import ControlDerivatives
 from mahovik.laws.control.plan import twist_law as control_law
 from mahovik.laws.control.reference import control_derivatives
 from mahovik.laws.cross_flow.plan import twist_law as strip_law
 from mahovik.laws.cross_flow.reference import cross_flow_drag
 from mahovik.laws.fading.plan import twist_law as fading_law
 from mahovik.laws.fading.reference import fading_damping
-from mahovik.laws.fin.data import Fins
+from mahovik.laws.fin.law import Fins
 from mahovik.laws.fin.plan import twist_law as fin_law
 from mahovik.laws.fin.reference import lift_and_drag
-from mahovik.laws.propeller.data import Propellers
+from mahovik.laws.propeller.law import Propellers
 from mahovik.laws.propeller.plan import twist_law as propeller_law
 from mahovik.laws.propeller.reference import thrust_and_torque
-from mahovik.laws.torquer.data import Torquers
+from mahovik.laws.torquer.law import Torquers
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend

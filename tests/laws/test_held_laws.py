@@ -33,11 +33,11 @@ from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
 from mahovik.laws.friction import plan as friction_plan
-from mahovik.laws.friction.data import Friction, Frictions
+from mahovik.laws.friction.law import Friction, Frictions
 from mahovik.laws.friction.reference import drag, unit_wrenches
 from mahovik.laws.friction.reference import wrench as friction_wrench
 from mahovik.laws.stop import plan as stop_plan
-from mahovik.laws.stop.data import Stops, stops_of
+from mahovik.laws.stop.law import Stops, stops_of
 from mahovik.laws.stop.reference import wrench as stop_wrench
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import coordinate

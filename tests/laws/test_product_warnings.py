@@ -10,7 +10,7 @@ from typing import Any
 from laws.stands import CARRIER, KEY, PRODUCTS, bearing
 from mahovik.core.stand import loads
 from mahovik.core.stand.summary import summarize
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.damping.law import Damping
 from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.states import Request

@@ -20,17 +20,16 @@ from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.random import random_state
 from mahovik.laws.control.reference import wrenches
 from mahovik.laws.cross_flow.reference import cross_flow_drag
-from mahovik.laws.damping.data import Damping, DampingTerm, Factor
+from mahovik.laws.damping.law import Damping, DampingTerm, Factor, products_of_added_mass
 from mahovik.laws.damping.plan import twist_law as damping_law
 from mahovik.laws.damping.reference import products_in_derivatives
-from mahovik.laws.damping.text import products_of_added_mass
-from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fading.reference import fading_damping
-from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.fin.law import Fin, Fins
 from mahovik.laws.fin.reference import lift_and_drag, lift_coefficient
-from mahovik.laws.propeller.data import Propeller
+from mahovik.laws.propeller.law import Propeller
 from mahovik.laws.propeller.reference import thrust_and_torque
-from mahovik.laws.torquer.data import Torquer, Torquers
+from mahovik.laws.torquer.law import Torquer, Torquers
 from mahovik.proof import reference
 
 twists = st.lists(st.floats(-3, 3, allow_subnormal=False), min_size=6, max_size=6).map(np.array)

@@ -16,8 +16,8 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
-from mahovik.laws.friction.data import Frictions
-from mahovik.laws.stop.data import Stops
+from mahovik.laws.friction.law import Frictions
+from mahovik.laws.stop.law import Stops
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend

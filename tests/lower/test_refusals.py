@@ -12,7 +12,7 @@ from lower.refusals import NOT_FINITE, NumberPath, accepts, numbers, refuses, sp
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
-from mahovik.laws.leg.data import legs_of
+from mahovik.laws.leg.law import legs_of
 from toolchain.quick import quick
 
 NAMES = ("hung5", "bare5", "everything0", "everything6")

@@ -8,7 +8,7 @@ import numpy as np
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import State
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces
 

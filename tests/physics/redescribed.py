@@ -7,9 +7,9 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Flywheel, Mat6, MountingAxes, Stand, Vec3
 from mahovik.core.stand.state import State
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.damping.data import Damping
-from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.damping.law import Damping
+from mahovik.laws.leg.law import Legs, legs_of
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import flywheel_mounting
 from physics.general import rows

@@ -13,8 +13,8 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Carrier, Instrument, MountingAngles, Stand
 from mahovik.core.stand.state import State
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.motion import flywheel_accelerations

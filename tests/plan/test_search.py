@@ -12,7 +12,7 @@ import pytest
 from mahovik.core.motion.programme.course import Fourier
 from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.core.motion.required.course import Harmonics
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import StartBatch
@@ -183,7 +183,7 @@ def _half(motion: RequiredMotion) -> Harmonics:
 
 def test_a_singular_attitude_is_told() -> None:
     """A leg that shrinks to nothing on the way has no direction."""
-    from mahovik.laws.leg.data import Leg, Legs
+    from mahovik.laws.leg.law import Leg, Legs
 
     stand, motion = example("bench8")
     leg = Leg(ground=(0.0, 0.0, 0.0), carrier=(0.0, 0.0, 0.0), length=0.1, stiffness=1.0, damping=0.0)

@@ -13,7 +13,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
-from mahovik.laws.leg.data import Leg, Legs, legs_of
+from mahovik.laws.leg.law import Leg, Legs, legs_of
 from mahovik.proof import reference
 from physics.general import draw
 from second.agreement import evaluate

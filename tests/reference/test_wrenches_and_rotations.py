@@ -8,7 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
-from mahovik.laws.damping.data import Damping, DampingTerm, Factor
+from mahovik.laws.damping.law import Damping, DampingTerm, Factor
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.rotation import C1, attitude, carrier_rotation, flywheel_mounting, rotation_vector

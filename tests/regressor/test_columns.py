@@ -17,7 +17,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.state import State
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference import regressor as literal
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.bodies import bodies_of, spatial_inertia

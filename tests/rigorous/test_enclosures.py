@@ -18,7 +18,7 @@ from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.read import loads
 from mahovik.errors import StateError
-from mahovik.laws.leg.data import Legs, legs_of
+from mahovik.laws.leg.law import Legs, legs_of
 from mahovik.proof import reference, rigorous
 from mahovik.proof.reference.array import angle_over_sine, hypot, larger, smaller, with_sign
 from mahovik.proof.reference.rotation import C1, C3, quaternion_rotation, rotation_vector

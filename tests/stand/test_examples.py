@@ -11,7 +11,7 @@ from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError, UsageError
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.stands import names, path
 
 

@@ -8,10 +8,10 @@ import pytest
 
 from mahovik.core.stand import dumps, loads
 from mahovik.core.stand.model import Encoder, Motor, MountingAngles, MountingAxes, Point
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.damping.data import Damping, DampingTerm, Factor
-from mahovik.laws.leg.data import Leg, legs_of
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.damping.law import Damping, DampingTerm, Factor
+from mahovik.laws.leg.law import Leg, legs_of
+from mahovik.laws.suspension.law import Suspension
 
 FULL = """
 schema = 1

@@ -9,7 +9,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.stand import Stand, load
-from mahovik.laws.leg.data import Leg, Legs
+from mahovik.laws.leg.law import Leg, Legs
 from mahovik.use.study.campbell import NODES, _average_matrices, campbell, mean_equations, natural_at
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response.scene import Scene

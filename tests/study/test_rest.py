@@ -15,7 +15,7 @@ from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.proof import reference
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.study.rest import rest

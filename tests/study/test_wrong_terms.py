@@ -16,12 +16,12 @@ from mahovik.core.stand.model import Carrier, Mat6, Stand
 from mahovik.core.stand.read import load, loads
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.laws.damping.data import Damping
-from mahovik.laws.fading.data import FadingDamping
-from mahovik.laws.fin.data import Fins
-from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.cross_flow.law import CrossFlow
+from mahovik.laws.damping.law import Damping
+from mahovik.laws.fading.law import FadingDamping
+from mahovik.laws.fin.law import Fins
+from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult

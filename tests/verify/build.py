@@ -17,8 +17,8 @@ from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.structure import structure
-from mahovik.laws.buoyancy.data import Buoyancy
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.buoyancy.law import Buoyancy
+from mahovik.laws.damping.law import Damping
 
 
 @cache

@@ -16,11 +16,11 @@ from mahovik import stands
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import rest_state
-from mahovik.laws.control.data import ControlDerivatives
-from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.laws.fading.data import FadingDamping
-from mahovik.laws.fin.data import Fins
-from mahovik.laws.propeller.data import Propellers
+from mahovik.laws.control.law import ControlDerivatives
+from mahovik.laws.cross_flow.law import CrossFlow
+from mahovik.laws.fading.law import FadingDamping
+from mahovik.laws.fin.law import Fins
+from mahovik.laws.propeller.law import Propellers
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.check import Report, conclusion
 from mahovik.proof.verify.harness import verify_c

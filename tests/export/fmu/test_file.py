@@ -24,7 +24,7 @@ from mahovik.core.lower.fmu.variables import Inputs, Kind
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.compiler import WARNINGS
 from mahovik.core.toolchain.module import STRICT
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.out.export.fmu import export_fmu
 from toolchain.quick import quick
 from toolchain.tools import require

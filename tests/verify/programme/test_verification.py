@@ -18,7 +18,7 @@ from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.reference.rotation import attitude
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.check import Check

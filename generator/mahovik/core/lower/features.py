@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from mahovik.contract.laws import of_bodies, parts
+from mahovik.contract.laws import LAWS, of_bodies, part
 from mahovik.core.lower.freedoms import are_closed
 from mahovik.core.lower.law import LawLowering
 from mahovik.core.program.types import NamedCount, Precision
@@ -90,7 +90,7 @@ class Features:
     @cached_property
     def law_tables(self) -> tuple[LawLowering, ...]:
         """The laws of `laws/` that the stand has."""
-        found: Iterable[LawLowering] = (part.LOWERING for part in parts("lower"))
+        found: Iterable[LawLowering] = (part(law, "lower").LOWERING for law in LAWS)
         return tuple(law for law in found if law.present(self.structure))
 
     @property

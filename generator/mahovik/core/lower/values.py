@@ -99,8 +99,8 @@ class _Parameters:
         found = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
         dry = isinstance(b, Flywheel) and not self._layout.flywheel_displaces
         if self._layout.displaces and not dry:
-            for values in of_bodies("lower", "body_values"):
-                found |= values(b)
+            mass, center = next(iter(b.displaced), (0.0, (0.0, 0.0, 0.0)))
+            found |= {"displaced_mass": mass, "displaced_center": list(center)}
         return found
 
     def _axes(self, angles: tuple[float, float, float]) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from mahovik.core.stand import datasheet
 from mahovik.core.stand.directions import parallel
-from mahovik.core.stand.law_schemas import body_schemas
+from mahovik.core.stand.laws import body_laws
 from mahovik.core.stand.model import (
     About,
     Carrier,
@@ -109,9 +109,9 @@ def _about(table: BodyTable, where: str, problems: Problems) -> About:
 
 def _laws(table: BodyTable) -> tuple[LawData, ...]:
     """The data of the laws that act on a body."""
-    given = ((law, getattr(table, law.key)) for law in body_schemas() if not law.mounted)
+    given = ((law, getattr(table, law.key)) for law in body_laws() if not law.mounted)
     found = (law.read(own) for law, own in given if own is not None)
-    return tuple(data for data in found if data is not None)
+    return tuple(law for law in found if law is not None)
 
 
 def _mounting(table: FlywheelTable, where: str, problems: Problems) -> MountingAngles | MountingAxes | None:

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from mahovik.core.stand import build, datasheet
 from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.core.stand.law_schemas import AnyTable, with_laws
+from mahovik.core.stand.laws import AnyTable, with_laws
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.paths import plain_paths, shown_path
 from mahovik.core.stand.problems import Problems

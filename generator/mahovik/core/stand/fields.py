@@ -100,6 +100,16 @@ def scalar(
     return validator(read, dimension, least=least, above=above, most=most)
 
 
+def vector3(dimension: Dimension) -> QuantityValidator:
+    """A validator of three numbers."""
+    return validator(lambda raw: vec3(raw, dimension), dimension)
+
+
+def matrix(blocks: Blocks, *, symmetric: bool = False) -> QuantityValidator:
+    """A validator of a 6x6; None where it is zero."""
+    return validator(lambda raw: matrix6(raw, blocks, symmetric=symmetric), blocks)
+
+
 def integer(raw: Any) -> int:
     """A whole number. Raises QuantityError."""
     if isinstance(raw, bool) or not isinstance(raw, int):
@@ -112,6 +122,17 @@ def text(raw: Any) -> str:
     if not isinstance(raw, str):
         raise QuantityError(f"expected a string, found {show(raw)}")
     return raw
+
+
+def letter(letters: tuple[str, ...]) -> Callable[[Any], int]:
+    """What reads one of some letters as its place among them; it raises QuantityError."""
+
+    def read(raw: Any) -> int:
+        if text(raw) not in letters:
+            raise QuantityError(f"expected one of {' '.join(letters)}, found {show(raw)}")
+        return letters.index(raw)
+
+    return read
 
 
 def flag(raw: Any) -> bool:
@@ -139,14 +160,12 @@ Name = Annotated[str, validator(_name)]
 StandName = Annotated[str, validator(_stand_name)]
 Text = Annotated[str, validator(text)]
 Flag = Annotated[bool, validator(flag)]
-Length3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.LENGTH), units.LENGTH)]
-Angle3 = Annotated[Vec3, validator(lambda raw: vec3(raw, units.ANGLE), units.ANGLE)]
+Length3 = Annotated[Vec3, vector3(units.LENGTH)]
+Angle3 = Annotated[Vec3, vector3(units.ANGLE)]
 Direction = Annotated[Vec3, validator(direction)]
 Mass = Annotated[float, scalar(units.MASS, least=0.0)]
 Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA), units.INERTIA)]
-AddedMass = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, ADDED_MASS, symmetric=True), ADDED_MASS)]
-LinearDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, LINEAR), LINEAR)]
-QuadraticDamping6 = Annotated[Mat6 | None, validator(lambda raw: matrix6(raw, QUADRATIC), QUADRATIC)]
+AddedMass = Annotated[Mat6 | None, matrix(ADDED_MASS, symmetric=True)]
 ZERO3: Vec3 = (0.0, 0.0, 0.0)
 
 
@@ -154,3 +173,9 @@ class Table(BaseModel):
     """Base of all tables: a key that is no field is an error."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
+
+
+class Mounted(Table):
+    """Base of tables of what is mounted on the carrier or an instrument."""
+
+    mount: Text = "carrier"

@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import MISSING, asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
-from mahovik.contract.laws import parts
-from mahovik.core.stand.law_schemas import body_schemas
-from mahovik.core.stand.model import INVERSE_MOST, LawData, Stand
+from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.laws import body_laws, carrier_laws
+from mahovik.core.stand.model import INVERSE_MOST, Stand
 from mahovik.core.stand.structure import structure
 
 
@@ -39,22 +39,23 @@ def identities(stand: Stand) -> Identities:
         del form["hold"], numbers["hold"]
     if stand.profile is None:
         del form["stream_stations"], numbers["profile"]
-    for law in parts("schema"):
-        numbers |= law.SCHEMA.content(stand.law(law.SCHEMA.data))
+    for law in carrier_laws():
+        numbers |= law.content(stand.law(law))
     body_of = {body.name: body for body in stand.bodies}
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
-        given = {type(law): _without_defaults(law) for law in body_of[body["name"]].laws}
+        given = {type(law): _without_defaults(law) for law in body_of[body["name"]].laws if isinstance(law, BodyLaw)}
         del body["laws"]
-        body |= {law.key: given.get(law.data) for law in body_schemas() if law.data in given or not law.optional}
+        body |= {law.key: given.get(law) for law in body_laws() if law in given or not law.optional}
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))
 
 
-def _without_defaults(law: LawData) -> dict[str, Any]:
-    """The data of a law of a body without members at their default, as in a file without their keys."""
-    defaults = {f.name: f.default for f in fields(law) if f.default is not MISSING}
-    return {name: value for name, value in asdict(law).items() if name not in defaults or value != defaults[name]}
+def _without_defaults(law: BodyLaw) -> dict[str, Any]:
+    """The data of a law of a body without newer members at their default, as in a file without their keys."""
+    defaults = {f.name: f.default for f in fields(law) if f.name in law.newer}
+    found = asdict(law)
+    return {name: value for name, value in found.items() if name not in defaults or value != defaults[name]}
 
 
 def _digest(value: Any) -> str:

@@ -1,21 +1,407 @@
-"""The part of a law about the stand file: its tables, and its part of identities and of written files."""
+"""A law of wrenches as the classes of its data declare it.
+
+Each field of such a class is annotated with all that is known of it, beside the type and the validator that reads it
+from the stand file. `Annotated[float, scalar(STIFFNESS, least=0.0), Default(0.0), InC(), uniform(50.0, 500.0), TIMES]`
+is a key of the file that may be missing, a member of the struct in C, a number that random stands draw, and one that is
+measured with an error. The table of the file, its text, the struct, draws and errors are made of these.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+import typing
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from functools import cache
+from typing import Annotated, Any, ClassVar, Protocol, Self, TypeVar
 
-from mahovik.core.stand.fields import Table
-from mahovik.core.stand.model import TWIST_LETTERS, Hold, LawData, Mat6, Stand
-from mahovik.core.stand.units import Dimension
+from pydantic import create_model
 
-Note = Callable[..., None]
-"""Notes a problem of the file: the parts of the key path, the last the reason."""
+from mahovik.core.stand.actuator import Actuator
+from mahovik.core.stand.draw import Draw, Errors
+from mahovik.core.stand.fields import QuantityValidator, Table, Text, require_bounds
+from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_labels, freedom_names
+from mahovik.core.stand.model import TWIST_LETTERS, Body, FreedomKind, Hold, LawData, Mat6, Stand, Vec3
+from mahovik.core.stand.toml import line_of
+from mahovik.core.stand.units import Dimension, QuantityError, number
 
-TablesByKey = Mapping[str, Sequence[Any]]
-"""The valid tables of a stand file by key: one of `[key]`, any number of `[[key]]`."""
+Mark = TypeVar("Mark")
+
+ZERO6: Mat6 = ((0.0,) * 6,) * 6
+
+
+class Note(Protocol):
+    """Notes a problem of the file: the parts of the key path, the last the reason."""
+
+    def __call__(self, *words: str) -> None: ...
+
+
+# -- what is said of a field -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Default:
+    """The value of a key that the file leaves out."""
+
+    value: Any
+
+
+@dataclass(frozen=True)
+class Tables:
+    """A list of tables inside, each of this class."""
+
+    of: type[Declared]
+
+
+@dataclass(frozen=True)
+class InC:
+    """A member of the struct in C, with its comment; `unit`: where the C writes another than the file."""
+
+    comment: str = ""
+    unit: str | None = None
+
+
+@dataclass(frozen=True)
+class Size:
+    """A body of a random stand: `mass` (kg) and `size` (m); `mean`, the average mass of such bodies."""
+
+    mass: float = 1.0
+    size: float = 1.0
+    mean: float = 1.0
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """How random stands draw it."""
+
+    draw: Callable[[Draw, Size], Any]
+
+
+def uniform(low: float, high: float) -> Drawn:
+    """A number of this range."""
+    return Drawn(lambda draw, of: draw.uniform(low, high))
+
+
+def normal(size: float) -> Drawn:
+    """A vector with components of this size."""
+    return Drawn(lambda draw, of: draw.vec3(size))
+
+
+@dataclass(frozen=True)
+class Spread:
+    """The error that it is measured with; those that are `late` are drawn after all others of their table."""
+
+    add: Callable[[Errors, Any], Any]
+    late: bool = False
+
+
+TIMES = Spread(Errors.times)
+TIMES_EACH = Spread(lambda errors, values: tuple(map(errors.times, values)))
+AS_VECTOR = Spread(Errors.vector, late=True)
+AS_MATRIX = Spread(Errors.matrix, late=True)
+
+
+@dataclass(frozen=True)
+class Warns:
+    """A 6x6 matrix that does this, where it has a negative number on its diagonal: `check` warns of it."""
+
+    does: str
+
+
+BRAKES = Warns("it drives where it should brake; coefficients that damp are positive")
+PULLS_BACK = Warns("it pushes away where it should pull back; what pulls back is positive")
+
+
+# -- tables ----------------------------------------------------------------------------------------------------------
+
+
+class Declared:
+    """A dataclass that declares a table of the stand file by the annotations of its fields.
+
+    keys   base of its table: keys that are none of its fields, and what several keys tell together
+    """
+
+    keys: ClassVar[type[Table]] = Table
+
+    @classmethod
+    @cache
+    def annotations(cls) -> dict[str, tuple[Any, ...]]:
+        """Type of each field, and what is said of it."""
+        hints = typing.get_type_hints(cls, include_extras=True)
+        found = {f.name: hints[f.name] for f in fields(cls)}  # type: ignore[arg-type]  # every subclass is a dataclass
+        return {
+            name: (hint.__origin__, *hint.__metadata__) if hasattr(hint, "__metadata__") else (hint,)
+            for name, hint in found.items()
+        }
+
+    @classmethod
+    def marked(cls, kind: type[Mark]) -> dict[str, Mark]:
+        """What is said of fields in a word of one kind, by their names."""
+        every = ((name, [x for x in said if isinstance(x, kind)]) for name, said in cls.annotations().items())
+        return {name: found[0] for name, found in every if found}
+
+    @classmethod
+    @cache
+    def table(cls) -> type[Table]:
+        """The table of the file: its keys are the fields that a validator reads, or that are tables inside."""
+        keys: dict[str, Any] = {}
+        for name, said in cls.annotations().items():
+            for mark in said:
+                if isinstance(mark, QuantityValidator):
+                    keys[name] = Annotated[said[0], mark]
+                elif isinstance(mark, Tables):
+                    keys[name] = list[mark.of.table()]  # type: ignore[misc]  # made here
+        defaults = cls.marked(Default)
+        keys = {name: (key, defaults[name].value if name in defaults else ...) for name, key in keys.items()}
+        return create_model(f"{cls.__name__}Table", __base__=cls.keys, __doc__=cls.__doc__, **keys)
+
+    @classmethod
+    def of_table(cls, table: Table, **more: Any) -> Self:
+        """The data of a valid table; a 6x6 of zeros, which tables have as None, with its zeros."""
+        values: dict[str, Any] = {}
+        inside = cls.marked(Tables)
+        for name in cls.annotations().keys() & type(table).model_fields.keys():
+            value = getattr(table, name)
+            if name in inside:
+                value = tuple(map(inside[name].of.of_table, value))
+            elif value is None and cls.annotations()[name][0] == Mat6:
+                value = ZERO6
+            values[name] = value
+        return cls(**(values | more))
+
+    def lines(self) -> list[str]:
+        """Its keys in a stand file, in SI."""
+        given = ((key, getattr(self, key)) for key in self.marked(QuantityValidator))
+        return [line_of(key, value) for key, value in given if value is not None]
+
+    @classmethod
+    def random(cls, draw: Draw, of: Size = Size()) -> Self:
+        """A random one, field by field."""
+        return cls(**{name: mark.draw(draw, of) for name, mark in cls.marked(Drawn).items()})
+
+    def with_errors(self, errors: Errors) -> Self:
+        """One that was measured a little wrong: numbers and tables inside first, then vectors and matrices."""
+        changed: dict[str, Any] = {}
+        spreads = self.marked(Spread)
+        for late in (False, True):
+            for f in fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
+                value, spread = getattr(self, f.name), spreads.get(f.name)
+                if spread is not None and spread.late is late:
+                    changed[f.name] = spread.add(errors, value)
+                elif not late and isinstance(value, tuple) and value and isinstance(value[0], Declared):
+                    changed[f.name] = tuple(each.with_errors(errors) for each in value)
+        return replace(self, **changed)  # type: ignore[type-var]  # every subclass is a dataclass
+
+
+# -- laws ------------------------------------------------------------------------------------------------------------
+
+
+class Law(Declared, LawData):
+    """The data of one law, LAW of the module `law` of its folder.
+
+    key             its table in the file
+    name, plural    in words; by default the key, and that with an s
+    item            class of its tables, where the law is a list of tables [[key]]: its last field has them
+    mounted         have they a name and a mount, the carrier or an instrument?
+    carries_weight  can it carry a stand at rest?
+    """
+
+    key: ClassVar[str]
+    name: ClassVar[str]
+    plural: ClassVar[str]
+    item: ClassVar[type[Declared] | None] = None
+    mounted: ClassVar[bool] = False
+    carries_weight: ClassVar[bool] = False
+
+    def __init_subclass__(cls) -> None:
+        if "key" in cls.__dict__:
+            cls.name = cls.__dict__.get("name", cls.key)
+            cls.plural = cls.__dict__.get("plural", f"{cls.name}s")
+
+    @property
+    def items(self) -> tuple[Any, ...]:
+        """Its tables [[key]]."""
+        found: tuple[Any, ...] = getattr(self, fields(self)[-1].name)
+        return found
+
+    @property
+    def acts(self) -> bool:
+        """False where it does nothing, so that a stand has no such law."""
+        return self.item is None or bool(self.items)
+
+    @classmethod
+    def warnings(cls, stand: Stand) -> list[str]:
+        """Lines of `check` on what is suspicious."""
+        raise NotImplementedError
+
+    @classmethod
+    def short(cls, stand: Stand) -> str:
+        """The law in a few words; empty where the stand does not have it."""
+        raise NotImplementedError
+
+    def negative_diagonals(self, where: str) -> Iterator[str]:
+        """A warning of each matrix with what is negative on its diagonal; `where`: path of the law."""
+        for name, warns in self.marked(Warns).items():
+            rows = getattr(self, name) or ZERO6
+            diagonal = [(letter, rows[i][i]) for i, letter in enumerate(TWIST_LETTERS)]
+            negative = ", ".join(f"{value:.5g} for {letter}" for letter, value in diagonal if value < 0.0)
+            if negative:
+                yield f"{where}.{name} has {negative}: {warns.does}"
+
+
+class BodyLaw(Law):
+    """A law that acts on a body in its own frame: its key is one of a body, or [[key]] where it is `mounted`.
+
+    limited   members that the emitted C takes up to a largest size only
+    optional  is the key missing in the identity of a stand's physics where no body has the law?
+    newer     keys that are missing there at their defaults: other stands had identities before there were such keys
+    steers    is it drawn after the others, as it names what they have?
+    """
+
+    limited: ClassVar[tuple[str, ...]] = ()
+    optional: ClassVar[bool] = True
+    newer: ClassVar[tuple[str, ...]] = ()
+    steers: ClassVar[bool] = False
+
+    @classmethod
+    def read(cls, table: Table) -> Self | None:
+        """The data of the valid table; None where it does nothing."""
+        law = cls.of_table(table)
+        return law if law.acts else None
+
+    @classmethod
+    def read_mounted(cls, tables: Sequence[Table]) -> Self | None:
+        """The data of all valid tables that are mounted on one body; None without."""
+        assert cls.item is not None
+        law = cls(tuple(cls.item.of_table(table) for table in tables))  # type: ignore[call-arg]  # its list
+        return law if law.acts else None
+
+    @classmethod
+    def structure(cls, stand: Stand) -> dict[str, Any]:
+        """What of all bodies decides the text of the C, by key."""
+        raise NotImplementedError
+
+    def problem(self, body: Body) -> tuple[str, str] | None:
+        """Key and words of what a body lacks for its data; None where it lacks nothing."""
+        return None
+
+    @classmethod
+    def of(cls, stand: Stand) -> list[tuple[int, Body, Self]]:
+        """Index of each body that has it, the body, and the data."""
+        laws = ((i, body, body.law(cls)) for i, body in enumerate(stand.bodies))
+        return [(i, body, law) for i, body, law in laws if law is not None]
+
+    @classmethod
+    def bearers(cls, stand: Stand) -> list[str]:
+        """Names of the bodies that have it."""
+        return [body.name for _, body, _ in cls.of(stand)]
+
+    @classmethod
+    def short(cls, stand: Stand) -> str:
+        """The law in a word; empty where no body has it."""
+        return cls.name if cls.of(stand) else ""
+
+    @classmethod
+    def warnings(cls, stand: Stand) -> list[str]:
+        """Matrices that drive, as one with a negative diagonal does."""
+        laws = cls.of(stand)
+        return [line for _, body, law in laws for line in law.negative_diagonals(f"{body.name}: {cls.key}")]
+
+    @classmethod
+    def random_with(cls, draw: Draw, of: Size) -> Self | None:
+        """A random one of a body that is being drawn; None: it is none of those that come with the body."""
+        return None
+
+    @classmethod
+    def random_on(cls, draw: Draw, body: Body) -> Self | None:
+        """A random one of a body, after all bodies were drawn; None where it has none."""
+        return None
+
+    @property
+    def actuators(self) -> dict[str, Actuator]:
+        """What a state may set, by name of its table."""
+        return {}
+
+    def actuated(self, given: Mapping[str, float]) -> Self:
+        """The law with what a state sets, by name of its table."""
+        return self
+
+
+class CarrierLaw(Law):
+    """A law between E0 and the carrier: a table [key] with its fields, or a list of tables [[key]].
+
+    header      fields that are keys of the file outside any table
+    legend      sign in the drawing, and what it means
+    at_origin   does it act at O1, as the drawing shows?
+    """
+
+    header: ClassVar[tuple[str, ...]] = ()
+    legend: ClassVar[tuple[str, str]] = ("", "")
+    at_origin: ClassVar[bool] = False
+
+    @classmethod
+    @cache
+    def header_table(cls) -> type[Table] | None:
+        """Its keys outside any table; None where it has none."""
+        return cls.table() if cls.header else None
+
+    @classmethod
+    def read(cls, header: Table | None, tables: Sequence[Table]) -> Self | None:
+        """The data of the valid tables; None where they do nothing."""
+        if cls.item is None:
+            found = [cls.of_table(table) for table in tables]
+        else:
+            given = {name: getattr(header, name) for name in cls.header if header is not None}
+            found = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
+        return next((law for law in found if law.acts), None)
+
+    def text(self) -> tuple[list[str], list[str]]:
+        """The lines of a stand file: those of the header, and those of the tables."""
+        if self.item is None:
+            return [], ["", f"[{self.key}]", *self.lines()]
+        return self.lines(), [line for item in self.items for line in ("", f"[[{self.key}]]", *item.lines())]
+
+    @classmethod
+    def content(cls, law: Self | None) -> dict[str, Any]:
+        """The numbers that the identity of a stand has of it; nothing without it, as other stands have it."""
+        return {} if law is None else asdict(law)
+
+    @classmethod
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+        """What of the data, or of None, decides the text of the C, by key."""
+        raise NotImplementedError
+
+    @classmethod
+    def short(cls, stand: Stand) -> str:
+        """The law in a few words, with how many there are; empty where the stand does not have it."""
+        law = stand.law(cls)
+        return "" if law is None else f"{len(law.items)} {cls.plural}" if cls.item else cls.name
+
+    @classmethod
+    def warnings(cls, stand: Stand) -> list[str]:
+        """Matrices that drive or push away, as one with a negative diagonal does."""
+        law = stand.law(cls)
+        return [] if law is None else list(law.negative_diagonals(cls.key))
+
+    @classmethod
+    def random_of(cls, draw: Draw, count: int | None, mounts: Sequence[str]) -> Self | None:
+        """A random one: of a list `count` tables, where that is given; None: nothing is drawn, as of laws of a hold."""
+        return None
+
+    def longest_steps(self, inertias: Sequence[float]) -> list[tuple[str, float]]:
+        """Freedoms along which it needs short steps, and a step (s) that is too long.
+
+        inertias  along each freedom of the hold, kg or kg m2
+        """
+        return []
+
+    @property
+    def ties(self) -> tuple[tuple[Vec3, Vec3], ...]:
+        """Ends of the ties that the drawing shows: on the carrier in E1, on the ground in E0, m."""
+        return ()
+
+
+# -- laws along the freedoms of a hold -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -34,72 +420,142 @@ class HoldNumber:
         return (tuple(map(math.degrees, values)), "deg") if self.unit == "rad" else (values, self.unit)
 
 
-def negative_diagonal(where: str, matrix: Mat6 | None, does: str) -> list[str]:
-    """A warning, in a list, of what is negative on the diagonal of a damping or a stiffness, and of what it `does`."""
-    diagonal = () if matrix is None else [(letter, matrix[i][i]) for i, letter in enumerate(TWIST_LETTERS)]
-    negative = ", ".join(f"{value:.5g} for {letter}" for letter, value in diagonal if value < 0.0)
-    return [f"{where} has {negative}: {does}"] if negative else []
+@dataclass(frozen=True)
+class Bounds:
+    """A number of a freedom, which has the unit of what slides or turns, and its bounds, SI."""
+
+    least: float | None = None
+    above: float | None = None
+    most: float | None = None
 
 
-DRIVES = "it drives where it should brake; coefficients that damp are positive"
-PUSHES = "it pushes away where it should pull back; what pulls back is positive"
+class FreedomTable(Table):
+    """The freedom that a table of a hold is about."""
+
+    freedom: Text | None = None
 
 
 @dataclass(frozen=True)
-class LawSchema:
-    """One law in the stand file.
+class FreedomItem(Declared):
+    """A table [[hold.key]]: it is about one freedom.
 
-    data        class of its raw data
-    read        makes the data of the valid header and tables; None where they do nothing
-    lines       the data as lines of a stand file: those of the header, and those of the tables
-    content     the data, or None, as the identity of the physics has them, by key
-    structure   what of the data, or of None, decides the text of the C, by key
-    header      keys outside any table
-    tables      `[key]`
-    arrays      `[[key]]`
-    mounted     those of the arrays whose items have a name and a `mount`, the carrier or an instrument
-    held        `[[hold.key]]`: tables of the hold, each about one of its freedoms
-    read_held   makes the data of these, and notes their problems; None where they do nothing
-    dimension_of  of a number of one of these tables by its key, which is that of the freedom; None: it is no number
+    freedom    its number in the order of the hold; `name` is that of the file
+    dimensions  of the numbers, in the order of the fields, by what the freedom does
     """
 
-    data: type[LawData]
-    read: Callable[[Any, TablesByKey], LawData | None]
-    lines: Callable[[Any], tuple[list[str], list[str]]]
-    content: Callable[[Any], dict[str, Any]]
-    structure: Callable[[Any, Stand], dict[str, Any]]
-    header: type[Table] | None = None
-    tables: Mapping[str, type[Table]] = field(default_factory=dict)
-    arrays: Mapping[str, type[Table]] = field(default_factory=dict)
-    mounted: tuple[str, ...] = ()
-    held: Mapping[str, type[Table]] = field(default_factory=dict)
-    read_held: Callable[[TablesByKey, Hold, Note], LawData | None] = lambda given, hold, note: None
-    dimension_of: Callable[[str, Any, Hold], Dimension | None] = lambda key, table, hold: None
+    freedom: int
+    name: str
+
+    keys: ClassVar[type[Table]] = FreedomTable
+    dimensions: ClassVar[Mapping[FreedomKind, tuple[Dimension, ...]]]
+    needs_coordinate: ClassVar[str] = ""
+
+    @classmethod
+    @cache
+    def table(cls) -> type[Table]:
+        """The table of the file: the freedom, then the numbers, whose units are known with the hold."""
+        defaults = {name: mark.value for name, mark in cls.marked(Default).items()}
+        keys: dict[str, Any] = {name: (Any, defaults.get(name, ...)) for name in cls.marked(Bounds)}
+        return create_model(f"{cls.__name__}Table", __base__=cls.keys, __doc__=cls.__doc__, **keys)
+
+    @classmethod
+    def dimension(cls, key: str, kind: FreedomKind) -> Dimension | None:
+        """Dimension of a number by its key; None: it is no number."""
+        return dict(zip(cls.marked(Bounds), cls.dimensions[kind], strict=True)).get(key)
+
+    @classmethod
+    def read(cls, table: Any, hold: Hold, note: Note) -> Self | None:
+        """The data of a valid table; None where it is not in order, which is noted."""
+        try:
+            freedom = find_freedom(hold, table.freedom)
+        except QuantityError as error:
+            note("freedom", str(error))
+            return None
+        if cls.needs_coordinate and (problem := coordinate_problem(hold, freedom)) is not None:
+            note("freedom", f"{problem}: {cls.needs_coordinate}")
+            return None
+        kind, numbers, in_order = hold.freedoms[freedom].kind, dict[str, float | None](), True
+        for (key, bounds), dimension in zip(cls.marked(Bounds).items(), cls.dimensions[kind], strict=True):
+            raw = getattr(table, key)
+            try:
+                value = None if raw is None else number(raw, dimension)
+                numbers[key] = None if value is None else require_bounds(
+                    value, dimension.si, bounds.least, bounds.above, bounds.most, raw
+                )  # fmt: skip
+            except QuantityError as error:
+                note(key, str(error))
+                in_order = False
+        return cls.of_numbers(table, freedom, freedom_names(hold)[freedom], kind, numbers, note) if in_order else None
+
+    @classmethod
+    def of_numbers(
+        cls, table: Any, freedom: int, name: str, kind: FreedomKind, numbers: Mapping[str, float | None], note: Note
+    ) -> Self | None:
+        """The data of numbers in SI; None where several of them do not go together, which is noted."""
+        raise NotImplementedError
+
+    @property
+    def numbers(self) -> dict[str, float]:
+        """Its numbers, by key."""
+        return {key: value for key in self.marked(Bounds) if (value := getattr(self, key)) is not None}
+
+    @property
+    def acts(self) -> bool:
+        """False where it does nothing."""
+        return True
+
+    def lines(self) -> list[str]:
+        """Its keys in a stand file, in SI."""
+        return [line_of("freedom", self.name), *(line_of(key, value) for key, value in self.numbers.items())]
+
+    def titled(self, label: str) -> str:
+        """What it is, of a freedom that goes by a label."""
+        raise NotImplementedError
 
 
-@dataclass(frozen=True)
-class BodyLawSchema:
-    """One law in the tables of bodies: SCHEMA of the module `schema` of its folder.
+Item = TypeVar("Item", bound=FreedomItem)
 
-    data       class of its raw data
-    key        its key in the table of a body, or in the stand where it is `mounted`
-    table      what that key takes
-    read       makes the data of the valid table, or of the list of those mounted on a body; None where it does nothing
-    lines      the data as lines of a stand file: what stands in the table of the key; each of the tables of one mounted
-    structure  what of all bodies decides the text of the C, by key
-    problem    key and words of what a body lacks for its data; None where it lacks nothing
-    limited    members that the emitted C takes up to a largest size only
-    optional   is the key missing in the identity of a stand's physics where no body has the law?
-    mounted    are its tables `[[key]]` of the file, each with a name and a `mount`, the carrier or an instrument?
-    """
 
-    data: type[LawData]
-    key: str
-    table: type[Table]
-    read: Callable[[Any], LawData | None]
-    lines: Callable[[Any], list[str]]
-    structure: Callable[[Stand], dict[str, Any]]
-    limited: tuple[str, ...] = ()
-    optional: bool = False
-    mounted: bool = False
-    problem: Callable[[Any, Any], tuple[str, str] | None] = lambda body, data: None
+class HeldLaw(CarrierLaw):
+    """A law along the freedoms of a hold: its tables are [[hold.key]]."""
+
+    item: ClassVar[type[FreedomItem]]
+
+    @classmethod
+    def read_held(cls, tables: Sequence[Table], hold: Hold, note: Note) -> Self | None:
+        """The data of the valid tables, and notes on them; None where they do nothing."""
+        items: dict[int, Any] = {}
+        for k, table in enumerate(tables):
+            item = cls.item.read(table, hold, lambda *words, k=k: note(f"{cls.key}[{k}]", *words))
+            if item is not None:
+                items[k] = item
+        cls.check_together(items, hold, note, len(items) == len(tables))
+        acting = tuple(item for item in items.values() if item.acts)
+        return cls(acting) if acting else None  # type: ignore[call-arg]  # its list
+
+    @classmethod
+    def check_together(cls, items: Mapping[int, Any], hold: Hold, note: Note, complete: bool) -> None:
+        """Notes what several tables, by their places in the file, tell together; `complete`: all are in order."""
+
+    def text(self) -> tuple[list[str], list[str]]:
+        """The lines of a stand file."""
+        return [], [line for item in self.items for line in ("", f"[[hold.{self.key}]]", *item.lines())]
+
+    @classmethod
+    def short(cls, stand: Stand) -> str:
+        """The law and its freedoms; empty where the stand does not have it."""
+        law, hold = stand.law(cls), stand.hold
+        if law is None or hold is None:
+            return ""
+        return f"{cls.plural} of {', '.join(dict.fromkeys(freedom_labels(hold)[item.freedom] for item in law.items))}"
+
+    @classmethod
+    def numbers(cls, stand: Stand) -> list[HoldNumber]:
+        """The numbers of each table."""
+        law, hold = stand.law(cls), stand.hold
+        return [
+            HoldNumber(item.titled(freedom_labels(hold)[item.freedom]), key, value, dimension.si)
+            for item in (law.items if law and hold else ())
+            for key, value in item.numbers.items()
+            if hold and (dimension := item.dimension(key, hold.freedoms[item.freedom].kind))
+        ]

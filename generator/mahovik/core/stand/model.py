@@ -61,6 +61,16 @@ class LawData:
         return {}
 
     @property
+    def displaced(self) -> tuple[float, Vec3] | None:
+        """Mass (kg) of the fluid that a body displaces by a law of bodies, and its centre in the body's frame."""
+        return None
+
+    @property
+    def matrices(self) -> dict[str, Mat6]:
+        """Matrices of a law of bodies in which the equations are linear, by name."""
+        return {}
+
+    @property
     def rows(self) -> tuple[int, ...] | None:
         """Components that its wrench on the carrier can have, in E1 about O1; None where any."""
         return None
@@ -112,6 +122,11 @@ class Body(WithLaws):
     def inputs(self) -> dict[str, float]:
         """Numbers of its laws that may be set at run time, by name: "rudder.deflection", rad; "screw.speed", rad/s."""
         return {name: value for law in self.laws for name, value in law.inputs.items()}
+
+    @property
+    def displaced(self) -> list[tuple[float, Vec3]]:
+        """Mass (kg) and centre, in its frame, of the fluid that it displaces, by each law of its own that says so."""
+        return [displaced for law in self.laws if (displaced := law.displaced) is not None]
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import Any
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand.editing import exact, put, unbalance_of
 from mahovik.core.stand.fields import QuantityValidator, Table
-from mahovik.core.stand.law_schemas import held_schemas, hold_with_laws, mounted_schemas, with_laws
+from mahovik.core.stand.hold import find_freedom
+from mahovik.core.stand.laws import held_laws, hold_with_laws, law_arrays, law_headers, law_tables, with_laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.schema import (
@@ -161,15 +161,13 @@ class StandNumbers:
     def _read_tables(self) -> None:
         """All tables of the file by name, then the keys outside any table."""
         document, found = self._document, self._top.inside
-        schemas = [part.SCHEMA for part in parts("schema")]
         arrays: dict[str, type[Table]] = {
-            "instrument": with_laws(InstrumentTable), "flywheel": with_laws(FlywheelTable), "point": PointTable
+            "instrument": with_laws(InstrumentTable), "flywheel": with_laws(FlywheelTable), "point": PointTable,
+            **law_arrays(),
         }  # fmt: skip
-        tables: dict[str, type[Table]] = {"carrier": with_laws(CarrierTable), "stream_profile": StreamProfileTable}
-        for schema in schemas:
-            tables |= schema.tables
-            arrays |= schema.arrays
-        arrays |= {law.key: law.table for law in mounted_schemas()}
+        tables: dict[str, type[Table]] = {
+            "carrier": with_laws(CarrierTable), "stream_profile": StreamProfileTable, **law_tables()
+        }  # fmt: skip
         for key, table in tables.items():
             if key in document:
                 found[key] = self._table(table, document[key], key, (key,))
@@ -184,11 +182,11 @@ class StandNumbers:
         if "hold" in document:
             found.setdefault("hold", self._table(hold_with_laws(), document["hold"], "hold", ("hold",)))
         self._top.written = frozenset(found)
-        for header in (Header, *(schema.header for schema in schemas)):
-            if header is not None:
-                keys = {key: value for key, value in document.items() if key in keys_of(header)}
-                for key, each in self._table(header, keys, "", ()).inside.items():
-                    found.setdefault(key, each)
+        headers: list[type[Table]] = [Header, *law_headers()]
+        for header in headers:
+            keys = {key: value for key, value in document.items() if key in keys_of(header)}
+            for key, each in self._table(header, keys, "", ()).inside.items():
+                found.setdefault(key, each)
 
     def _table(self, schema: type[Table], raw: Mapping[str, Any], path: str, place: Steps) -> _Table:
         values = schema.model_validate(raw)
@@ -259,10 +257,13 @@ class StandNumbers:
             found.inside[str(i)] = cells
         return found
 
-    def _along_freedom(self, schema: type[Table], table: Table, key: str) -> Dimension | None:
+    def _along_freedom(self, schema: type[Table], table: Any, key: str) -> Dimension | None:
         """Dimension of a number of friction or a stop, which is that of its freedom; None of other numbers."""
-        laws = [law for law in held_schemas() if schema in law.held.values()]
-        return laws[0].dimension_of(key, table, self._stand.hold) if laws and self._stand.hold is not None else None
+        law = next((law for law in held_laws() if schema is law.item.table()), None)
+        hold = self._stand.hold
+        if law is None or hold is None:
+            return None
+        return law.item.dimension(key, hold.freedoms[find_freedom(hold, table.freedom)].kind)
 
     def _unbalance(self, name: str, raw: Mapping[str, Any]) -> Mapping[str, Any]:
         """Unbalance of a flywheel, however its file gives it."""

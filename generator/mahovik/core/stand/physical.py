@@ -9,7 +9,7 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.definite import condition_of_twists, least_eigenvalue
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
-from mahovik.core.stand.law_schemas import body_schemas
+from mahovik.core.stand.laws import body_laws
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.moments import Moments
 from mahovik.core.stand.problems import Problems
@@ -36,8 +36,8 @@ def check_size(body: Body, where: str, problems: Problems, moments: Moments | No
     """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
     shown = moments or Moments()
     given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
-    for law in body_schemas():
-        given |= {key: getattr(data, key) for key in law.limited if (data := body.law(law.data)) is not None}
+    for kind in body_laws():
+        given |= {key: getattr(law, key) for key in kind.limited if (law := body.law(kind)) is not None}
     if isinstance(body, Instrument | Flywheel):
         given["position"] = body.position
     if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
@@ -86,9 +86,8 @@ def check_body(body: Body, where: str, problems: Problems, moments: Moments | No
                 "principal moments about the centre of mass break the triangle inequality, "
                 f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.condition(a, c)}'}",
             )
-    for law in body_schemas():
-        data = body.law(law.data)
-        if data is not None and (found := law.problem(body, data)) is not None:
+    for kind in body_laws():
+        if (law := body.law(kind)) is not None and (found := law.problem(body)) is not None:
             problems.add(where, *found)
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(

@@ -13,8 +13,10 @@ from typing import Any, TypeVar, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract.laws import LAWS, of_bodies, part
+from mahovik.contract.laws import LAWS
 from mahovik.core.stand.draw import Draw, rows
+from mahovik.core.stand.law import Size
+from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import (
     COMPONENTS,
     Carrier,
@@ -109,7 +111,7 @@ def random_stand(
     )
     gravity = draw.vec3(6.0) if draw.flag(features.gravity) else (0.0, 0.0, 0.0)
     stream = draw.vec3(0.8) if draw.flag(features.stream) else None
-    laws = [part(law, "random").random_law(draw, features.laws.get(law), mounts) for law in LAWS]
+    laws = [law.random_of(draw, features.laws.get(law.key), mounts) for law in carrier_laws()]
     points = tuple(
         Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
         for k in range(draw.count(features.points, 2))
@@ -134,14 +136,14 @@ def _with_flow(stand: Stand, draw: Draw) -> Stand:
 
     What steers comes after the fins and propellers that it names.
     """
-    return _with_drawn(_with_drawn(stand, draw, "random_flow"), draw, "random_steering")
+    return _with_drawn(_with_drawn(stand, draw, steers=False), draw, steers=True)
 
 
-def _with_drawn(stand: Stand, draw: Draw, content: str) -> Stand:
-    """The stand with the laws of bodies that have a function of this name."""
+def _with_drawn(stand: Stand, draw: Draw, steers: bool) -> Stand:
+    """The stand with the laws of bodies that are drawn after all bodies, or with those that steer."""
 
     def add_laws(body: AnyBody) -> AnyBody:
-        laws = [make(draw, body) for make in of_bodies("random", content)]
+        laws = [law.random_on(draw, body) for law in body_laws() if law.steers is steers]
         return body.with_laws(*(law for law in laws if law is not None))
 
     return replace(
@@ -191,20 +193,19 @@ class _Bodies(Draw):
         J = np.einsum("k,kij->ij", parts, np.einsum("ki,ki->k", arms, arms)[:, None, None] * np.eye(3))
         J = J - np.einsum("k,ki,kj->ij", parts, arms, arms)
         J = (J + J.T) / 2
+        own = Size(total, size, mass)
         return {
             "name": name,
             "mass": total,
             "center_of_mass": (float(center[0]), float(center[1]), float(center[2])),
             "inertia": cast(Mat3, rows(J)),
             "inertia_about": "center_of_mass" if about_center else "origin",
-            "laws": tuple(make(self, mass, total, size) for make in of_bodies("random", "random_data"))
-            if fluid
-            else (),
+            "laws": tuple(law for kind in body_laws() if fluid and (law := kind.random_with(self, own)) is not None),
             "wrench_input": inputs and bool(rng.random() < 0.6),
         }
 
     def added_mass(self, size: float) -> Mat6:
-        return cast(Mat6, rows(self.definite6(size)))
+        return self.definite6(size)
 
     def mounting(self) -> MountingAngles | MountingAxes:
         if self.rng.random() < 0.6:

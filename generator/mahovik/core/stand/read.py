@@ -9,18 +9,21 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand import build, datasheet, physical
 from mahovik.core.stand.content import readable
 from mahovik.core.stand.fields import ZERO3, Table
 from mahovik.core.stand.hold import HoldTable, hold_of
-from mahovik.core.stand.law import BodyLawSchema, LawSchema
-from mahovik.core.stand.law_schemas import (
+from mahovik.core.stand.law import BodyLaw, CarrierLaw
+from mahovik.core.stand.laws import (
     AnyTable,
-    held_schemas,
+    carrier_laws,
+    held_laws,
     hold_with_laws,
+    law_arrays,
+    law_headers,
+    law_tables,
     mounted_keys,
-    mounted_schemas,
+    mounted_laws,
     with_laws,
 )
 from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, StreamProfile, Task
@@ -103,7 +106,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     carrier_table = _table(problems, document, "carrier", with_laws(CarrierTable))
     if "carrier" not in document:
         problems.add("carrier", "required, but missing")
-    laws = [_law(problems, document, part.SCHEMA) for part in parts("schema")]
+    laws = [_law(problems, document, law) for law in carrier_laws() if law not in held_laws()]
     instrument_tables = _array(problems, document, "instrument", with_laws(InstrumentTable))
     flywheel_tables = _array(problems, document, "flywheel", with_laws(FlywheelTable))
     point_tables = _array(problems, document, "point", PointTable)
@@ -111,7 +114,7 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
         problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
 
-    mounted = [(law, _array(problems, document, law.key, law.table)) for law in mounted_schemas()]
+    mounted = [(law, _array(problems, document, law.key, law_arrays()[law.key])) for law in mounted_laws()]
     carrier = build.carrier(carrier_table, problems) if carrier_table else None
     instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
     wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
@@ -163,11 +166,8 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
 
 
 def _header(document: dict[str, Any], problems: Problems) -> Header | None:
-    schemas = [part.SCHEMA for part in parts("schema")]
     own_keys = keys_of(Header)
-    law_keys = [key for law in schemas for key in (*law.tables, *law.arrays)]
-    law_keys += [law.key for law in mounted_schemas()]
-    law_keys += [key for law in schemas if law.header is not None for key in keys_of(law.header)]
+    law_keys = [*law_tables(), *law_arrays(), *(key for table in law_headers() for key in keys_of(table))]
     known = [*own_keys, "stream_profile", "carrier", *law_keys, *_ARRAYS, "task", "hold"]
     own = {key: value for key, value in document.items() if key in own_keys}
     for key in document:
@@ -188,19 +188,16 @@ def _profile(problems: Problems, document: dict[str, Any], header: Header | None
     return StreamProfile(table.down or header.gravity, table.depth, table.velocity)
 
 
-def _law(problems: Problems, document: dict[str, Any], schema: LawSchema) -> LawData | None:
+def _law(problems: Problems, document: dict[str, Any], law: type[CarrierLaw]) -> LawData | None:
     """The data of one law; None where the file does not have it, or not in order."""
     header = None
-    if schema.header is not None:
-        raw = {key: value for key, value in document.items() if key in keys_of(schema.header)}
-        header = _validate(problems, "", schema.header, raw)
-    given: dict[str, list[Any]] = {}
-    for key, table in schema.tables.items():
-        found = _table(problems, document, key, table)
-        given[key] = [] if found is None else [found]
-    for key, table in schema.arrays.items():
-        given[key] = [item for _, item in _array(problems, document, key, table)]
-    return schema.read(header, given)
+    if (header_table := law.header_table()) is not None:
+        raw = {key: value for key, value in document.items() if key in keys_of(header_table)}
+        header = _validate(problems, "", header_table, raw)
+    if law.item is None:
+        found = _table(problems, document, law.key, law.table())
+        return law.read(header, [] if found is None else [found])
+    return law.read(header, [item for _, item in _array(problems, document, law.key, law.item.table())])
 
 
 def _hold_table(problems: Problems, document: dict[str, Any]) -> HoldTable | None:
@@ -218,13 +215,14 @@ def _held_laws(problems: Problems, table: HoldTable, hold: Hold) -> list[LawData
     def note(*words: str) -> None:
         problems.add("hold", *words)
 
-    given = {key: getattr(table, key) for law in held_schemas() for key in law.held}
-    return [law.read_held(given, hold, note) for law in held_schemas()]
+    return [law.read_held(getattr(table, law.key), hold, note) for law in held_laws()]
 
 
-def _bearing(body: AnyBody, mounted: Sequence[tuple[BodyLawSchema, Sequence[tuple[str, Any]]]]) -> AnyBody:
+def _bearing(body: AnyBody, mounted: Sequence[tuple[type[BodyLaw], Sequence[tuple[str, Any]]]]) -> AnyBody:
     """The body with the laws that are mounted on it, in the file's order."""
-    own: list[LawData | None] = [law.read([t for _, t in tables if t.mount == body.name]) for law, tables in mounted]
+    own: list[LawData | None] = [
+        law.read_mounted([t for _, t in tables if t.mount == body.name]) for law, tables in mounted
+    ]
     return replace(body, laws=(*body.laws, *(data for data in own if data is not None)))
 
 

@@ -143,7 +143,7 @@ class StreamProfileTable(Table):
 
 
 class BodyTable(Table):
-    """Keys that any body may have; those of the laws are added to them, see `law.with_laws`."""
+    """Keys that any body may have; those of the laws are added to them, see `laws.with_laws`."""
 
     center_of_mass: Length3 = ZERO3
     inertia_about: Annotated[About, validator(_about)] | None = None

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand.hold import kinds
-from mahovik.core.stand.law_schemas import body_schemas
+from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.structure_facts import Structure
 
@@ -40,8 +39,8 @@ def structure(stand: Stand) -> Structure:
         laws=tuple(
             item
             for said in (
-                *(law.structure(stand) for law in body_schemas()),
-                *(law.SCHEMA.structure(stand.law(law.SCHEMA.data), stand) for law in parts("schema")),
+                *(law.structure(stand) for law in body_laws()),
+                *(law.structure(stand.law(law), stand) for law in carrier_laws()),
             )
             for item in said.items()
         ),

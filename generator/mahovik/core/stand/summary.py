@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from mahovik.contract.laws import BODY_LAWS, LAWS, of_bodies, part, parts
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.hold import words
 from mahovik.core.stand.idle_laws import idle_laws
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import HoldNumber
+from mahovik.core.stand.laws import body_laws, carrier_laws, held_laws
 from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
@@ -158,8 +158,7 @@ def _hold(stand: Stand) -> str:
     """How the carrier can move, and what acts along its freedoms; empty where it is free."""
     if stand.hold is None:
         return ""
-    own = (part(law, "text").short(stand) for law in LAWS if part(law, "schema").SCHEMA.held)
-    return "; ".join([words(stand.hold), *filter(None, own)])
+    return "; ".join([words(stand.hold), *filter(None, (law.short(stand) for law in held_laws()))])
 
 
 def _place(stand: Stand) -> list[HoldNumber]:
@@ -175,7 +174,7 @@ def _place(stand: Stand) -> list[HoldNumber]:
 
 def forces_along_freedoms(stand: Stand) -> list[HoldNumber]:
     """The numbers of the laws along the freedoms of a hold: friction and stops."""
-    return [each for law in parts("text") if hasattr(law, "numbers") for each in law.numbers(stand)]
+    return [each for law in held_laws() for each in law.numbers(stand)]
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
@@ -224,12 +223,11 @@ def _warnings(stand: Stand) -> list[str]:
             f"{_FIRST_AXIS[stand.angles] + 1} of E0: a turn about the vertical passes there, it is a heading"
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
         )
-    texts = [law for law in (*parts("text"), *parts("text", BODY_LAWS)) if law.CARRIES_WEIGHT]
-    if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in texts):
-        *names, last = (law.NAME for law in texts)
+    carrying = [law for law in (*carrier_laws(), *body_laws()) if law.carries_weight]
+    if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in carrying):
+        *names, last = (law.name for law in carrying)
         found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
-    own = [law.warnings for law in parts("text") if hasattr(law, "warnings")]
-    of_laws = (line for warnings in (*of_bodies("text", "warnings"), *own) for line in warnings(stand))
+    of_laws = (line for law in (*body_laws(), *carrier_laws()) for line in law.warnings(stand))
     return [*found, *of_laws, *idle_laws(stand)]
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand.hold import lines as hold_lines
-from mahovik.core.stand.law_schemas import body_schemas, mounted_schemas
+from mahovik.core.stand.law import HeldLaw
+from mahovik.core.stand.laws import body_laws, carrier_laws, mounted_laws
 from mahovik.core.stand.model import (
     INVERSE_MOST,
     Body,
@@ -39,8 +39,8 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
         lines.append(line_of("phase_input", stand.phase_input))
     if stand.inverse_most != INVERSE_MOST:
         lines.append(line_of("inverse_most", stand.inverse_most))
-    schemas = [part.SCHEMA for part in parts("schema")]
-    given = [law.lines(data) for law in schemas if not law.held and (data := stand.law(law.data)) is not None]
+    laws = [law for kind in carrier_laws() if (law := stand.law(kind)) is not None]
+    given = [law.text() for law in laws if not isinstance(law, HeldLaw)]
     lines += [line for header, _ in given for line in header]
     if stand.profile is not None:
         lines += ["", "[stream_profile]", *fields(stand.profile, "down", "depth", "velocity")]
@@ -48,8 +48,7 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     lines += [line for _, tables in given for line in tables]
     if stand.hold is not None:
         lines += hold_lines(stand.hold)
-        along = [law.lines(data) for law in schemas if law.held and (data := stand.law(law.data)) is not None]
-        lines += [line for _, tables in along for line in tables]
+        lines += [line for law in laws if isinstance(law, HeldLaw) for line in law.text()[1]]
     for instrument in stand.instruments:
         lines += [
             *head("[[instrument]]", instrument.name),
@@ -62,10 +61,10 @@ def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
     for point in stand.points:
         lines += [*head("[[point]]", point.name), f'name = "{point.name}"', f'mount = "{point.mount}"']
         lines += fields(point, "position", "angles")
-    for law in mounted_schemas():
-        for body in stand.bodies:
-            for table in law.lines(data) if (data := body.law(law.data)) is not None else ():
-                lines += ["", f"[[{law.key}]]", line_of("mount", body.name), table]
+    for kind in mounted_laws():
+        for _, body, own in kind.of(stand):
+            for item in own.items:
+                lines += ["", f"[[{kind.key}]]", line_of("mount", body.name), *item.lines()]
     for task in stand.tasks:
         lines += ["", f"[task.{task.name}]", f"rows = [{', '.join(_row(row) for row in task.rows)}]"]
     return "\n".join(lines) + "\n"
@@ -82,9 +81,9 @@ def _body(body: Body) -> list[str]:
         lines.append(line_of("added_mass", body.added_mass))
     if body.wrench_input:
         lines.append("wrench_input = true")
-    for law in body_schemas():
-        if not law.mounted and (data := body.law(law.data)) is not None:
-            lines.append(f"{law.key} = {{ {', '.join(law.lines(data))} }}")
+    for kind in body_laws():
+        if not kind.mounted and (law := body.law(kind)) is not None:
+            lines.append(f"{law.key} = {{ {', '.join(law.lines())} }}")
     return lines
 
 

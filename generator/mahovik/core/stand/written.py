@@ -10,11 +10,10 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
 from mahovik.core.stand.fields import ADDED_MASS, QuantityValidator, Table
-from mahovik.core.stand.hold import HoldTable, hold_of
-from mahovik.core.stand.law_schemas import held_schemas, mounted_schemas, with_laws
+from mahovik.core.stand.hold import HoldTable, find_freedom, hold_of
+from mahovik.core.stand.laws import held_laws, law_arrays, law_headers, law_tables, with_laws
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
 from mahovik.core.stand.shapes import SHARE, Blocks, asymmetries, vector
@@ -73,19 +72,17 @@ def _doubts(numbers: list[Quantity]) -> Iterator[str]:
 def _numbers(path: str | Path) -> Iterator[Quantity]:
     """All numbers of a valid stand file, in its order."""
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
-    laws = [part.SCHEMA for part in parts("schema")]
     tables: dict[str, type[Table]] = {
         "carrier": with_laws(CarrierTable),
         "instrument": with_laws(InstrumentTable),
         "flywheel": with_laws(FlywheelTable),
         "point": PointTable,
+        **law_tables(),
+        **law_arrays(),
     }
-    for law in laws:
-        tables |= {**law.tables, **law.arrays}
-    tables |= {law.key: law.table for law in mounted_schemas()}
-    for header in (Header, *(law.header for law in laws)):
-        if header is not None:
-            yield from _of_table(document, header, "stand")
+    headers: list[type[Table]] = [Header, *law_headers()]
+    for header in headers:
+        yield from _of_table(document, header, "stand")
     for key, table in tables.items():
         items = document.get(key, [])
         for k, item in enumerate(items if isinstance(items, list) else [items]):
@@ -102,14 +99,12 @@ def _of_hold(raw: dict[str, Any]) -> Iterator[Quantity]:
     hold = hold_of(own, Problems("hold"))
     if hold is None:
         return
-    for law in held_schemas():
-        for key, table in law.held.items():
-            for k, item in enumerate(raw.get(key, [])):
-                read = table.model_validate(item)
-                for name, value in item.items():
-                    dimension = law.dimension_of(name, read, hold)
-                    if dimension is not None:
-                        yield dimension, value, f"hold.{key}[{k}]", name
+    for law in held_laws():
+        for k, item in enumerate(raw.get(law.key, [])):
+            kind = hold.freedoms[find_freedom(hold, item.get("freedom"))].kind
+            for name, value in item.items():
+                if (dimension := law.item.dimension(name, kind)) is not None:
+                    yield dimension, value, f"hold.{law.key}[{k}]", name
 
 
 def _of_table(raw: dict[str, Any], table: type[Table], where: str, path: str = "") -> Iterator[Quantity]:

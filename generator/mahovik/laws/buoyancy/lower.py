@@ -7,7 +7,7 @@ from typing import Any
 from mahovik.core.program.types import Field, Kind
 from mahovik.core.stand.model import Body
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.buoyancy.law import Buoyancy
 
 BODY_FIELDS = (
     Field("displaced_mass", Kind.REAL, (), "kg", "mass of the displaced fluid"),

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.buoyancy.data import Buoyancy
+from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import force_at
 
 
@@ -16,3 +17,6 @@ def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
     if buoyancy is None:
         return {"buoyancy": np.zeros(6)}
     return {"buoyancy": force_at(-buoyancy.displaced_mass * gravity, vector(buoyancy.center))}
+
+
+LAW = BodyReference(wrenches)

@@ -15,7 +15,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.control.data import MOST_FACTORS, ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import MOST_FACTORS, ControlDerivatives, Factor, Velocity
 
 INT, REAL = Kind.INT, Kind.REAL
 ORDER = ("first", "second", "third", "fourth")

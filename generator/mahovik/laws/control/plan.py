@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.control.data import ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import ControlDerivatives, Factor, Velocity
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -58,3 +59,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     """The control derivatives of a body; None where there is none."""
     law = body.law(ControlDerivatives)
     return None if law is None else TwistLaw(law, body)
+
+
+LAW = BodyPlan(twist_law)

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.control.data import ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import ControlDerivatives, Factor, Velocity
 from mahovik.proof.reference.array import Array, sqrt
+from mahovik.proof.reference.law import BodyReference
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -40,3 +41,6 @@ def factor(body: Body, law: ControlDerivatives, each: Factor, V_r: Array) -> Any
 def race(a: float, n: float, u: float) -> Any:
     """sign(n) (sqrt(u^2 + a n^2) - |u|), m/s."""
     return np.sign(n) * (sqrt(u**2 + a * n**2) - abs(u))
+
+
+LAW = BodyReference(wrenches)

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.cross_flow.data import CrossFlow
-from mahovik.laws.cross_flow.strips import Strip, strips_of
+from mahovik.laws.cross_flow.law import CrossFlow
+from mahovik.laws.cross_flow.lower import Strip, strips_of
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -59,3 +60,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     """The cross-flow drag of a body; None where there is none."""
     law = body.law(CrossFlow)
     return None if law is None else TwistLaw(strips_of(law), law.together)
+
+
+LAW = BodyPlan(twist_law)

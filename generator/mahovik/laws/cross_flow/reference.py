@@ -7,8 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.cross_flow.data import CrossFlow
+from mahovik.laws.cross_flow.law import CrossFlow
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import BodyReference
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -39,3 +40,6 @@ def cross_flow_drag(law: CrossFlow, V_r: Array) -> Array:
         dx = (end[0] - start[0]) / 2 * weights
         P = P - law.density / 2 * np.array([0.0, dx @ Y, dx @ Z, 0.0, -dx @ (x * Z), dx @ (x * Y)])
     return P
+
+
+LAW = BodyReference(wrenches)

@@ -17,7 +17,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.damping.law import Damping
 
 INT = Kind.INT
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body, Mat6
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.damping.law import Damping
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -66,3 +67,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     if damping is None:
         return None
     return TwistLaw(damping, getattr(body, "added_mass", None) if damping.contains_products else None)
+
+
+LAW = BodyPlan(twist_law)

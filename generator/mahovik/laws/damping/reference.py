@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.damping.data import Damping
+from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import added_mass
+from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import Phi
 
 
@@ -49,3 +50,6 @@ def products_in_derivatives(body: Body, V_r: Array) -> Array:
     """Phi(V_r) Lambda V_r (6; N, N m): takes out of (8) the products of added mass that the derivatives contain."""
     Lambda = added_mass(getattr(body, "added_mass", None))
     return np.asarray(Phi(V_r) @ Lambda @ V_r)
+
+
+LAW = BodyReference(wrenches)

@@ -15,7 +15,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fading.law import FadingDamping
 
 REAL = Kind.REAL
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fading.law import FadingDamping
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -39,3 +40,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     """The fading damping of a body; None where there is none."""
     law = body.law(FadingDamping)
     return None if law is None else TwistLaw(law)
+
+
+LAW = BodyPlan(twist_law)

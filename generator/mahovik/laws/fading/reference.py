@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.fading.data import FadingDamping
+from mahovik.laws.fading.law import FadingDamping
 from mahovik.proof.reference.array import Array, exp, vector
+from mahovik.proof.reference.law import BodyReference
 
 
 def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
@@ -19,3 +20,6 @@ def fading_damping(law: FadingDamping, V_r: Array) -> Array:
     """-exp(-rate U) linear V_r (6; N, N m), U = |v|."""
     U = np.linalg.norm(V_r[:3])
     return np.asarray(-exp(-law.rate * U) * (vector(law.linear) @ V_r))
+
+
+LAW = BodyReference(wrenches)

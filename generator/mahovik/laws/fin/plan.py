@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.fin.data import Fin, Fins
-from mahovik.laws.fin.strips import axes_of
+from mahovik.laws.fin.law import Fin, Fins
+from mahovik.laws.fin.lower import axes_of
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -78,3 +79,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     """The fins of a body; None where there is none."""
     law = body.law(Fins)
     return None if law is None else TwistLaw(law.fins)
+
+
+LAW = BodyPlan(twist_law)

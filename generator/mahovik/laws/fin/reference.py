@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.fin.data import Fin, Fins
+from mahovik.laws.fin.law import Fin, Fins
 from mahovik.proof.reference.array import Array, arctan2, larger, pi_like, smaller, sqrt, vector, with_sign
+from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import cross, force_at
 
 
@@ -48,3 +49,6 @@ def lift_coefficient(fin: Fin, angle: Any) -> Any:
     if fin.stall is not None:  # the falling line is below the other beyond the stall
         size = smaller(size, larger(fin.stall * (right - size) / (right - fin.stall), 0.0))
     return fin.lift_slope * with_sign(size, angle)
+
+
+LAW = BodyReference(wrenches)

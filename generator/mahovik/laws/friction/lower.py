@@ -20,8 +20,8 @@ from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.hold import wrench_columns
 from mahovik.core.stand.model import FreedomKind, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.friction.data import Friction as Row
-from mahovik.laws.friction.data import frictions_of
+from mahovik.laws.friction.law import Friction as Row
+from mahovik.laws.friction.law import frictions_of
 
 if TYPE_CHECKING:
     from mahovik.laws.friction import derive as formulas

@@ -6,10 +6,10 @@ import numpy as np
 
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
-from mahovik.laws.friction.data import Friction, frictions_of
+from mahovik.laws.friction.law import Friction, frictions_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists
-from mahovik.use.plan.residual.slopes import Slopes
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 
 
 def wrench(stand: Stand, at: Twists) -> Array:
@@ -48,3 +48,6 @@ def _drag(friction: Friction, u: Array) -> tuple[Array, Array]:
         level, slope = level + rise, -2.0 * ratio / friction.stribeck_speed * rise / (1.0 + ratio**2)
     drag = friction.viscous * u + level * u / w
     return drag, friction.viscous + slope * u / w + level * friction.smoothing**2 / w**3
+
+
+LAW = CarrierPlan(wrench, slopes)

@@ -8,9 +8,10 @@ import numpy as np
 
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
-from mahovik.laws.friction.data import Friction, frictions_of
+from mahovik.laws.friction.law import Friction, frictions_of
 from mahovik.proof.reference.array import Array, solve, sqrt, vector
 from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose
 from mahovik.proof.reference.screw import E, wrench_to_parent
 
@@ -42,3 +43,6 @@ def unit_wrenches(hold: Hold) -> Array:
     m = S.shape[1]
     system = np.block([[np.eye(6), S], [S.T, np.zeros((m, m))]])
     return to_O1 @ solve(system, np.vstack([np.zeros((6, m)), np.eye(m)]))[:6]
+
+
+LAW = CarrierReference(wrenches)

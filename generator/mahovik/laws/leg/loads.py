@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.out.campaign.pose import Array, Pose, cross, length, turn, turn_back
+from mahovik.out.campaign.pose import Array, Loads, Pose, cross, length, turn, turn_back
 
 
 def names(structure: Structure) -> tuple[str, ...]:
@@ -31,3 +31,6 @@ def wrench(name: str, numbers: Mapping[str, Any], at: Pose, attitude: Array) -> 
     tension = own["stiffness"] * (size - own["length"]) + own["damping"] * rate
     force = -tension[..., None, :] * direction
     return np.concatenate([force, np.zeros_like(force)], axis=-2)
+
+
+LAW = Loads(names, wrench)

@@ -19,7 +19,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.leg.data import legs_of
+from mahovik.laws.leg.law import legs_of
 
 REAL = Kind.REAL
 LEG = Struct(

@@ -6,10 +6,10 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.laws.leg.data import Leg, legs_of
+from mahovik.laws.leg.law import Leg, legs_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.slopes import Slopes
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 from mahovik.use.plan.residual.spatial import skew
 
 SHORTEST_LEG = 1e-9
@@ -67,3 +67,6 @@ def _slopes(leg: Leg, at: Twists) -> Slopes:
     force_by_V = -n[:, :, None] * (leg.damping * n[:, None, :] @ speeds)
     carried = np.vstack([np.eye(3), skew(point)])
     return Slopes(carried @ force_by_pose, carried @ force_by_V)
+
+
+LAW = CarrierPlan(wrench, slopes)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.laws.leg.data import Leg, legs_of
+from mahovik.laws.leg.law import Leg, legs_of
 from mahovik.proof.reference.array import Array, hypot, vector
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose
 from mahovik.proof.reference.screw import cross, force_at
 
@@ -29,3 +30,6 @@ def wrench(leg: Leg, at: Pose) -> Array:
     length_rate = direction @ (at.V[:3] + cross(at.V[3:]) @ point)
     tension = leg.stiffness * (length - leg.length) + leg.damping * length_rate
     return force_at(-tension * direction, point)
+
+
+LAW = CarrierReference(wrenches)

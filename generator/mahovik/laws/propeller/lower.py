@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.lower import units
@@ -13,12 +15,50 @@ from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.expression import Expr, Place, magnitude
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
-from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.columns import hypot
+from mahovik.core.stand.model import Body, Stand, Vec3
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.propeller.data import Propellers
-from mahovik.laws.propeller.strips import screw_of
+from mahovik.laws.propeller.law import Propeller, Propellers
 
 INT, REAL = Kind.INT, Kind.REAL
+
+
+@dataclass(frozen=True)
+class Screw:
+    """Thrust and torque on the body as t0 |n| n + t1 |n| u + t2 |u| u of the speed n (rad/s) and the velocity u (m/s).
+
+    axis    of length one
+    thrust  t0 (N s2/rad2), t1 (N s2/(rad m)), t2 (N s2/m2)
+    torque  likewise, about the axis, N m
+    """
+
+    axis: Vec3
+    thrust: Vec3
+    torque: Vec3
+
+
+def screw_of(p: Propeller) -> Screw:
+    """The propeller so."""
+    force = p.density * p.diameter**4
+    hand = 1.0 if p.left else -1.0
+    thrust = _in_radians(p, p.thrust, (1.0 - p.deduction) * force)
+    return Screw(_unit(p.axis), thrust, _in_radians(p, p.torque, hand * force * p.diameter))
+
+
+def _in_radians(p: Propeller, k: Vec3, size: float) -> Vec3:
+    advance = (1.0 - p.wake) / p.diameter
+    return (
+        size * k[0] / (math.tau * math.tau),
+        size * k[1] * advance / math.tau,
+        size * k[2] * abs(advance) * advance,
+    )
+
+
+def _unit(a: Vec3) -> Vec3:
+    largest = max(abs(x) for x in a)  # first, so that squares neither overflow nor vanish
+    x, y, z = (each / largest for each in a)
+    length = hypot(x, y, z)
+    return (x / length, y / length, z / length)
 
 
 def words(structure: Structure) -> str:

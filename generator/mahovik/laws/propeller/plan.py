@@ -7,9 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Body, Vec3
-from mahovik.laws.propeller.data import Propeller, Propellers
-from mahovik.laws.propeller.strips import screw_of
+from mahovik.laws.propeller.law import Propeller, Propellers
+from mahovik.laws.propeller.lower import screw_of
 from mahovik.use.plan.array import Array
+from mahovik.use.plan.residual.slopes import BodyPlan
 
 
 @dataclass(frozen=True)
@@ -67,3 +68,6 @@ def twist_law(body: Body) -> TwistLaw | None:
     """The propellers of a body; None where there is none."""
     law = body.law(Propellers)
     return None if law is None else TwistLaw(law.propellers)
+
+
+LAW = BodyPlan(twist_law)

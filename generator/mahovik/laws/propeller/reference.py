@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Body, Vec3
-from mahovik.laws.propeller.data import Propeller, Propellers
+from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof.reference.array import Array, pi_like, vector
+from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import cross, force_at
 
 
@@ -34,3 +35,6 @@ def thrust_and_torque(propeller: Propeller, V_r: Array) -> Array:
 def _times_square(k: Vec3, n: Any, advance: Any) -> Any:
     """|n| n K(J) with n J = V_a/D = `advance` (1/s): k0 |n| n + k1 |n| V_a/D + k2 |V_a| V_a/D^2."""
     return k[0] * abs(n) * n + k[1] * abs(n) * advance + k[2] * abs(advance) * advance
+
+
+LAW = BodyReference(wrenches)

@@ -19,8 +19,8 @@ from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.hold import wrench_columns
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.stop.data import Stop as Row
-from mahovik.laws.stop.data import stops_of
+from mahovik.laws.stop.law import Stop as Row
+from mahovik.laws.stop.law import stops_of
 
 if TYPE_CHECKING:
     from mahovik.laws.stop import derive as formulas

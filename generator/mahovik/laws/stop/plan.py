@@ -6,10 +6,10 @@ import numpy as np
 
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Hold, Stand
-from mahovik.laws.stop.data import Stop, stops_of
+from mahovik.laws.stop.law import Stop, stops_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.slopes import Slopes
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 from mahovik.use.plan.residual.spatial import attitude
 
 
@@ -86,3 +86,6 @@ def _coordinate_rate(stand: Stand, hold: Hold, along: Array, at: Twists) -> Arra
         by_sine, by_cosine = _sine_and_cosine(R @ -turning.T, a)
         found[:, 3 + k] = (cosine * by_sine - sine * by_cosine) / (sine**2 + cosine**2)
     return found
+
+
+LAW = CarrierPlan(wrench, slopes)

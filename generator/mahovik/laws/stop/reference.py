@@ -8,10 +8,11 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
-from mahovik.laws.stop.data import Stop, stops_of
+from mahovik.laws.stop.law import Stop, stops_of
 from mahovik.proof.reference.array import Array, larger, vector
 from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine
 from mahovik.proof.reference.hold import unit
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation
 from mahovik.proof.reference.screw import force_at
 
@@ -49,3 +50,6 @@ def margin(stand: Stand, state: State) -> float:
             sine, cosine = sine_and_cosine(R, unit(freedom))
             least = min(least, math.hypot(sine, cosine), math.pi - abs(math.atan2(sine, cosine)))
     return least
+
+
+LAW = CarrierReference(wrenches, margin)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.out.campaign.pose import Array, Pose, compose, conjugate, product, rotation_vector, turn_back
+from mahovik.out.campaign.pose import Array, Loads, Pose, compose, conjugate, product, rotation_vector, turn_back
 
 NAME = "suspension"
 
@@ -27,3 +27,6 @@ def wrench(name: str, numbers: Mapping[str, Any], at: Pose, attitude: Array) -> 
     turned = rotation_vector(compose(conjugate(own["attitude"]), attitude))
     x = np.concatenate([turn_back(at.C, at.O1 - own["position"]), turned], axis=-2)
     return np.asarray(-product(own["stiffness"], x) - product(own["damping"], at.V))
+
+
+LAW = Loads(names, wrench)

@@ -18,7 +18,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.suspension.data import Suspension as Data
+from mahovik.laws.suspension.law import Suspension as Data
 
 REAL = Kind.REAL
 SUSPENSION = Struct(

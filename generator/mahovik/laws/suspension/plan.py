@@ -6,10 +6,10 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.slopes import Slopes, rotation_vector_rate
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes, rotation_vector_rate
 from mahovik.use.plan.residual.spatial import attitude, skew
 
 
@@ -34,3 +34,6 @@ def slopes(stand: Stand, at: Twists) -> Slopes:
     x[:, :3, 3:] = skew(in_E1(at.C, at.O1 - np.array(own.position)))
     x[:, 3:, 3:] = rotation_vector_rate(Rotation.from_matrix(C_eq.T @ at.C).as_rotvec())
     return Slopes(-np.array(own.stiffness) @ x, np.tile(-np.array(own.damping), (len(at.V), 1, 1)))
+
+
+LAW = CarrierPlan(wrench, slopes)

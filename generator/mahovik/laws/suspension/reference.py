@@ -8,8 +8,9 @@ import numpy as np
 
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.state import State
-from mahovik.laws.suspension.data import Suspension
+from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation, rotation_vector
 
 
@@ -37,3 +38,6 @@ def margin(stand: Stand, state: State) -> float:
         return math.pi
     at = Pose(np.array(state.position), carrier_rotation(stand, state), np.array(state.V))
     return math.pi - math.hypot(*displacement(law, stand.angles, at)[3:])
+
+
+LAW = CarrierReference(wrenches, margin)

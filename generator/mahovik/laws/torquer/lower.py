@@ -18,7 +18,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.torquer.data import Torquers as Data
+from mahovik.laws.torquer.law import Torquers as Data
 
 if TYPE_CHECKING:
     from mahovik.laws.torquer import derive as formulas

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.laws.torquer.data import Torquers, mount_of
+from mahovik.laws.torquer.law import Torquers, mount_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.slopes import Slopes
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 from mahovik.use.plan.residual.spatial import fixed_axes, skew
 
 
@@ -38,3 +38,6 @@ def _field(stand: Stand, at: Twists) -> Array:
     """The field (M, 3; T), in E1."""
     law = stand.law(Torquers)
     return in_E1(at.C, np.broadcast_to(law.magnetic_field if law else (0.0, 0.0, 0.0), at.O1.shape))
+
+
+LAW = CarrierPlan(wrench, slopes)

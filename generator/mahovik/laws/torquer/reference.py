@@ -6,8 +6,9 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.laws.torquer.data import Torquers, mount_of
+from mahovik.laws.torquer.law import Torquers, mount_of
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose, fixed_rotation
 from mahovik.proof.reference.screw import cross
 
@@ -23,3 +24,6 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
         moment = cross(dipole) @ at.C.T @ vector(law.magnetic_field if law else ())
         found[f"torquer {torquer.name}"] = np.concatenate([np.zeros(3), moment])
     return found
+
+
+LAW = CarrierReference(wrenches)

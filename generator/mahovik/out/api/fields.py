@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract import laws
 from mahovik.core.program.arrays import Member
 from mahovik.core.stand.identity import identities
+from mahovik.core.stand.laws import carrier_laws
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.units import show
@@ -216,7 +216,7 @@ def bodies(stand: Stand) -> str:
     ]  # fmt: skip
     gravity = math.hypot(*stand.gravity)
     parts = [f"{summary.mass:.4g} kg in all", f"gravity {gravity:.4g} m/s2"]
-    parts += [words for law in laws.parts("text") if (words := law.short(stand))]
+    parts += [words for law in carrier_laws() if (words := law.short(stand))]
     parts += [f"points {', '.join(p.name for p in stand.points)}"] if stand.points else []
     title = f"{repr(stand).strip('<>')}; physics {identities(stand).physics}"
     return table(title, head, rows, "; ".join(parts))

@@ -8,11 +8,14 @@ times.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from mahovik.core.stand.structure_facts import Structure
 
 Array = NDArray[np.float64]
 
@@ -24,6 +27,19 @@ class Pose:
     O1: Array
     C: Array
     V: Array
+
+
+@dataclass(frozen=True)
+class Loads:
+    """A law that ties the carrier to E0.
+
+    names   of its ties
+    wrench  of the tie of a name, on the carrier about O1 or at its end, in E1 (..., 6, n; N, N m), of the numbers of
+            the laws, the pose, and the quaternion of C
+    """
+
+    names: Callable[[Structure], tuple[str, ...]]
+    wrench: Callable[[str, Mapping[str, Any], Pose, Array], Array]
 
 
 def rotation(q: Array) -> Array:

@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import (
     Array,
+    Loads,
     Pose,
     compose,
     conjugate,
@@ -144,7 +145,7 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     if own.part in names:
         k = 6 * names.index(own.part) + first
         return at.loads[:, k : k + 3]
-    for law in laws.parts("loads"):
+    for law in parts("loads", Loads):
         if own.part in law.names(structure(scene.stand)):
             pose = Pose(at.position, at.C, at.V)
             found = law.wrench(own.part, scene.laws, pose, at.attitude)

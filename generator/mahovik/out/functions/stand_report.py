@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 from markupsafe import Markup
 
-from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.quantities import RPM
 from mahovik.core.lower.program import lower
 from mahovik.core.motion.programme import Programme, load_programme
 from mahovik.core.motion.required import RequiredMotion, load_motion
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Carrier, Instrument
 from mahovik.core.stand.summary import Summary, summarize
 from mahovik.errors import CheckError, MahovikError, StateError, UsageError
@@ -226,8 +226,8 @@ def _surroundings(stand: Stand, summary: Summary) -> Iterator[tuple[str, str]]:
     if stand.profile is not None:
         stations = zip(stand.profile.velocity, stand.profile.depth, strict=True)
         yield "Stream by depth", ", ".join(f"{_vector(u)} m/s at {depth:.6g} m" for u, depth in stations)
-    acting = [text.short(stand) for text in parts("text")]
-    bearers = ((text.NAME, text.bearers(stand)) for text in parts("text", BODY_LAWS))
+    acting = [law.short(stand) for law in carrier_laws()]
+    bearers = ((law.name, law.bearers(stand)) for law in body_laws())
     acting += [f"{name} of {', '.join(names)}" for name, names in bearers if names]
     bodies: list[Carrier | Instrument] = [stand.carrier, *stand.instruments]
     added = [body.name for body in bodies if body.added_mass is not None]

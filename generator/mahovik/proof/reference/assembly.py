@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.array import Array, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.law import BodyReference, CarrierReference
 from mahovik.proof.reference.pieces import (
     Kinds,
     Pieces,
@@ -72,7 +73,7 @@ def external_wrenches(
     gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
     for body, own_gravity, own_V_r in zip(bodies.bodies, gravities, twists, strict=True):
         P[body.name] = body_wrenches(body, own_gravity, own_V_r, run_time_wrench(state, body))
-    for law in laws.parts("reference"):
+    for law in parts("reference", CarrierReference):
         P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P
 
@@ -83,8 +84,8 @@ def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds
     `given` (6) is the run-time wrench.
     """
     kinds: dict[str, Array] = {}
-    for wrenches in laws.of_bodies("reference", "wrenches"):
-        kinds |= wrenches(body, gravity, V_r)
+    for law in parts("reference", BodyReference, BODY_LAWS):
+        kinds |= law.wrenches(body, gravity, V_r)
     return kinds | {"run-time": given}
 
 

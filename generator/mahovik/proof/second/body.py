@@ -18,11 +18,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import casadi as ca
 
-from mahovik.core.stand.model import Body
-from mahovik.proof.second.rotation import Expr, angular_velocity, directional_derivative, elementary, turn
+from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.state import State
+from mahovik.proof.second.rotation import Array, Expr, angular_velocity, directional_derivative, elementary, turn
 
 SIZE = 25
 """Numbers of a body: origin 3, axes 9, mass 1, mass centre 3, inertia about it 9."""
@@ -115,6 +117,37 @@ class Potential:
     count: int
     numbers: Callable[[Body], tuple[float, ...]]
     energy: Callable[[MovingBody, Expr, Expr], Expr]
+
+
+@dataclass(frozen=True)
+class BodyEnergy:
+    """A law of bodies: by a potential, or without one by the wrench (6; N, N m) of a body in its frame at its V_r (6).
+
+    The wrench is None of a body without the law.
+    """
+
+    potential: Potential | None = None
+    wrench: Callable[[Body, Expr], Expr | None] = lambda body, V_r: None
+
+
+def nothing(*arguments: object) -> dict[str, Any]:
+    """No inputs of its own."""
+    return {}
+
+
+@dataclass(frozen=True)
+class CarrierEnergy:
+    """A law between E0 and the carrier.
+
+    force           of a stand and the inputs by name: generalized force (6) on the carrier
+    inputs          shapes of inputs of its own; `arguments`: their values at a state, where C is the attitude
+    arguments_near  their expressions of a place of O1 and an attitude near C0
+    """
+
+    force: Callable[[Stand, dict[str, Expr]], Expr]
+    inputs: Callable[[Stand], dict[str, tuple[int, int]]] = nothing
+    arguments: Callable[[Stand, State, Array], dict[str, Any]] = nothing
+    arguments_near: Callable[[Stand, Array, Expr, Expr], dict[str, Expr]] = nothing
 
 
 def inertial_force(chart: Chart, T: Expr) -> Expr:

@@ -9,12 +9,13 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from mahovik.contract import laws
 from mahovik.contract.functions import hold_fault, want_fault, wants_of
+from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.second import problems
+from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.coordinates import free_coordinates, held_coordinates
 from mahovik.proof.second.rotation import Array, Expr, attitude
 from mahovik.proof.second.system import System, check_depth
@@ -96,7 +97,7 @@ class Second:
         stand = self.stand
         C = attitude(stand.angles, state)
         of_laws: dict[str, Any] = {}
-        for law in laws.parts("second"):
+        for law in parts("energy", CarrierEnergy):
             of_laws |= law.arguments(stand, state, C)
         names = ("position", "V", "V_dot", "phi", "phi_dot", "phi_ddot", "tau")
         return {

@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 import casadi as ca
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.evaluate import Second
 from mahovik.proof.second.problems import point_names
 from mahovik.proof.second.rotation import Array, Expr, turn
@@ -52,15 +53,15 @@ def linear(stand: Stand, state: State) -> Matrices:
         "tau": tau + u[:N],
         "wrench": ca.horzcat(at["wrench"][:, 0] + u[N:], at["wrench"][:, 1:]),
     }
-    for law in laws.parts("second"):
+    for law in parts("energy", CarrierEnergy):
         given |= law.arguments_near(stand, at["C"], place, C)
     found = second.function("coupled")(**given)
     rate = found["coupled_V_dot"]
     drift = _drift(e, eta, at["V"], given["V"])
     x_dot = ca.vertcat(*drift, rate, phi_dot, found["coupled_phi_ddot"])
     y = ca.vertcat(ca.MX.zeros(0), *_outputs(second, moving, {**given, "V_dot": rate}))
-    parts = [ca.jacobian(f, z) for f in (x_dot, y) for z in (x, u)]
-    values = ca.Function("linear", [x, u], parts)(np.zeros(12 + 2 * N), np.zeros(N + 6))
+    blocks = [ca.jacobian(f, z) for f in (x_dot, y) for z in (x, u)]
+    values = ca.Function("linear", [x, u], blocks)(np.zeros(12 + 2 * N), np.zeros(N + 6))
     return Matrices(*(each.full() for each in values))
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import casadi as ca
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.second import body as one
+from mahovik.proof.second.body import BodyEnergy, CarrierEnergy
 from mahovik.proof.second.rotation import Array, Expr, fixed_rotation, mounting
 
 Place = tuple[Array, Array]
@@ -104,7 +105,7 @@ class System:
         shapes = {"position": (3, 1), "C": (3, 3), "V": (6, 1), "V_dot": (6, 1)}
         shapes |= dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau"), (self.N, 1))
         shapes |= {"wrench": (6, self.count)}
-        for law in laws.parts("second"):
+        for law in parts("energy", CarrierEnergy):
             shapes |= law.inputs(stand)
         self.inputs = {name: ca.MX.sym(name, *shape) for name, shape in shapes.items()}
         self.V = self.inputs["V"]
@@ -140,14 +141,15 @@ class System:
 
     def applied_force(self) -> tuple[Expr, Expr]:
         """Generalized forces of all wrenches but the drive torques: on the carrier (6), on the flywheels (N)."""
-        potentials = laws.of_bodies("second", "POTENTIAL")
+        energies = parts("energy", BodyEnergy, BODY_LAWS)
+        potentials = tuple(law.potential for law in energies if law.potential is not None)
         numbers = np.array([[x for law in potentials for x in law.numbers(body)] for body in self.stand.bodies]).T
         gravity = ca.repmat(self.gravity, 1, self.count)
         forces = self._map_over_bodies(one.body_force(potentials))(
             self.bodies, ca.DM(numbers), self.phi, gravity, self._wrenches()
         )
         carrier = ca.sum2(forces[:6, :])
-        for law in laws.parts("second"):
+        for law in parts("energy", CarrierEnergy):
             carrier += law.force(self.stand, self.inputs)
         return carrier, self._of_flywheels(forces[6, :])
 
@@ -156,9 +158,9 @@ class System:
         stream = ca.repmat(self.stream, 1, self.count)
         twists = self._map_over_bodies(one.body_twist())(self.bodies, self.q_dot, self.phi, stream)
         wrenches = ca.horzsplit(self.inputs["wrench"])
-        for wrench in laws.of_bodies("second", "wrench"):
+        for law in parts("energy", BodyEnergy, BODY_LAWS):
             for k, body in enumerate(self.stand.bodies):
-                if (applied := wrench(body, twists[:, k])) is not None:
+                if (applied := law.wrench(body, twists[:, k])) is not None:
                     wrenches[k] = wrenches[k] + applied
         return ca.horzcat(*wrenches)
 

@@ -9,13 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
+from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
 
@@ -124,4 +125,5 @@ def _floats(numbers: Sequence[float]) -> Any:
 
 def _near_a_branch(stand: Stand, state: State, cut: float) -> bool:
     """Whether some law is nearer than `cut` (rad) to a state with two right answers."""
-    return any(law.margin(stand, state) < cut for law in laws.parts("reference") if hasattr(law, "margin"))
+    margins = (law.margin for law in parts("reference", CarrierReference))
+    return any(margin(stand, state) < cut for margin in margins if margin is not None)

@@ -18,12 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik.contract import laws
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.hold import is_closed, twists
 from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.state import State
@@ -53,10 +53,10 @@ POINT = ("position", "C", "twist", "specific_force", "angular_acceleration")
 def missing(stand: Stand) -> list[str]:
     """Features of the stand that the programs do not know."""
     names = [f"{body.name}: added_mass" for body in stand.bodies if getattr(body, "added_mass", None) is not None]
-    for law in laws.parts("text", laws.BODY_LAWS):
-        names += [f"{name}: {law.NAME}" for name in law.bearers(stand)]
+    for law in body_laws():
+        names += [f"{name}: {law.name}" for name in law.bearers(stand)]
     names += ["stream"] * (stand.stream is not None)
-    return names + [law.NAME for law in laws.parts("text") if law.short(stand)]
+    return names + [law.name for law in carrier_laws() if law.short(stand)]
 
 
 def bare_stand(stand: Stand) -> Stand:

@@ -14,10 +14,11 @@ from typing import IO, Any, Protocol, cast
 
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
-from mahovik.contract.laws import of_bodies
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH
 from mahovik.core.stand.actuator import Actuator
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
+from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.laws import body_laws
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.core.stand.units import show
@@ -274,9 +275,9 @@ def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyTy
 def actuators_of(stand: Stand) -> dict[str, Actuator]:
     """Fins and propellers of a stand by name."""
     found: dict[str, Actuator] = {}
-    for actuators in of_bodies("actuator", "actuators"):
-        for body in stand.bodies:
-            found |= actuators(body)
+    for kind in body_laws():
+        for _, _, law in kind.of(stand):
+            found |= law.actuators
     return found
 
 
@@ -284,12 +285,9 @@ def stand_at(stand: Stand, state: State) -> Stand:
     """The stand with the deflections (rad) and speeds (rad/s) of a state; itself, where the state has none."""
     if not state.actuators:
         return stand
-    changes = of_bodies("actuator", "actuate")
 
     def change(body: Any) -> Any:
-        for actuate in changes:
-            body = actuate(body, state.actuators)
-        return body
+        return body.with_laws(*(law.actuated(state.actuators) for law in body.laws if isinstance(law, BodyLaw)))
 
     return replace(stand, carrier=change(stand.carrier), instruments=tuple(map(change, stand.instruments)))
 

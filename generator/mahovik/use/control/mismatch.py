@@ -8,13 +8,13 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.core.stand.draw import Errors
 from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.law import Law
 from mahovik.core.stand.model import (
     Body,
     Flywheel,
     Instrument,
-    LawData,
     Mat3,
     MountingAxes,
     Stand,
@@ -23,7 +23,6 @@ from mahovik.core.stand.model import (
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError, whole_number
-from mahovik.use.control.measurement import Errors
 from mahovik.use.plan.residual.spatial import mount_axes
 
 MOST = 0.2
@@ -44,7 +43,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     mounting of a flywheel             axis and zero turned by a rotation vector of components e (rad) / sqrt(3)
     attitude of an instrument          likewise, its three angles plus e / sqrt(3)
     added mass                         S A S, S = diag(sqrt(1 + e)): definite stays definite
-    laws of `laws/`                    as each says in its folder
+    laws of `laws/`                    as the fields of each say
 
     Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
     """
@@ -58,7 +57,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     found = replace(
         stand,
         carrier=replace(carrier, added_mass=draw.matrix(carrier.added_mass)),
-        laws=tuple(_law(draw, law) for law in stand.laws),
+        laws=tuple(law.with_errors(draw) for law in stand.laws if isinstance(law, Law)),
         instruments=tuple(draw.instrument(p) for p in stand.instruments),
         flywheels=tuple(draw.flywheel(s) for s in stand.flywheels),
     )
@@ -70,16 +69,6 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     if problems.lines:
         raise UsageError(f"{problems.lines[0]}; use another --seed or a smaller --mismatch")
     return found
-
-
-def _law(draw: Errors, law: LawData) -> LawData:
-    """The data of one law with errors."""
-    on_carrier = (part.with_mismatch for part in laws.parts("mismatch"))
-    for with_mismatch in (*on_carrier, *laws.of_bodies("mismatch", "with_mismatch")):
-        found: LawData | None = with_mismatch(draw, law)
-        if found is not None:
-            return found
-    return law
 
 
 class _Bodies(Errors):
@@ -98,7 +87,7 @@ class _Bodies(Errors):
             inertia=cast(Mat3, tuple(map(tuple, ((inertia + inertia.T) / 2.0).tolist()))),
             inertia_about="center_of_mass",
         )
-        return replace(changed, laws=tuple(_law(self, law) for law in body.laws))
+        return replace(changed, laws=tuple(law.with_errors(self) for law in body.laws if isinstance(law, Law)))
 
     def instrument(self, own: Instrument) -> Instrument:
         angles = cast(Vec3, tuple((np.array(own.angles) + self.direction()).tolist()))

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
-from mahovik.contract.laws import LAWS, part
+from mahovik.contract.laws import parts
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
+from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.kinematics import Twists, twists
+from mahovik.use.plan.residual.slopes import CarrierPlan
 
 STEEP = 10.0
 """Largest speed of a freedom over the smoothing of its friction, above which the search may be long."""
@@ -27,26 +28,28 @@ def smoothing_warnings(stand: Stand, motion: RequiredMotion) -> list[str]:
 
     Without it, or on a free carrier: none.
     """
-    laws = [part(law, "plan") for law in LAWS if part(law, "steps") is not None]
     if stand.hold is None or not stand.hold.freedoms:
         return []
-    own, found = coordinates_of(stand), []
+    own = [law for law in stand.laws if isinstance(law, CarrierLaw)]
+    dry = tuple(law.key for law in own if law.longest_steps([1.0] * len(stand.hold.freedoms)))
+    laws = parts("plan", CarrierPlan, dry)
+    coordinates, found = coordinates_of(stand), []
     at = twists(stand, motion.at(np.linspace(0.0, motion.span, _TIMES)))
     speeds = at.V @ wrenches(stand.hold)
     for k, S in enumerate(freedom_twists(stand.hold).T):
         peak = float(np.abs(speeds[:, k]).max())
         reverses = speeds[:, k].min() < 0.0 < speeds[:, k].max()
         if reverses and any(_is_steep(law, stand, S, peak / STEEP) for law in laws):
-            unit = f" {own.unit_names[k]}/s" if own.unit_names[k] else " 1/s"
+            unit = f" {coordinates.unit_names[k]}/s" if coordinates.unit_names[k] else " 1/s"
             found.append(
-                f"friction of {own.in_words[k]}: its `smoothing` is small beside the motion's speeds, up to "
+                f"friction of {coordinates.in_words[k]}: its `smoothing` is small beside the motion's speeds, up to "
                 f"{peak:.2g}{unit}, and its steps need many harmonics, so that the search may take very long; use "
                 f"--time, or a `smoothing` of {_rounded_up(2.0 * peak / STEEP):g}{unit} or more"
             )
     return found
 
 
-def _is_steep(law: Any, stand: Stand, S: Array, u: float) -> bool:
+def _is_steep(law: CarrierPlan, stand: Stand, S: Array, u: float) -> bool:
     """Whether u (above 0) is beyond the smoothing s of the dry friction along S (6), by its forces and slopes.
 
     F = c u + F_c u / sqrt(u^2 + s^2) has F - c u = (F'(0) - c) u / sqrt(2) at u = s; c is F' at high speeds. With a

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract.laws import of_bodies
 from mahovik.core.lower.units import added_mass as added_mass_unit
 from mahovik.core.lower.units import law as damping_unit
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
@@ -87,10 +86,7 @@ def _has_added_mass(stand: Stand) -> bool:
 
 def _damping(stand: Stand) -> Mapping[str, Any]:
     """Matrices of the carrier's damping, by name."""
-    found: dict[str, Any] = {}
-    for matrices in of_bodies("regressor", "matrices"):
-        found |= matrices(stand.carrier)
-    return found
+    return {name: rows for law in stand.carrier.laws for name, rows in law.matrices.items()}
 
 
 def assemble(stand: Stand, columns: Mapping[str, Array]) -> Array:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.contract.laws import parts
 from mahovik.core.stand.hold import twists
+from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand
 from mahovik.proof.reference import pieces
 from mahovik.use.simulate.held import home
@@ -34,12 +34,12 @@ def long_steps(stand: Stand, dt: float, given: Sequence[bool] = ()) -> list[Long
 
     given  flywheels whose speed is given, so that they do not give way; default: none
     """
-    laws = parts("steps")
-    if stand.hold is None or not any(law.longest(stand, [1.0] * len(stand.hold.freedoms)) for law in laws):
+    laws = [law for law in stand.laws if isinstance(law, CarrierLaw)]
+    if stand.hold is None or not any(law.longest_steps([1.0] * len(stand.hold.freedoms)) for law in laws):
         return []
     loose = [k for k in range(len(stand.flywheels)) if not (given and given[k])]
     inertias = _smallest_inertias(stand, loose)
-    bounds = [each for law in laws for each in law.longest(stand, inertias)]
+    bounds = [each for law in laws for each in law.longest_steps(inertias)]
     return [LongStep(name, dt, bound) for name, bound in bounds if dt >= bound]
 
 

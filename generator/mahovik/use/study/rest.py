@@ -10,8 +10,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract import laws
 from mahovik.core.stand.hold import freedom_words, is_closed, twists
+from mahovik.core.stand.laws import carrier_laws
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.errors import CheckError, StateError
@@ -116,9 +116,7 @@ class _Search:
 
     def run(self) -> Rest:
         """The equilibrium; an unstable one only if pushes lead to no other. Raises CheckError."""
-        if self.stand.hold is None and not any(
-            law.short(self.stand) for law in laws.parts("text") if law.CARRIES_WEIGHT
-        ):
+        if self.stand.hold is None and not any(law.short(self.stand) for law in carrier_laws() if law.carries_weight):
             at = self.at(self.state)  # no wrench here depends on the position: the force in E0 is constant
             if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.is_balanced(at):
                 raise CheckError(self.reason(at))

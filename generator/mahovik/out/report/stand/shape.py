@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.contract import laws
 from mahovik.core.stand.frames import mount_of, placement
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
+from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.out.report.stand.tie import Mark, Tie
@@ -97,12 +97,7 @@ def shape_of(stand: Stand) -> Shape:
     reach = [float(np.linalg.norm(s.center) + np.abs(s.axes).max()) for s in solids]
     mark = BARE * (max([*reach, *(float(np.linalg.norm(at)) for at, _ in places)]) or 1.0)
     frames = {s.name: s for s in solids}
-    shown = laws.parts("report")
-
-    def body_placement(body: Body) -> tuple[Array, Array]:
-        if isinstance(body, Instrument | Flywheel):
-            return placement_in_carrier(stand, body)
-        return np.zeros(3), np.eye(3)
+    shown = [law for law in stand.laws if isinstance(law, CarrierLaw)]
 
     gravity = np.array(stand.gravity)
     strength = float(np.linalg.norm(gravity))
@@ -110,17 +105,27 @@ def shape_of(stand: Stand) -> Shape:
         carrier=solids[0],
         instruments=tuple(solids[1:]),
         flywheels=tuple(_disc(s, *place, mark) for s, place in zip(stand.flywheels, places, strict=True)),
-        ties=tuple(tie for law in shown for tie in law.ties(stand)),
+        ties=tuple(Tie(np.array(carrier), np.array(ground)) for law in shown for carrier, ground in law.ties),
         points=tuple((p.name, frames[p.mount].origin + frames[p.mount].C @ np.array(p.position)) for p in stand.points),
         center_of_mass=np.array(summarize(stand).center_of_mass),
-        marks=(
-            *(mark for marks in laws.of_bodies("report", "marks") for mark in marks(stand, body_placement)),
-            *pivot_marks(stand),
-        ),
-        held=any(law.at_origin(stand) for law in shown),
-        legend=tuple(law.LEGEND for law in shown if law.ties(stand) or law.at_origin(stand)),
+        marks=(*_buoyancy_marks(stand), *pivot_marks(stand)),
+        held=any(law.at_origin for law in shown),
+        legend=tuple(law.legend for law in shown if law.ties or law.at_origin),
         up=-gravity / strength if strength else np.array([0.0, 0.0, 1.0]),
     )
+
+
+def _buoyancy_marks(stand: Stand) -> list[Mark]:
+    """Centre of buoyancy of the whole, where anything floats."""
+    total, moment = 0.0, np.zeros(3)
+    for body in stand.bodies:
+        at, C = np.zeros(3), np.eye(3)
+        if isinstance(body, Instrument | Flywheel):
+            at, C = placement_in_carrier(stand, body)
+        for mass, center in body.displaced:
+            total += mass
+            moment += mass * (at + C @ np.array(center))
+    return [Mark(moment / total, "centre of buoyancy of the whole")] if total else []
 
 
 def pivot_marks(stand: Stand) -> list[Mark]:

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.proof.diagnose.terms.bodies import axial
-from mahovik.proof.diagnose.terms.law_term import LawTerm
+from mahovik.proof.diagnose.terms.law_term import BodyFaults, CarrierFaults, LawTerm
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import Pose
@@ -18,7 +18,8 @@ from mahovik.proof.reference.rotation import Pose
 ALIKE = 1e-10
 """Sine of the angle between columns below which they are one."""
 
-KINDS = (*laws.of_bodies("terms", "KIND"), *(part.KIND for part in laws.parts("terms")))
+_OF_BODIES, _BETWEEN = parts("faults", BodyFaults, BODY_LAWS), parts("faults", CarrierFaults)
+KINDS = (*(law.kind for law in _OF_BODIES), *(law.kind for law in _BETWEEN))
 """Kinds of wrench whose coefficients are columns of their own."""
 
 
@@ -43,13 +44,13 @@ Parts = list[list[tuple[str, Array, LawTerm]]]
 def law_parts(stand: Stand, at: Sequence[Pieces]) -> Parts:
     """Parts of all laws of a stand at n states: those between bodies, then those of each body."""
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
-    between = (part.law_terms(stand, poses) for part in laws.parts("terms"))
+    between = (law.terms(stand, poses) for law in _BETWEEN)
     parts = [[("carrier", np.eye(6), term) for term in terms] for terms in between if terms]
     for s, k in enumerate(at[0].bodies.placed()):
         if not isinstance(k.body, Flywheel):
             bodies = [p.bodies.bodies[s] for p in at]
             V_r = np.array([k.twist(p.V_r) for p in at])
-            of_body = (law_terms(bodies, V_r) for law_terms in laws.of_bodies("terms", "law_terms"))
+            of_body = (law.terms(bodies, V_r) for law in _OF_BODIES)
             parts += [[(k.body.name, k.L, term) for term in terms] for terms in of_body if terms]
     return parts
 

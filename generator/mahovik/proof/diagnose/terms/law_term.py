@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import TWIST_LETTERS
+from mahovik.core.stand.model import TWIST_LETTERS, Body, Stand
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.rotation import Pose
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +28,22 @@ class LawTerm:
     coefficient: str
     value: float
     wrench: Array
+
+
+@dataclass(frozen=True)
+class BodyFaults:
+    """Terms of a law of bodies: of one body, as it is at n states, with its twists V_r (n, 6) relative to the fluid."""
+
+    kind: str
+    terms: Callable[[Sequence[Body], Array], list[LawTerm]]
+
+
+@dataclass(frozen=True)
+class CarrierFaults:
+    """Terms of a law between E0 and the carrier: of a stand, at n poses."""
+
+    kind: str
+    terms: Callable[[Stand, Sequence[Pose]], list[LawTerm]]
 
 
 def matrix_terms(factor: str, coefficient: str, values: Sequence[Sequence[float]], products: Array) -> list[LawTerm]:

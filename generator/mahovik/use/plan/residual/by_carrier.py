@@ -10,7 +10,7 @@ from typing import Protocol
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.body_laws import TwistLaws
@@ -18,7 +18,7 @@ from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed_motion import Mechanics
-from mahovik.use.plan.residual.slopes import Slopes
+from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
 from mahovik.use.plan.stream import uniform_stream
 
@@ -158,7 +158,7 @@ def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Ar
 def law_slopes(stand: Stand, at: Twists) -> Slopes:
     """Slopes of the wrench of all laws at M states. StateError: a law is undefined there."""
     found = Slopes(np.zeros((len(at.V), 6, 6)), np.zeros((len(at.V), 6, 6)))
-    for law in laws.parts("plan"):
+    for law in parts("plan", CarrierPlan):
         by_pose, by_twist = law.slopes(stand, at)
         found.by_pose[:] += by_pose
         found.by_twist[:] += by_twist

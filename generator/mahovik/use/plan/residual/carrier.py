@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.contract import laws
+from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Carrier, Instrument, Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.body_laws import TwistLaws, net_weight, twist_laws
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
+from mahovik.use.plan.residual.slopes import CarrierPlan
 from mahovik.use.plan.residual.spatial import (
     fixed_axes,
     gravity_wrench_matrix,
@@ -58,7 +59,7 @@ class Base:
     def wrench(self, at: Twists) -> Array:
         """F of (7) (M, 6; N, N m) of these bodies alone, in E1 about O1. StateError: a law is undefined there."""
         F = np.zeros((len(at.V), 6))
-        for law in laws.parts("plan"):
+        for law in parts("plan", CarrierPlan):
             F += law.wrench(self.stand, at)
         if any(self.stand.gravity):
             F += in_E1(at.C, np.broadcast_to(self.stand.gravity, at.O1.shape)) @ self.heavy.T

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mahovik.core.stand.hold import twists, wrenches
-from mahovik.core.stand.law_schemas import held_schemas
+from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.plant import CHUNK, Plant, solve_many
@@ -92,5 +92,4 @@ class HeldPlant:
 
 def without_hold(stand: Stand) -> Stand:
     """The stand with a free carrier, without the laws along the freedoms of its hold."""
-    own = tuple(schema.data for schema in held_schemas())
-    return replace(stand, hold=None, laws=tuple(law for law in stand.laws if not isinstance(law, own)))
+    return replace(stand, hold=None, laws=tuple(law for law in stand.laws if not isinstance(law, HeldLaw)))

@@ -1,0 +1,44 @@
+"""Control derivatives of a body by their virtual power."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from mahovik.core.stand.model import Body
+from mahovik.laws.control.law import ControlDerivatives, Factor, Velocity
+from mahovik.proof.second.body import BodyEnergy
+from mahovik.proof.second.rotation import Expr
+
+
+def wrench(body: Body, V_r: Expr) -> Expr | None:
+    """Wrench (6; N, N m) of all derivatives, in the body's frame; None where there is none."""
+    law = body.law(ControlDerivatives)
+    return None if law is None else _of_power(body, law)(V_r)
+
+
+def _of_power(body: Body, law: ControlDerivatives) -> Expr:
+    """Twist -> gradient, by a virtual twist W, of the power of every product in its component of W."""
+    V, W = ca.SX.sym("V", 6), ca.SX.sym("W", 6)
+    power = ca.SX(0)
+    for term in law.terms:
+        product = W[term.wrench] * term.value
+        for each in term.of:
+            size = _size(body, law, each, V)
+            product *= ca.fabs(size) if each.absolute else size
+        power += product
+    return ca.Function("control", [V], [ca.gradient(power, W)])
+
+
+def _size(body: Body, law: ControlDerivatives, each: Factor, V: Expr) -> Expr:
+    """A factor without its bars; the race is the excess of one speed ahead over another."""
+    if isinstance(each, Velocity):
+        return V[each.component]
+    given = body.inputs[each.source]
+    if each.what != "race":
+        return given
+    behind = ca.norm_2(ca.vertcat(V[0], given * law.race**0.5))
+    excess = behind - ca.fabs(V[0])
+    return excess if given > 0.0 else -excess if given < 0.0 else 0.0
+
+
+LAW = BodyEnergy(wrench=wrench)

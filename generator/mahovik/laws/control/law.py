@@ -1,0 +1,271 @@
+"""`control_derivatives` of a body in the stand file: products of up to four factors.
+
+Factors are velocities, deflections of fins, speeds and races of propellers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import model_validator
+
+from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.fields import Table, letter, refuse, scalar, text, validator
+from mahovik.core.stand.law import TIMES, BodyLaw, Declared, Default, Tables
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
+from mahovik.core.stand.toml import line_of, value_of
+from mahovik.core.stand.units import Dimension, QuantityError, number, show
+
+RACE = Dimension("a squared length per squared angle", "m^2/rad^2")
+Input = Literal["deflection", "speed", "race"]
+INPUTS: tuple[Input, ...] = ("deflection", "speed", "race")
+"""Quantities of a fin and of a propeller that may be factors."""
+
+MOST_FACTORS = 4
+_INPUT = re.compile(r"(\w+)\.(\w+)")
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """A component 0..5 of V_r as a factor, or its magnitude."""
+
+    component: int
+    absolute: bool
+
+    @property
+    def text(self) -> str:
+        """Letter of SNAME as in the stand file: "u" or "|u|"."""
+        found = TWIST_LETTERS[self.component]
+        return f"|{found}|" if self.absolute else found
+
+    @property
+    def powers(self) -> tuple[int, int, int]:
+        """Powers of metre, radian and 1/second."""
+        return (0, 1, 1) if self.component >= 3 else (1, 0, 1)
+
+
+@dataclass(frozen=True)
+class Control:
+    """An input that is set at run time as a factor, or its magnitude.
+
+    of    name of a fin or propeller of the same body
+    what  deflection of the fin, rad; speed n of the propeller, rad/s; or the race that the propeller makes, m/s
+    """
+
+    of: str
+    what: Input
+    absolute: bool
+
+    @property
+    def source(self) -> str:
+        """The input that it comes from, as `Body.inputs` names it."""
+        return f"{self.of}.{'speed' if self.what == 'race' else self.what}"
+
+    @property
+    def text(self) -> str:
+        """Spelling of the stand file: "rudder.deflection", with bars for a magnitude."""
+        found = f"{self.of}.{self.what}"
+        return f"|{found}|" if self.absolute else found
+
+    @property
+    def powers(self) -> tuple[int, int, int]:
+        """Powers of metre, radian and 1/second."""
+        return {"deflection": (0, 1, 0), "speed": (0, 1, 1), "race": (1, 0, 1)}[self.what]
+
+
+Factor = Velocity | Control
+
+
+def _factor(raw: Any) -> Factor:
+    given = text(raw)
+    bars = len(given) > 2 and given[0] == given[-1] == "|"
+    inner = given[1:-1] if bars else given
+    if inner in TWIST_LETTERS:
+        return Velocity(TWIST_LETTERS.index(inner), bars)
+    found = _INPUT.fullmatch(inner)
+    what = None if found is None else next((each for each in INPUTS if each == found[2]), None)
+    if found is None or what is None:
+        letters = " ".join(TWIST_LETTERS)
+        raise QuantityError(
+            f"expected one of {letters}, or FIN.deflection, PROPELLER.speed, PROPELLER.race, with or without bars, "
+            f"found {show(raw)}"
+        )
+    return Control(found[1], what, bars)
+
+
+def _factors(raw: Any) -> tuple[Factor, ...]:
+    if not isinstance(raw, list) or not 1 <= len(raw) <= MOST_FACTORS:
+        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected one to four factors such as ["u", "r", "rudder.deflection"], found {found}')
+    return tuple(map(_factor, raw))
+
+
+class TermTable(Table):
+    """The value of a derivative, whose unit is that of the component over those of the factors."""
+
+    value: Any
+
+    @model_validator(mode="after")
+    def _value_in_si(self: Any) -> Any:
+        metres, radians, rates = (sum(each) for each in zip(*(f.powers for f in self.of), strict=True))
+        powers = [("s", rates), ("m", -metres), ("rad", -radians)]
+        unit = ["N m" if self.wrench >= 3 else "N", *(f"{unit}^{power}" for unit, power in powers if power)]
+        try:
+            value = number(self.value, Dimension("a control derivative", " ".join(unit)))
+        except QuantityError as error:
+            raise refuse(str(error), "value") from None
+        object.__setattr__(self, "value", value)
+        return self
+
+
+@dataclass(frozen=True)
+class ControlDerivative(Declared):
+    """Component `wrench` (0..5) += value * product of one to four factors."""
+
+    wrench: Annotated[int, validator(letter(WRENCH_LETTERS))]
+    of: Annotated[tuple[Factor, ...], validator(_factors)]
+    value: Annotated[float, TIMES]
+
+    keys: ClassVar[type[Table]] = TermTable
+
+    @property
+    def text(self) -> str:
+        """The derivative in a stand file."""
+        factors = value_of([factor.text for factor in self.of])
+        return f'{{ wrench = "{WRENCH_LETTERS[self.wrench]}", of = {factors}, value = {self.value!r} }}'
+
+
+class ControlTable(Table):
+    """What the derivatives and the constant of the race tell together."""
+
+    @model_validator(mode="after")
+    def _race_is_used(self: Any) -> Any:
+        """The constant of the race stands where a term has a race, and there only."""
+        races = _races(self.terms)
+        if races and self.race is None:
+            raise refuse("required where a term has PROPELLER.race, but missing", "race")
+        if self.race is not None and not races:
+            raise refuse("given, but no term has PROPELLER.race: expected one, or no such key", "race")
+        return self
+
+
+@dataclass(frozen=True)
+class ControlDerivatives(BodyLaw):
+    """All control derivatives of one body, in its own frame, of its twist relative to the fluid V_r = (u, ...).
+
+    `race`: a, m2/rad2, of the race sign(n) (sqrt(u^2 + a n^2) - |u|): what a propeller adds to the speed of the water.
+    """
+
+    terms: Annotated[tuple[ControlDerivative, ...], Tables(ControlDerivative)]
+    race: Annotated[float, scalar(RACE, least=0.0), Default(None)]
+
+    key: ClassVar[str] = "control_derivatives"
+    name: ClassVar[str] = "control derivatives"
+    keys: ClassVar[type[Table]] = ControlTable
+    steers: ClassVar[bool] = True
+
+    @property
+    def nonlinear(self) -> bool:
+        """True: a product need not be linear in the twist."""
+        return True
+
+    @property
+    def drives(self) -> bool:
+        """Whether a propeller is among the factors."""
+        return any(isinstance(f, Control) and f.what != "deflection" for term in self.terms for f in term.of)
+
+    @property
+    def has_kinks(self) -> bool:
+        """Whether any factor has a magnitude of the twist in it."""
+        factors = [factor for term in self.terms for factor in term.of]
+        return any(f.absolute if isinstance(f, Velocity) else f.what == "race" for f in factors)
+
+    @property
+    def acts(self) -> bool:
+        """Whether there is any."""
+        return bool(self.terms)
+
+    @classmethod
+    def of_table(cls, table: Any, **more: Any) -> Self:
+        """The derivatives that are not zero, and the constant of the race, where one of them has a race."""
+        law = super().of_table(table, **more)
+        terms = tuple(term for term in law.terms if term.value)
+        return replace(law, terms=terms, race=(law.race or 0.0) if _races(terms) else 0.0)
+
+    def lines(self) -> list[str]:
+        """Terms, and the constant of the race where one has it."""
+        terms = ", ".join(term.text for term in self.terms)
+        return [f"terms = [{terms}]", *([line_of("race", self.race)] if _races(self.terms) else [])]
+
+    @classmethod
+    def structure(cls, stand: Stand) -> dict[str, Any]:
+        """Body index and what each derivative is made of, inputs by their place among those of the table.
+
+        Nothing without, as other stands have it.
+        """
+        places: dict[str, int] = {}
+        counts: dict[str, int] = {}
+        for name in (name for body in stand.bodies for name in body.inputs):
+            member = name.rpartition(".")[2]
+            places[name] = counts[member] = counts.get(member, -1) + 1
+        found = tuple(
+            (i, tuple((term.wrench, tuple(_fact(f, places) for f in term.of)) for term in law.terms))
+            for i, _, law in cls.of(stand)
+        )
+        return {"control_derivatives": found} if found else {}
+
+    def problem(self, body: Body) -> tuple[str, str] | None:
+        """Where a derivative names what the body does not bear."""
+        for k, term in enumerate(self.terms):
+            for factor in term.of:
+                if isinstance(factor, Control) and factor.source not in body.inputs:
+                    known = ", ".join(body.inputs) or "no fin and no propeller"
+                    words = f'no "{factor.source}" on this body, which has {known}'
+                    return f"control_derivatives.terms[{k}]", words
+        return None
+
+    @classmethod
+    def random_on(cls, draw: Draw, body: Body) -> Self | None:
+        """A few products of the velocities and of the inputs that a body has; a flywheel has none."""
+        if isinstance(body, Flywheel):
+            return None
+        rng, known = draw.rng, _factors_of_inputs(body)
+        terms = []
+        for _ in range(int(rng.integers(3, 7))):
+            of: list[Factor] = [Velocity(int(rng.integers(6)), bool(rng.random() < 0.3))]
+            of += [known[int(rng.integers(len(known)))] for _ in range(int(rng.integers(3))) if known]
+            if rng.random() < 0.5:
+                of.append(Velocity(int(rng.integers(6)), False))
+            size = float(rng.uniform(-1.0, 1.0)) * body.mass
+            for factor in of:
+                size /= 100.0 if isinstance(factor, Control) and factor.what == "speed" else 1.0
+            terms.append(ControlDerivative(int(rng.integers(6)), tuple(of), size))
+        return cls(tuple(terms), draw.uniform(1e-5, 1e-3) if _races(terms) else 0.0)
+
+
+def _races(terms: Iterable[Any]) -> bool:
+    """Whether any has a race."""
+    return any(isinstance(f, Control) and f.what == "race" for term in terms for f in term.of)
+
+
+def _fact(f: Factor, places: dict[str, int]) -> tuple[str, int, bool]:
+    """Letter or input, its place, and whether the magnitude counts."""
+    if isinstance(f, Velocity):
+        return "velocity", f.component, f.absolute
+    return f.what, places[f.source], f.absolute
+
+
+def _factors_of_inputs(body: Body) -> list[Factor]:
+    """Every input, bare and by its magnitude, and the race of every propeller."""
+    found: list[Factor] = []
+    for name in body.inputs:
+        of, _, member = name.rpartition(".")
+        what: tuple[Input, ...] = ("speed", "race") if member == "speed" else ("deflection",)
+        found += [Control(of, each, absolute) for each in what for absolute in (False, True)]
+    return found
+
+
+LAW = ControlDerivatives

@@ -1,0 +1,217 @@
+"""`[[fin]]` of a stand file: lift and drag of fins and of bodies, by the angle of the flow and a deflection."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, ClassVar, Literal, Self
+
+from pydantic import model_validator
+
+from mahovik.core.stand import units
+from mahovik.core.stand.actuator import Actuator
+from mahovik.core.stand.columns import hypot
+from mahovik.core.stand.directions import parallel
+from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.fields import (
+    ZERO3,
+    Direction,
+    Flag,
+    Length3,
+    Mounted,
+    Name,
+    Table,
+    refuse,
+    scalar,
+    text,
+    validator,
+)
+from mahovik.core.stand.law import TIMES, BodyLaw, Declared, Default
+from mahovik.core.stand.model import Body, Flywheel, Stand
+from mahovik.core.stand.units import Dimension, QuantityError, show
+
+Speed = Literal["along", "across", "whole"]
+SPEEDS: tuple[Speed, ...] = ("along", "across", "whole")
+"""The components of the fin's velocity in U^2, along chord, span, normal: a; a and c; a, b and c."""
+
+MOST_DEFLECTION = 1.5
+"""Largest deflection, rad, in the file and at run time."""
+
+USUAL = 0.3
+"""Deflection, rad, of a state that is drawn."""
+
+DENSITY = Dimension("a density", "kg/m^3")
+AREA = Dimension("an area", "m^2")
+
+
+def _speed(raw: Any) -> Speed:
+    found = next((speed for speed in SPEEDS if speed == text(raw)), None)
+    if found is None:
+        raise QuantityError(f'expected "along", "across" or "whole", found {show(raw)}')
+    return found
+
+
+Coefficient = scalar(units.PLAIN, least=0.0)
+Ratio = Annotated[float | None, scalar(units.PLAIN, above=0.0)]
+
+
+class FinTable(Mounted):
+    """Aspect ratio and efficiency, of which lift and induced drag follow, and what several keys tell together."""
+
+    aspect: Ratio = None
+    efficiency: Ratio = None
+
+    @model_validator(mode="after")
+    def _whole(self: Any) -> Any:
+        if parallel(self.chord, self.span):
+            raise refuse("parallel to chord, expected another direction", "span")
+        if self.aspect is None and self.lift_slope is None:
+            raise refuse("required without `aspect`, but missing", "lift_slope")
+        if self.efficiency is not None and (self.aspect is None or self.induced is not None):
+            raise refuse("goes with `aspect` and without `induced`", "efficiency")
+        return self
+
+
+@dataclass(frozen=True)
+class Fin(Declared):
+    """A lifting surface; its velocity relative to the fluid has a, b, c along chord, span, normal = chord x span.
+
+    position      m, in the body's frame, as are
+    chord, span   directions of any length: forward, and the part across it of `span` to one side
+    density, area kg/m3, m2; lift and drag are density/2 area U^2 times C_L, C_D, U by `speed`
+    lift_slope    C_L = lift_slope A (1/rad) of the angle A = atan2(c, a) + deflection
+    drag, induced C_D = drag + induced C_L^2
+    stall         rad: beyond it C_L falls linearly, to zero at 90 degrees and beyond; None: never
+    deflection    rad; positive pushes against the normal, as c > 0 does. The C takes another one at run time
+    incidence     False: A is the deflection alone, drag acts along the chord and lift along the normal; True: drag acts
+                  against the velocity (a, c), lift across it
+    """
+
+    name: Name
+    position: Annotated[Length3, Default(ZERO3)]
+    chord: Annotated[Direction, Default((1.0, 0.0, 0.0))]
+    span: Annotated[Direction, Default((0.0, 1.0, 0.0))]
+    density: Annotated[float, scalar(DENSITY, above=0.0)]
+    area: Annotated[float, scalar(AREA, above=0.0)]
+    lift_slope: Annotated[float, Coefficient, Default(None), TIMES]
+    drag: Annotated[float, Coefficient, Default(0.0), TIMES]
+    induced: Annotated[float, Coefficient, Default(None), TIMES]
+    stall: Annotated[float | None, scalar(units.ANGLE, above=0.0, most=1.5), Default(None)]
+    deflection: Annotated[
+        float, scalar(units.ANGLE, least=-MOST_DEFLECTION, most=MOST_DEFLECTION), Default(0.0)
+    ]  # fmt: skip
+    speed: Annotated[Speed, validator(_speed), Default("across")]
+    incidence: Annotated[Flag, Default(True)]
+
+    keys: ClassVar[type[Table]] = FinTable
+
+    @classmethod
+    def of_table(cls, table: Any, **more: Any) -> Self:
+        """The fin; without `lift_slope` and `induced` those of its aspect ratio."""
+        return super().of_table(table, lift_slope=_slope(table), induced=_induced_drag(table), **more)
+
+
+def _slope(given: Any) -> float:
+    """Slope of the lift: as given, or of a wing of low aspect ratio A, pi A/(1 + sqrt(1 + (A/2)^2)) (Beard, McLain)."""
+    if given.lift_slope is not None:
+        return given.lift_slope  # type: ignore[no-any-return]  # of the table
+    found: float = math.pi * given.aspect / (1.0 + hypot(1.0, given.aspect / 2.0))
+    return found
+
+
+def _induced_drag(given: Any) -> float:
+    """Induced drag: as given, else 1/(pi e A) with the efficiency e, 0.7 by default; 0 without aspect ratio."""
+    if given.induced is not None:
+        return given.induced  # type: ignore[no-any-return]  # of the table
+    efficiency = 0.7 if given.efficiency is None else given.efficiency
+    return 0.0 if given.aspect is None else 1.0 / (math.pi * efficiency * given.aspect)
+
+
+@dataclass(frozen=True)
+class Fins(BodyLaw):
+    """All fins of a body, in the order of the file."""
+
+    fins: tuple[Fin, ...]
+
+    key: ClassVar[str] = "fin"
+    name: ClassVar[str] = "fins"
+    item: ClassVar[type[Declared]] = Fin
+    mounted: ClassVar[bool] = True
+
+    @property
+    def nonlinear(self) -> bool:
+        """True: lift is quadratic in the velocity."""
+        return True
+
+    @property
+    def has_kinks(self) -> bool:
+        """Whether stall bends the lift, or the flow from behind turns its sign."""
+        return any(fin.incidence or fin.stall is not None for fin in self.fins)
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """The deflections, rad."""
+        return {f"{fin.name}.deflection": fin.deflection for fin in self.fins}
+
+    @property
+    def actuators(self) -> dict[str, Actuator]:
+        """Fins by name."""
+        return {fin.name: Actuator("deflection, rad", MOST_DEFLECTION, USUAL) for fin in self.fins}
+
+    def actuated(self, given: Mapping[str, float]) -> Self:
+        """The fins with other deflections, rad, by name."""
+        return type(self)(tuple(replace(fin, deflection=given.get(fin.name, fin.deflection)) for fin in self.fins))
+
+    @classmethod
+    def structure(cls, stand: Stand) -> dict[str, Any]:
+        """Body index, names and kinds of the fins of each body; nothing without, as other stands have it."""
+        kinds = tuple(
+            (i, tuple((fin.name, fin.incidence, fin.stall is not None) for fin in law.fins))
+            for i, _, law in cls.of(stand)
+        )
+        return {"fins": kinds} if kinds else {}
+
+    @classmethod
+    def warnings(cls, stand: Stand) -> list[str]:
+        """Fins whose lift grows without end with the angle of the flow."""
+        fins: Sequence[Fin] = [fin for _, _, law in cls.of(stand) for fin in law.fins]
+        names = [fin.name for fin in fins if fin.incidence and fin.stall is None and fin.lift_slope]
+        if not names:
+            return []
+        more = f" (and {len(names) - 1} more)" if len(names) > 1 else ""
+        return [
+            f"fin {names[0]}{more}: without `stall` its lift grows with the angle of the flow up to 180 deg and jumps "
+            "there: give it, such as 15 deg, where the flow may come from the side or from astern"
+        ]
+
+    @classmethod
+    def random_on(cls, draw: Draw, body: Body) -> Self | None:
+        """One or two fins; a flywheel has none. Those that feel the angle of the flow stall: else lift jumps astern."""
+        if isinstance(body, Flywheel):
+            return None
+        return cls(tuple(_random_fin(draw, f"fin{k + 1}_{body.name}") for k in range(int(draw.rng.integers(1, 3)))))
+
+
+def _random_fin(draw: Draw, name: str) -> Fin:
+    rng = draw.rng
+    incidence = bool(rng.random() < 0.7)
+    stall = draw.uniform(0.2, 0.6) if incidence or rng.random() < 0.5 else None
+    return Fin(
+        name,
+        draw.vec3(0.3),
+        draw.vec3(1.0),
+        draw.vec3(1.0),
+        1000.0,
+        draw.uniform(0.002, 0.03),
+        draw.uniform(1.0, 5.0),
+        draw.uniform(0.0, 0.1),
+        draw.uniform(0.0, 0.3),
+        stall,
+        draw.uniform(-0.5, 0.5),
+        SPEEDS[int(rng.integers(3))],
+        incidence,
+    )
+
+
+LAW = Fins

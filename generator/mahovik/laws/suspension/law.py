@@ -1,0 +1,83 @@
+"""`[suspension]` of a stand file: a 6x6 stiffness and a 6x6 damping between E0 and the carrier."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Annotated, Any, ClassVar, Self
+
+from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Length3, matrix
+from mahovik.core.stand.law import (
+    AS_MATRIX,
+    AS_VECTOR,
+    BRAKES,
+    PULLS_BACK,
+    CarrierLaw,
+    Default,
+    Drawn,
+    InC,
+    normal,
+)
+from mahovik.core.stand.model import Mat6, Stand
+from mahovik.core.stand.shapes import Blocks
+from mahovik.core.stand.units import Dimension
+
+STIFFNESS: Blocks = (
+    (Dimension("a stiffness", "N/m"), Dimension("a stiffness", "N/rad")),
+    (Dimension("a stiffness", "N"), Dimension("a stiffness", "N m/rad")),
+)
+
+
+@dataclass(frozen=True)
+class Suspension(CarrierLaw):
+    """Suspension of the carrier to E0: wrench `-(stiffness x + damping V)` at O1 in E1 axes.
+
+    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence.
+    """
+
+    stiffness: Annotated[
+        Mat6, matrix(STIFFNESS), Default(None), InC("wrench -= stiffness x", "SI"), PULLS_BACK, AS_MATRIX,
+        Drawn(lambda draw, of: draw.definite6(900.0)),
+    ]  # fmt: skip
+    damping: Annotated[
+        Mat6, matrix(LINEAR), Default(None), InC("wrench -= damping V", "SI"), BRAKES, AS_MATRIX,
+        Drawn(lambda draw, of: draw.definite6(15.0)),
+    ]  # fmt: skip
+    position: Annotated[Length3, Default(ZERO3), InC("equilibrium of O1, in E0"), AS_VECTOR, normal(0.1)]
+    angles: Annotated[Angle3, Default(ZERO3), normal(0.3)]
+
+    key: ClassVar[str] = "suspension"
+    carries_weight: ClassVar[bool] = True
+    legend: ClassVar[tuple[str, str]] = (
+        "dotted circle", "suspension: a 6x6 between O1 and the ground, it has no shape",
+    )  # fmt: skip
+    at_origin: ClassVar[bool] = True
+
+    @property
+    def rows(self) -> tuple[int, ...]:
+        """Components of its wrench whose row of stiffness or damping is not zero."""
+        return tuple(i for i in range(6) if any(self.stiffness[i]) or any(self.damping[i]))
+
+    @property
+    def acts(self) -> bool:
+        """Whether any component of its wrench has a number that is not zero."""
+        return bool(self.rows)
+
+    @classmethod
+    def content(cls, law: Self | None) -> dict[str, Any]:
+        """All numbers; None without, as identities had it from the beginning."""
+        return {"suspension": None if law is None else asdict(law)}
+
+    @classmethod
+    def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:
+        """Whether there is a suspension."""
+        return {"suspension": law is not None}
+
+    @classmethod
+    def random_of(cls, draw: Draw, count: int | None, mounts: Sequence[str]) -> Self | None:
+        """A definite stiffness and damping, and an equilibrium off the origin; None where there is none."""
+        return cls.random(draw) if draw.flag(None if count is None else count > 0) else None
+
+
+LAW = Suspension
