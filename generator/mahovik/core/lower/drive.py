@@ -1,21 +1,17 @@
-"""torque: what the drives must give for a motion; coupled: the motion that given drive torques make."""
+"""torque: what the drives must give for a motion; coupled: the motion that given drive torques make.
+
+V* and phi'' under given torques: free flywheels are eliminated, of a free carrier from its six rows, of a held one from
+the rows along its freedoms.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from mahovik.core.lower import hold
-from mahovik.core.lower.flywheels import (
-    Carried,
-    along,
-    common_terms,
-    couple_flywheel,
-    named_turns,
-    places_of,
-)
+from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
-    Scene,
     all_turns,
     check_inputs,
     equations_along,
@@ -25,213 +21,240 @@ from mahovik.core.lower.forward import (
     scene,
     sum_up,
 )
-from mahovik.core.lower.held_drive import solve_held
+from mahovik.core.lower.hold import Freedoms
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import start_blocks
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, equal, integer, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
-
-Pair = tuple[Place, Place]
+from mahovik.core.program.expression import Status, real
+from mahovik.core.program.kernel import OK, Reals, argument, inline, reals, record, result
 
 
-def torque(lib: Library) -> Function:
-    """tau for given V*, phi''."""
-    layout = lib.layout
-    arguments = _torque_arguments(lib, lib.given_turns())
-    table, x, *turns, V_dot, phi_ddot = [a for a in arguments if a.name not in ("wrench", "tau")]
-    wrench = tuple(a for a in arguments if a.name == "wrench")
-    body = Body()
-    check_inputs(lib, body, table, x, (phi_ddot,), wrench, tuple(turns))
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    if layout.sine_input:
-        sine, cosine = all_turns(lib, body, x.place, tuple(turns))
-        given = {a.name: a.place for a in arguments} | {"sine": sine, "cosine": cosine}
-        body.call(lib["balance"], *lib.arguments_of("balance", **given))
-    else:
-        _balance(lib, body, arguments)
-    return body.checked_function(
-        "torque",
-        "Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).",
-        arguments,
-        statuses=STATE_STATUSES,
-        public=True,
-    )
-
-
-def balance(lib: Library) -> Function:
-    """tau, from checked inputs."""
-    arguments = _torque_arguments(lib, lib.turn_arguments())
-    body = Body()
-    _balance(lib, body, arguments)
-    return body.function("balance", "Drive torques for a given motion, from checked inputs.", arguments)
-
-
-def _torque_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """table, x, sines and cosines, V_dot, phi_ddot, run-time wrenches, tau."""
-    purpose = "drive torques, mount on flywheel, about the spin axis"
-    return (
-        lib.table_argument(),
-        lib.state_argument(),
-        *turns,
-        Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V"),
-        *lib.phi_ddot_arguments(),
-        *lib.flywheel_wrench_arguments(),
-        Argument("tau", Kind.REAL, (lib.layout.count,), "out", "N m", purpose),
-    )
-
-
-def _balance(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
+@inline
+def drive_torques(
+    lib: Library, table: Any, x: Any, turns: Any, V_dot: Reals, phi_ddot: Reals, wrench: Any, tau: Reals
+) -> None:
     """tau of checked arguments."""
-    layout = lib.layout
-    place = {a.name: a.place for a in arguments}
-    table, x = place["table"], place["x"]
-    wrench = tuple(a for a in arguments if a.name == "wrench")
-    seen = scene(lib, body, table, x, turns=tuple(place[n] for n in ("sine", "cosine") if n in place))
-    moving = relative_rate(body, x, place["V_dot"], seen.stream)
-    flywheel_wrenches(lib, body, table, x, seen, wrench)
-    alike = common_terms.put_into(body, lib, seen.V, seen.g)
-    coupling = body.local("drive", (), layout.coupling)
-    with body.loop("s", layout.count) as s:
-        couple_flywheel.put_into(body, lib, table, s, seen, alike, coupling)
-        spin = table.flywheel[s].spin * place["phi_ddot"][s]
-        total = along(list(coupling.I), moving) + spin + coupling.bias
-        body.set(place["tau"][s], total if seen.own is None else total - seen.own[s * integer(6) + 3])
+    seen = scene(lib, table, x, turns=turns)
+    moving = relative_rate(x, V_dot, seen.stream)
+    flywheel_wrenches(lib, table, x, seen, wrench)
+    common = common_terms(lib, seen.V, seen.g)
+    drive = record(lib.layout.coupling)
+    for s in range(lib.layout.count):
+        couple_flywheel(lib, table, s, seen, common, drive)
+        tau[s] = less_own(along(drive.I, moving) + table.flywheel[s].spin * phi_ddot[s] + drive.bias, seen.own, s)
 
 
-def _coupled_arguments(lib: Library, turns: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """table, x, sines and cosines, tau, locked, run-time wrenches, V_dot, phi_ddot."""
-    count = lib.layout.count
-    return (
-        lib.table_argument(),
-        lib.state_argument(),
-        *turns,
-        Argument("tau", Kind.REAL, (count,), unit="N m", purpose="drive torques, mount on flywheel"),
-        lib.locked_argument(),
-        *lib.wrench_arguments(),
-        Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V"),
-        Argument("phi_ddot", Kind.REAL, (count,), "out", "rad/s2", "flywheel accelerations"),
-        *hold.results(lib),
-    )
+def less_own(torque: Any, own: Any, s: Any) -> Any:
+    """A torque less what the flywheel's own wrench gives, where it has such."""
+    return torque if own is None else torque - own[s * 6 + 3]
 
 
-def solve_coupled(lib: Library) -> Function:
-    """V*, phi'' for given tau, from checked inputs."""
-    layout = lib.layout
-    turns = lib.turn_arguments()
-    arguments = _coupled_arguments(lib, turns)
-    table, x = arguments[:2]
-    held = len(hold.results(lib))
-    given, results = arguments[2 + len(turns) : -2 - held], places_of(arguments[-2 - held :])
-    tau, locked, *wrench = given
-    body = Body()
-    seen = scene(lib, body, table.place, x.place, turns=places_of(turns_in(arguments)))
-    if layout.held:
-        freedoms, drift = equations_along(lib, body, table.place, x.place, seen, tuple(wrench), None)
-        solve_held(lib, body, table.place, seen, (tau.place, locked.place), freedoms, drift, results)
-    else:
-        system = without_drives(lib, body, table.place, x.place, seen, tuple(wrench))
-        solve_free(lib, body, table.place, seen, (tau.place, locked.place), system, (results[0], results[1]))
-        from_stream(body, x.place, seen, results[0])
-    return body.checked_function(
-        "solve_coupled",
-        "V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK.",
-        arguments,
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-    )
+def with_own(torque: Any, own: Any, s: Any) -> Any:
+    """A torque and what the flywheel's own wrench gives, where it has such."""
+    return torque if own is None else torque + own[s * 6 + 3]
 
 
-def without_drives(lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]) -> Pair:
+def add_torque(lib: Library) -> None:
+    """Adds the drive torques for given V*, phi''."""
+    layout, N = lib.layout, lib.layout.count
+    turns: Any = lib.given_turns() or (None, None)
+    tau_result: Any = result("drive torques, mount on flywheel, about the spin axis", N, unit="N m")
+    wanted: Any = argument("derivative of the components of V", 6, unit="m/s2, rad/s2")
+
+    @lib.kernel()
+    def balance(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Reals = lib.sine,
+        cosine: Reals = lib.cosine,
+        V_dot: Reals = wanted,
+        phi_ddot: Reals = lib.phi_ddot,
+        wrench: Any = lib.flywheel_wrench,
+        tau: Reals = tau_result,
+    ) -> None:
+        """Drive torques for a given motion, from checked inputs."""
+        drive_torques(lib, table, x, (sine, cosine), V_dot, phi_ddot, wrench, tau)
+
+    @lib.kernel(statuses=STATE_STATUSES, public=True)
+    def torque(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = turns[0],
+        cosine: Any = turns[1],
+        V_dot: Reals = wanted,
+        phi_ddot: Reals = lib.phi_ddot,
+        wrench: Any = lib.flywheel_wrench,
+        tau: Reals = tau_result,
+    ) -> Status:
+        """Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s)."""
+        check_inputs(lib, table, x, phi_ddot, wrench, (sine, cosine) if layout.sine_input else ())
+        lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
+        if layout.sine_input:
+            sines, cosines = all_turns(lib, x, (sine, cosine))
+            balance(table, x, sines, cosines, V_dot, phi_ddot, wrench, tau)
+        else:
+            drive_torques(lib, table, x, (), V_dot, phi_ddot, wrench, tau)
+        return OK
+
+
+def add_coupled(lib: Library) -> None:
+    """Adds V* and phi'' for given tau, from checked inputs, and with checks."""
+    layout, N = lib.layout, lib.layout.count
+    turns: Any = lib.given_turns() or (None, None)
+    torques: Any = argument("drive torques, mount on flywheel", N, unit="N m")
+    motion: Any = result("derivative of the components of V", 6, unit="m/s2, rad/s2")
+    spins: Any = result("flywheel accelerations", N, unit="rad/s2")
+    locks: Any = lib.locked_argument()
+    statuses = (*STATE_STATUSES, "NOT_POSITIVE_DEFINITE")
+
+    @lib.kernel(statuses=statuses)
+    def solve_coupled(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Reals = lib.sine,
+        cosine: Reals = lib.cosine,
+        tau: Reals = torques,
+        locked: Any = locks,
+        wrench: Any = lib.wrench,
+        V_dot: Reals = motion,
+        phi_ddot: Reals = spins,
+        u_dot: Any = lib.u_dot,
+    ) -> Status:
+        """V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK."""
+        seen = scene(lib, table, x, turns=(sine, cosine))
+        if layout.held:
+            freedoms, drift = equations_along(lib, table, x, seen, wrench, None)
+            solve_held(lib, table, seen, (tau, locked), freedoms, drift, (V_dot, phi_ddot, u_dot))
+        else:
+            system = without_drives(lib, table, x, seen, wrench)
+            solve_free(lib, table, seen, (tau, locked), system, (V_dot, phi_ddot))
+            from_stream(x, seen, V_dot)
+        return OK
+
+    purpose = "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
+    purpose += ", along the freedoms of the hold." if layout.freedoms else "."
+
+    @lib.kernel(statuses=statuses, purpose=purpose, public=True)
+    def coupled(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = turns[0],
+        cosine: Any = turns[1],
+        tau: Reals = torques,
+        locked: Any = locks,
+        wrench: Any = lib.wrench,
+        V_dot: Reals = motion,
+        phi_ddot: Reals = spins,
+        u_dot: Any = lib.u_dot,
+    ) -> Status:
+        """Motion of the whole system under given drive torques."""
+        check_inputs(lib, table, x, None, wrench, (sine, cosine) if layout.sine_input else (), tau)
+        V_result = reals(6)
+        phi_result = reals(N)
+        sines, cosines = all_turns(lib, x, (sine, cosine) if layout.sine_input else ())
+        u_dot_result = None
+        if layout.freedoms:
+            u_dot_result = reals(layout.freedoms)
+        solve_coupled(table, x, sines, cosines, tau, locked, wrench, V_result, phi_result, u_dot_result)
+        V_dot[:] = V_result
+        if layout.freedoms:
+            u_dot[:] = u_dot_result
+        for s in range(N):
+            phi_ddot[s] = phi_result[s]
+        return OK
+
+
+def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
+    """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
+    by_name = {a.name: a for a in arguments}
+    turns = tuple(by_name[name] for name in ("sine", "cosine") if name in by_name)
+    check_inputs(lib, body, by_name["table"], by_name["x"], None, by_name.get("wrench"), turns, by_name["tau"])
+
+
+@inline
+def without_drives(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> Any:
     """K and F of K V* + I phi'' = F, before the flywheels are eliminated; their sums are in `seen`."""
-    sum_up(lib, body, table, x, seen, None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    external_wrench(lib, body, table, x, seen, wrench, F)
-    body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
-    K = body.local("K", (), lib.layout.schur, "mass matrix with free flywheels eliminated")
-    start_blocks.put_into(body, lib, table, seen.sums, K)
+    sum_up(lib, table, x, seen, None)
+    F = reals(6)  # wrench (7); then the right-hand side of K V* + I phi'' = F
+    external_wrench(lib, table, x, seen, wrench, F)
+    lib["subtract_rates"](table, seen.sums, seen.V, F)
+    K = record(lib.layout.schur)  # mass matrix with free flywheels eliminated
+    start_blocks(lib, table, seen.sums, K)
     return K, F
-
-
-def turns_in(arguments: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """Sines and cosines among the arguments."""
-    return tuple(a for a in arguments if a.name in ("sine", "cosine"))
 
 
 @dataclass(frozen=True)
 class Solved:
     """What solving leaves: columns of I and bias torques of the drives (N), common terms, and the factors of K."""
 
-    drives: Place
-    alike: Carried
-    factor: Place
+    drives: Any
+    alike: Any
+    factor: Any
 
 
-def solve_free(lib: Library, body: Body, table: Place, seen: Scene, given: Pair, system: Pair, results: Pair) -> Solved:
+@inline
+def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any, results: Any) -> Any:
     """V*, phi'' of K, F without drives, for given tau and locks, flywheel by flywheel."""
-    layout = lib.layout
-    (tau, locked), (K, F), (V_dot, phi_ddot) = given, system, results
-    drives = body.local("drive", (layout.count,), layout.coupling)
-    alike = common_terms.put_into(body, lib, seen.V, seen.g)
-    rate = body.local("rate", (layout.count,), comment="accelerations at V* = 0")
-    with body.loop("s", layout.count) as s:
-        with body.when(equal(locked[s], integer(0))):
-            couple_flywheel.put_into(body, lib, table, s, seen, alike, drives[s])
-            demand = tau[s] - drives[s].bias
-            if seen.own is not None:
-                demand = demand + seen.own[s * integer(6) + 3]
-            body.set(rate[s], demand * table.flywheel[s].spin_inv)
-            body.call(lib["eliminate"], drives[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
-        with body.otherwise():
-            for element in drives[s].I:
-                body.set(element, real(0))
-            body.set(rate[s], real(0))
-    factor = body.local("factor", (), layout.schur_factor)
-    lib.check(body, "factor_schur", K, factor)
-    body.call(lib["solve_schur"], factor, F, V_dot)
-    with body.loop("s", layout.count) as s:
-        body.set(phi_ddot[s], real(0))
-        with body.when(equal(locked[s], integer(0))):
-            back = along(list(drives[s].I), V_dot) * table.flywheel[s].spin_inv
-            body.set(phi_ddot[s], rate[s] - back)
-    return Solved(drives, alike, factor)
+    layout, N = lib.layout, lib.layout.count
+    tau, locked = drives_of
+    K, F = system
+    V_dot, phi_ddot = results
+    drive = record(layout.coupling, N)
+    common = common_terms(lib, seen.V, seen.g)
+    rate = reals(N)  # accelerations at V* = 0
+    for s in range(N):
+        if locked[s] == 0:
+            couple_flywheel(lib, table, s, seen, common, drive[s])
+            rate[s] = with_own(tau[s] - drive[s].bias, seen.own, s) * table.flywheel[s].spin_inv
+            lib["eliminate"](drive[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
+        else:
+            drive[s].I[:] = [0] * 6
+            rate[s] = 0
+    factor = record(layout.schur_factor)
+    lib["factor_schur"](K, factor)
+    lib["solve_schur"](factor, F, V_dot)
+    for s in range(N):
+        phi_ddot[s] = 0
+        if locked[s] == 0:
+            phi_ddot[s] = rate[s] - along(drive[s].I, V_dot) * table.flywheel[s].spin_inv
+    return Solved(drive, common, factor)
 
 
-def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
-    """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
-    by_name = {a.name: a for a in arguments}
-    wrench = tuple(a for a in arguments if a.name == "wrench")
-    check_inputs(lib, body, by_name["table"], by_name["x"], (), wrench, turns_in(arguments), (by_name["tau"],))
+@inline
+def solve_held(
+    lib: Library, table: Any, seen: Any, drives_of: Any, freedoms: Freedoms, drift: Any, results: Any
+) -> None:
+    """Writes V*, phi'', u*, for given tau and locks, of the equations for phi'' = 0.
+
+    `drift`: omega x C^T u of a stream.
+    """
+    N, m = lib.layout.count, lib.layout.freedoms
+    tau, locked = drives_of
+    V_dot, phi_ddot, u_dot = results
+    bias = reals(N)  # drive torques at V* = 0, phi'' = 0
+    inverse = reals(N)  # 1 / Theta_ff; 0 where a lock holds
+    columns = reals(N, 6)  # columns of I
+    rate = reals(N)  # accelerations at V* = 0
+    if m:
+        projected = reals(N, m)  # S^T I, flywheel by flywheel
+    common = common_terms(lib, seen.V, seen.g)
+    drive = record(lib.layout.coupling)
+    for s in range(N):
+        couple_flywheel(lib, table, s, seen, common, drive)
+        columns[s] = drive.I
+        bias[s] = drive.bias
+    for s in range(N):
+        inverse[s] = table.flywheel[s].spin_inv if locked[s] == 0 else 0
+        rate[s] = without(with_own(tau[s] - bias[s], seen.own, s), columns[s], drift) * inverse[s]
+        freedoms.eliminate(columns[s], rate[s], inverse[s], projected[s] if m else None)
+    freedoms.solve()
+    for s in range(N):
+        phi_ddot[s] = rate[s] - freedoms.back(projected[s]) * inverse[s] if m else rate[s]
+    freedoms.write(V_dot, [u_dot] if m else [])
 
 
-def coupled(lib: Library) -> Function:
-    """V*, phi'' for given tau."""
-    layout = lib.layout
-    arguments = _coupled_arguments(lib, lib.given_turns())
-    held = len(hold.results(lib))
-    V_dot, phi_ddot, *others = arguments[-2 - held :]
-    body = Body()
-    check_drive(lib, body, arguments)
-    motion = body.local("V_result", (6,))
-    spins = body.local("phi_result", (layout.count,))
-    x = arguments[1].place
-    named = {a.name: a.place for a in arguments} | named_turns(all_turns(lib, body, x, turns_in(arguments)))
-    named |= {"V_dot": motion, "phi_ddot": spins}
-    found = [body.local(f"{a.name}_result", a.shape) for a in others]
-    named |= {a.name: value for a, value in zip(others, found, strict=True)}
-    lib.check(body, "solve_coupled", *lib.arguments_of("solve_coupled", **named))
-    body.copy_array(V_dot.place, motion)
-    for argument, value in zip(others, found, strict=True):
-        body.copy_array(argument.place, value)
-    with body.loop("s", layout.count) as s:
-        body.set(phi_ddot.place[s], spins[s])
-    return body.checked_function(
-        "coupled",
-        "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
-        + (", along the freedoms of the hold." if held else "."),
-        arguments,
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        public=True,
-    )
+def without(torque: Any, coupling: Any, drift: Any) -> Any:
+    """A torque less I_s . (drift, 0)."""
+    return torque if drift is None else torque - along(coupling, [*drift, real(0), real(0), real(0)])

@@ -66,13 +66,14 @@ def places_of(arguments: Sequence[Argument]) -> Turns:
     return tuple(a.place for a in arguments)
 
 
-def turns_of(lib: Library, body: Body, x: Place) -> Turns:
+@inline
+def turns_of(lib: Library, x: Any) -> Any:
     """Sines and cosines of the phases of a state as locals: all of them first, as none waits for another."""
     if not lib.layout.flywheels:
         return ()
-    sine = body.local("sine", (lib.layout.count,))
-    cosine = body.local("cosine", (lib.layout.count,))
-    body.call(lib["sincos_each"], x.phi, sine, cosine)
+    sine = reals(lib.layout.count)
+    cosine = reals(lib.layout.count)
+    lib["sincos_each"](x.phi, sine, cosine)
     return sine, cosine
 
 

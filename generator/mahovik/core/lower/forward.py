@@ -1,19 +1,17 @@
-"""forward (8), as public function; what it shares with others: attitude, stream, sums."""
+"""forward (8), as a public function; what others share with it: checks, attitude, stream, sums."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import Any
 
-from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower import flywheels, hold
-from mahovik.core.lower.flywheels import Turns, named_turns, places_of, turns_of
+from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Given, Not, Operand, Place, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Given, Status
+from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, body, inline, reals, record, result
+from mahovik.core.program.vector import cross
 
 STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
 
@@ -26,263 +24,263 @@ class Scene:
     flywheels of their own, six numbers each; turns: sines and cosines of the phases.
     """
 
-    C: Place | None
-    V: Place
-    stream: Place | None
-    g: Place | None
-    sums: Place
-    own: Place | None
-    turns: Turns
+    C: Any
+    V: Any
+    stream: Any
+    g: Any
+    sums: Any
+    own: Any
+    turns: Any
 
 
+def place_in(value: Any) -> Any:
+    """The place of an argument, or of the one in a tuple; None of an empty one. A place is what it is."""
+    if isinstance(value, tuple | list):
+        return place_in(value[0]) if value else None
+    return value.place if isinstance(value, Argument) else value
+
+
+@inline
 def check_inputs(
-    lib: Library,
-    body: Body,
-    table: Argument,
-    x: Argument,
-    phi_ddot: tuple[Argument, ...] = (),
-    wrench: tuple[Argument, ...] = (),
-    turns: tuple[Argument, ...] = (),
-    tau: tuple[Argument, ...] = (),
-) -> None:
+    lib: Library, table: Any, x: Any, phi_ddot: Any = None, wrench: Any = None, turns: Any = (), tau: Any = None
+) -> Any:
     """Checks of state, sines, stream, accelerations, run-time wrenches, torques: before anything is computed.
 
     Accelerations or torques are looked at together with the state, where nothing has its turn between them.
     """
-    limit = {name: found.expression for name, found in lib.limits.items()}
-    rest: list[tuple[Place, Operand, Expr]] = [(a.place, lib.layout.count, limit["MAX_ACCELERATION"]) for a in phi_ddot]
-    rest += [(a.place, len(a.place), limit["MAX_WRENCH"]) for a in wrench]
-    rest += [(a.place, lib.layout.count, limit["MAX_WRENCH"]) for a in tau]
-    if rest and rest[0][1] is lib.layout.count and "check_motion" in lib and not lib.layout.stream:
-        given, _, bound = rest.pop(0)
-        lib.check(body, "check_motion", x.place, given, bound)
+    state, N = place_in(x), lib.layout.count
+    rows = ((phi_ddot, N, "MAX_ACCELERATION"), (wrench, 0, "MAX_WRENCH"), (tau, N, "MAX_WRENCH"))
+    rest = [(place_in(v), count, lib.limit(bound)) for v, count, bound in rows if place_in(v) is not None]
+    together = rest and rest[0][1] is N and "check_motion" in lib and not lib.layout.stream
+    if together:
+        lib["check_motion"](state, rest[0][0], rest[0][2])
     else:
-        lib.check(body, "check_state", x.place)
+        lib["check_state"](state)
     if turns:
-        sine, cosine = (a.place for a in turns)
-        with body.when(Given(sine)):
-            lib.guard(body, Not(Given(cosine)), "BAD_ARGUMENT")
-            lib.check(body, "check_turns", sine, cosine)
-        with body.otherwise():
-            lib.guard(body, Given(cosine), "BAD_ARGUMENT")
+        sine, cosine = place_in(turns[0]), place_in(turns[1])
+        if Given(sine):
+            if not Given(cosine):
+                return BAD_ARGUMENT
+            lib["check_turns"](sine, cosine)
+        elif Given(cosine):
+            return BAD_ARGUMENT
     if lib.layout.stream:
-        lib.check(body, "within", table.place.stream, 3, limit["MAX_VELOCITY"])
+        lib["within"](place_in(table).stream, 3, lib.limit("MAX_VELOCITY"))
     if lib.layout.structure.stream_stations:
-        lib.check(body, "check_depth", table.place, x.place)
-    for values, count, most in rest:
-        lib.check(body, "within", values, count, most)
+        lib["check_depth"](place_in(table), state)
+    for values, count, most in rest[1:] if together else rest:
+        lib["within"](values, count or len(values), most)
+    return None
 
 
-def scene(lib: Library, body: Body, table: Place, x: Place, attitude: bool = False, turns: Turns = ()) -> Scene:
+@inline
+def scene(lib: Library, table: Any, x: Any, attitude: bool = False, turns: Any = ()) -> Any:
     """Attitude, twist relative to the stream, gravity, and places for sums.
 
     `attitude`: C even where (8) needs none. `turns`: sines and cosines that are known already.
     """
     layout = lib.layout
-    C = stream = g = own = None
-    V = x.V
+    C, u, g, own = None, None, None, None
     by_quaternion = layout.held and layout.weight and not (attitude or layout.stream or "C" in lib.taken("external"))
     if (layout.attitude_needed or attitude) and not by_quaternion:
-        C = body.local("C", (9,), comment="attitude")
-        body.call(lib["rotation"], x.attitude, C)
+        C = reals(9)  # attitude
+        lib["rotation"](x.attitude, C)
     if layout.stream:
-        assert C is not None
-        stream = body.local("u", (3,), comment="stream in E1")
-        flow = table.stream
+        u = reals(3)  # stream in E1
         if layout.structure.stream_stations:
-            flow = body.local("flow", (3,), comment="stream in E0, at this depth")
-            body.call(lib["stream_at"], table, x, flow)
-        body.call(lib["rotate_back"], C, flow, stream)
-        V = body.local("V", (6,), comment="V relative to the stream: the fluid's frame is inertial as well")
-        for i in range(6):
-            body.set(V[i], x.V[i] - stream[i] if i < 3 else x.V[i])
-    if layout.weight:
-        g = body.local("g", (3,), comment="gravity in E1")
-        if C is None:
-            body.call(lib["turn_back"], x.attitude, table.gravity, g)
+            flow = reals(3)  # stream in E0, at this depth
+            lib["stream_at"](table, x, flow)
         else:
-            body.call(lib["rotate_back"], C, table.gravity, g)
-    if layout.own_turning:
-        own = body.local("own", (6 * int(layout.count),), comment="own wrenches of the flywheels, six numbers each")
-    sums = body.local("sum", (), layout.sums)
-    return Scene(C, V, stream, g, sums, own, turns or turns_of(lib, body, x))
-
-
-def sum_up(
-    lib: Library, body: Body, table: Place, x: Place, seen: Scene, phi_ddot: Place | None, mass_alone: bool = False
-) -> None:
-    """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds. `mass_alone`: for K and K_dot."""
-    flywheels.sum_up.put_into(body, lib, table, x, seen.turns, seen.sums, phi_ddot, mass_alone)
-
-
-def external_wrench(
-    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...], F: Place
-) -> None:
-    """F of (7), or zero where the stand has none."""
-    if not lib.layout.wrenches:
-        for element in F:
-            body.set(element, real(0))
-        return
-    named = {"table": table, "x": x, "sum": seen.sums, "C": seen.C, "V": seen.V, "g": seen.g, "F": F}
-    named |= {"own": seen.own, **named_turns(seen.turns)}
-    passed = lib.arguments_of("external", **named, **{w.name: w.place for w in wrench})
-    if lib["external"].returns is None:
-        body.call(lib["external"], *passed)
+            flow = table.stream
+        lib["rotate_back"](C, flow, u)
+        V = reals(6)  # V relative to the stream: the fluid's frame is inertial as well
+        V[0:3] = x.V[0:3] - u
+        V[3:6] = x.V[3:6]
     else:
-        lib.check(body, "external", *passed)
+        V = x.V
+    if layout.weight:
+        g = reals(3)  # gravity in E1
+        if C is None:
+            lib["turn_back"](x.attitude, table.gravity, g)
+        else:
+            lib["rotate_back"](C, table.gravity, g)
+    if layout.own_turning:
+        own = reals(6 * int(layout.count))  # own wrenches of the flywheels, six numbers each
+    sum_ = record(layout.sums)
+    return Scene(C, V, u, g, sum_, own, turns or turns_of(lib, x))
 
 
-def drift_of(body: Body, x: Place, stream: Place) -> Place:
+@inline
+def sum_up(lib: Library, table: Any, x: Any, seen: Any, phi_ddot: Any, mass_alone: bool = False) -> None:
+    """Sums over all bodies into seen.sums; without phi_ddot those of constant speeds. `mass_alone`: for K and K_dot."""
+    flywheels.sum_up(lib, table, x, seen.turns, seen.sums, phi_ddot, mass_alone)
+
+
+@inline
+def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F: Any) -> None:
+    """F of (7), or zero where the stand has none."""
+    if lib.layout.wrenches:
+        turns = seen.turns or (None, None)
+        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V, seen.g, place_in(wrench), F, seen.own)
+    else:
+        F[:] = [0] * 6
+
+
+@inline
+def drift_of(x: Any, stream: Any) -> Any:
     """omega x C^T u: V_r* = V* + (omega x C^T u, 0)."""
-    drift = body.local("drift", (3,), comment="omega x C^T u")
-    assign(body, list(drift), derived.turning_velocity(), {"omega": list(x.V)[3:], "O": stream})
+    drift = reals(3)  # omega x C^T u
+    drift[:] = -cross(stream, x.V[3:6])
     return drift
 
 
-def relative_rate(body: Body, x: Place, V_dot: Place, stream: Place | None) -> Place:
+@inline
+def relative_rate(x: Any, V_dot: Any, stream: Any) -> Any:
     """V_r* = V* + (omega x C^T u, 0); V* itself where there is no stream."""
     if stream is None:
         return V_dot
-    drift = drift_of(body, x, stream)
-    moving = body.local("V_r_dot", (6,), comment="V_r* = V* + (omega x C^T u, 0)")
-    for i in range(6):
-        body.set(moving[i], V_dot[i] + drift[i] if i < 3 else V_dot[i])
-    return moving
+    drift = drift_of(x, stream)
+    V_r_dot = reals(6)  # V_r* = V* + (omega x C^T u, 0)
+    V_r_dot[0:3] = V_dot[0:3] + drift
+    V_r_dot[3:6] = V_dot[3:6]
+    return V_r_dot
 
 
-def all_turns(lib: Library, body: Body, x: Place, given: tuple[Argument, ...]) -> Turns:
+@inline
+def all_turns(lib: Library, x: Any, given: Any) -> Any:
     """Sines and cosines as internal functions take them: those of arguments that a caller gives, or of the phases."""
     if not given:
-        return turns_of(lib, body, x)
-    turns = tuple(body.local(f"{a.name}s", a.shape) for a in given)
-    note = "the phases of x are checked, but not used"
-    with body.when(Given(given[0].place), comment=note), body.loop("s", lib.layout.count) as s:
-        for to, a in zip(turns, given, strict=True):
-            body.set(to[s], a.place[s])
-    with body.otherwise():
-        body.call(lib["sincos_each"], x.phi, *turns)
-    return turns
-
-
-def accelerate(lib: Library) -> Function:
-    """V* for given phi'' by (8), from checked inputs."""
-    table, x = lib.table_argument(), lib.state_argument()
-    turns, phi_ddot, wrench = lib.turn_arguments(), lib.phi_ddot_arguments(), lib.wrench_arguments()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V")
-    held = hold.results(lib)
-    body = Body()
-    seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
-    accelerations = phi_ddot[0].place if phi_ddot else None
-    if lib.layout.held:
-        for rates in places_of(held):
-            equations_along(lib, body, table.place, x.place, seen, wrench, accelerations, rates)[0].solve()
+        return turns_of(lib, x)
+    sine, cosine = place_in(given[0]), place_in(given[1])
+    sines = reals(lib.layout.count)
+    cosines = reals(lib.layout.count)
+    if Given(sine):  # the phases of x are checked, but not used
+        for s in range(lib.layout.count):
+            sines[s] = sine[s]
+            cosines[s] = cosine[s]
     else:
-        sum_up(lib, body, table.place, x.place, seen, accelerations)
-        F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-        K = body.local("K", (), lib.layout.carrier_factor) if lib.layout.added_mass else None
-        external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-        body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-        if K is None:  # the factors are few enough to stay in registers, in one function
-            lib.check(body, "solve_carrier_once", table.place, seen.sums, F, V_dot.place)
-        else:
-            lib.check(body, "factor_carrier", table.place, seen.sums, K)
-            body.call(lib["solve_carrier"], table.place, K, F, V_dot.place)
-        from_stream(body, x.place, seen, V_dot.place)
-    found = body.checked_function(
-        "accelerate",
-        "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
-        if not lib.layout.held
-        else "u* of S^T K S u* = S^T (F - M V - sum(I phi'' + J phi')) from checked inputs; valid if the status is OK.",
-        (table, x, *turns, *phi_ddot, *wrench, *(held if lib.layout.held else (V_dot,))),
-        equation="(8)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-    )
-    return replace(found, short=lib.layout.held)  # few freedoms leave little of it
+        lib["sincos_each"](x.phi, sines, cosines)
+    return sines, cosines
 
 
-def equations_along(
-    lib: Library,
-    body: Body,
-    table: Place,
-    x: Place,
-    seen: Scene,
-    wrench: tuple[Argument, ...],
-    phi_ddot: Place | None,
-    y: Place | None = None,
-) -> tuple[hold.Freedoms, Place | None]:
+@inline
+def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any = None) -> Any:
     """(8) along the freedoms, P u* = y, without phi_ddot for phi'' = 0; and omega x C^T u of a stream.
 
     `y`: a place for the right-hand side, then for u*.
     """
-    F = body.local("F", (6,), comment="wrench (7)" if lib.layout.along else "wrench (7); then what is to be projected")
     if lib.layout.along:
-        sums = hold.sum_up_along.put_into(body, lib, table, x, seen.turns, phi_ddot, seen.sums)
-        external_wrench(lib, body, table, x, seen, wrench, F)
-        freedoms = hold.Freedoms(lib, body, table, sums.P, y)
-        named = {"table": table, "sum": sums, "V": x.V, "F": F, "y": freedoms.y}
-        body.call(lib["right_side"], *lib.arguments_of("right_side", **named))
+        F = reals(6)  # wrench (7)
+        sums = hold.sum_up_along(lib, table, x, seen.turns, phi_ddot, seen.sums)
+        external_wrench(lib, table, x, seen, wrench, F)
+        freedoms = hold.Freedoms(lib, body(), table, sums.P, y)
+        lib["right_side"](table, sums, x.V, F, freedoms.y)
         return freedoms, None
-    sum_up(lib, body, table, x, seen, phi_ddot)
-    external_wrench(lib, body, table, x, seen, wrench, F)
-    freedoms = hold.Freedoms(lib, body, table, y=y)
+    F = reals(6)  # wrench (7); then what is to be projected
+    sum_up(lib, table, x, seen, phi_ddot)
+    external_wrench(lib, table, x, seen, wrench, F)
+    freedoms = hold.Freedoms(lib, body(), table, None, y)
     if not freedoms.count:
-        return freedoms, None if seen.stream is None else drift_of(body, x, seen.stream)
-    body.call(lib["subtract_rates"], table, seen.sums, seen.V, F)
-    drift = without_drift(lib, body, table, x, seen, F)
-    body.call(lib["project_mass"], *lib.arguments_of("project_mass", table=table, sum=seen.sums, P=freedoms.P))
-    body.call(lib["project_wrench"], *lib.arguments_of("project_wrench", table=table, F=F, y=freedoms.y))
+        return freedoms, None if seen.stream is None else drift_of(x, seen.stream)
+    lib["subtract_rates"](table, seen.sums, seen.V, F)
+    drift = without_drift(lib, table, x, seen, F)
+    lib["project_mass"](table, seen.sums, freedoms.P)
+    lib["project_wrench"](table, F, freedoms.y)
     return freedoms, drift
 
 
-def from_stream(body: Body, x: Place, seen: Scene, V_dot: Place) -> None:
+@inline
+def from_stream(x: Any, seen: Any, V_dot: Any) -> None:
     """V* = V_r* - (omega x C^T u, 0), where there is a stream."""
-    if seen.stream is None:
-        return
-    body.note("V* = V_r* - (omega x C^T u, 0)")
-    drift = drift_of(body, x, seen.stream)
-    for i in range(3):
-        body.set(V_dot[i], V_dot[i] - drift[i])
+    if seen.stream is not None:
+        # V* = V_r* - (omega x C^T u, 0)
+        drift = drift_of(x, seen.stream)
+        V_dot[0:3] = V_dot[0:3] - drift
 
 
-def without_drift(lib: Library, body: Body, table: Place, x: Place, seen: Scene, F: Place) -> Place | None:
+@inline
+def without_drift(lib: Library, table: Any, x: Any, seen: Any, F: Any) -> Any:
     """Takes K (omega x C^T u, 0) from F, where there is a stream, so that F belongs to V*; returns omega x C^T u."""
     if seen.stream is None:
         return None
-    drift = drift_of(body, x, seen.stream)
-    body.call(lib["subtract_drift"], table, seen.sums, drift, F)
+    drift = drift_of(x, seen.stream)
+    lib["subtract_drift"](table, seen.sums, drift, F)
     return drift
 
 
-def forward(lib: Library) -> Function:
-    """V* for given phi'' by (8)."""
-    table, x, turns = lib.table_argument(), lib.state_argument(), lib.given_turns()
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    purpose = "derivative of the components of V; may overlap any input"
-    V_dot = Argument("V_dot", Kind.REAL, (6,), "out", "m/s2, rad/s2", purpose, overlaps=True)
-    body = Body()
-    check_inputs(lib, body, table, x, phi_ddot, wrench, turns)
-    held = hold.results(lib)
+def add_forward(lib: Library) -> None:
+    """Adds V* for given phi'' by (8), from checked inputs, and with checks."""
     layout = lib.layout
-    at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
-    result = V_dot.place if at_once else body.local("result", (6,))
-    others = [body.local(f"{a.name}_result", a.shape) for a in held]
-    named = {"table": table.place, "x": x.place, "V_dot": result} | named_turns(all_turns(lib, body, x.place, turns))
-    named |= {a.name: a.place for a in (*phi_ddot, *wrench)}
-    named |= {a.name: found for a, found in zip(held, others, strict=True)}
-    lib.check(body, "accelerate", *lib.arguments_of("accelerate", **named))
-    if lib.layout.held:  # all inputs have been read
-        hold.write_twist.put_into(body, lib, table.place, others, result)
-    if not at_once:
-        body.copy_array(V_dot.place, result)
-    for argument, found in zip(held, others, strict=True):
-        body.copy_array(argument.place, found)
-    return body.checked_function(
-        "forward",
-        "Acceleration of the carrier for given accelerations of the flywheels: "
-        + ("along the freedoms of the hold, S^T: K V* = F" if lib.layout.held else "K V* = F")
-        + " - M V - sum(I phi'' + J phi').",
-        (table, x, *turns, *phi_ddot, *wrench, V_dot, *held),
-        equation="(8)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-        public=True,
+    statuses = (*STATE_STATUSES, "NOT_POSITIVE_DEFINITE")
+    turns: Any = lib.given_turns() or (None, None)
+    purpose = (
+        "u* of S^T K S u* = S^T (F - M V - sum(I phi'' + J phi')) from checked inputs; valid if the status is OK."
+        if layout.held
+        else "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
     )
+
+    @lib.kernel(equation="(8)", statuses=statuses, purpose=purpose, short=layout.held)  # few freedoms leave little
+    def accelerate(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = lib.sine,
+        cosine: Any = lib.cosine,
+        phi_ddot: Any = lib.phi_ddot,
+        wrench: Any = lib.wrench,
+        V_dot: Any = None if layout.held else result("derivative of the components of V", 6, unit="m/s2, rad/s2"),
+        u_dot: Any = lib.u_dot,
+    ) -> Status:
+        """V* for given phi''."""
+        seen = scene(lib, table, x, turns=(sine, cosine) if layout.flywheels else ())
+        if u_dot is not None:
+            equations_along(lib, table, x, seen, wrench, phi_ddot, u_dot)[0].solve()
+        elif not layout.held:
+            sum_up(lib, table, x, seen, phi_ddot)
+            F = reals(6)  # wrench (7); then the right-hand side of (8)
+            if layout.added_mass:
+                K = record(layout.carrier_factor)
+            external_wrench(lib, table, x, seen, wrench, F)
+            lib["subtract_rates"](table, seen.sums, seen.V, F)
+            if layout.added_mass:
+                lib["factor_carrier"](table, seen.sums, K)
+                lib["solve_carrier"](table, K, F, V_dot)
+            else:
+                lib["solve_carrier_once"](table, seen.sums, F, V_dot)  # few factors: they stay in registers
+            from_stream(x, seen, V_dot)
+        return OK
+
+    purpose = (
+        "Acceleration of the carrier for given accelerations of the flywheels: "
+        + ("along the freedoms of the hold, S^T: K V* = F" if layout.held else "K V* = F")
+        + " - M V - sum(I phi'' + J phi')."
+    )
+    overlaps = "derivative of the components of V; may overlap any input"
+
+    @lib.kernel(equation="(8)", statuses=statuses, purpose=purpose, public=True)
+    def forward(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = turns[0],
+        cosine: Any = turns[1],
+        phi_ddot: Any = lib.phi_ddot,
+        wrench: Any = lib.wrench,
+        V_dot: Reals = result(overlaps, 6, unit="m/s2, rad/s2", overlaps=True),
+        u_dot: Any = lib.u_dot,
+    ) -> Status:
+        """Acceleration of the carrier."""
+        given = () if sine is None else (sine, cosine)
+        check_inputs(lib, table, x, phi_ddot, wrench, given)
+        at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
+        written = V_dot if at_once else body().local("result", (6,))
+        u_dot_result = None
+        if layout.freedoms:
+            u_dot_result = reals(layout.freedoms)
+        turned = all_turns(lib, x, given) or (None, None)
+        lib["accelerate"](table, x, *turned, phi_ddot, wrench, written, u_dot_result)
+        if layout.held:  # all inputs have been read
+            hold.write_twist(lib, table, [u_dot_result] if layout.freedoms else [], written)
+        if not at_once:
+            V_dot[:] = written
+        if layout.freedoms:
+            u_dot[:] = u_dot_result
+        return OK

@@ -43,6 +43,27 @@ class Library(FunctionSet):
         return self.turn_arguments()[1] if self.layout.flywheels else None
 
     @property
+    def phi_ddot(self) -> Any:
+        """Accelerations of the flywheels, where there are any."""
+        return next(iter(self.phi_ddot_arguments()), None)
+
+    @property
+    def wrench(self) -> Any:
+        """Run-time wrenches, where the stand asks for them."""
+        return next(iter(self.wrench_arguments()), None)
+
+    @property
+    def flywheel_wrench(self) -> Any:
+        """Run-time wrenches where a flywheel takes one, for functions on which no other body's has an effect."""
+        return next(iter(self.flywheel_wrench_arguments()), None)
+
+    @property
+    def u_dot(self) -> Any:
+        """Rates of the freedoms, which `forward` and `coupled` of a held carrier with freedoms give besides."""
+        m = self.layout.freedoms
+        return Argument("u_dot", Kind.REAL, (m,), "out", "SI", "rates of the freedoms") if m else None
+
+    @property
     def sums(self) -> Argument:
         """Sums over all bodies."""
         return Argument("sum", self.layout.sums)

@@ -90,19 +90,16 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     solve.add_solution(lib)
     if layout.held:
         hold.add_hold(lib)
-    lib.add(forward.accelerate(lib))
-    lib.add(forward.forward(lib))
+    forward.add_forward(lib)
     lib.add(matrices.velocity_matrix(lib))
     lib.add(matrices.matrices(lib))
     lib.add(matrices.momentum(lib))
     if layout.flywheels:
         lib.add(flywheels.couple(lib))
         solve.add_elimination(lib)
-        lib.add(drive.balance(lib))
-        lib.add(drive.torque(lib))
+        drive.add_torque(lib)
         solve.add_block_solution(lib)
-        lib.add(drive.solve_coupled(lib))
-        lib.add(drive.coupled(lib))
+        drive.add_coupled(lib)
     step.add_all(lib)
     if layout.flywheels:
         lib.add(phases.wrap(lib))
@@ -239,12 +236,12 @@ def _add_wrenches(lib: Library) -> None:
         for add_functions in of_bodies("lower", "add_functions"):
             add_functions(lib)
     if layout.own:
-        lib.add(wrenches.own_wrench(lib))
+        wrenches.add_own_wrench(lib)
     for law in lib.layout.law_tables:
         law.add_functions(lib)
     actuators.add_check(lib)
     stream.add_functions(lib)
-    lib.add(wrenches.external(lib))
+    wrenches.add_external(lib)
 
 
 def _add_jacobians(lib: Library) -> None:

@@ -5,199 +5,157 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.contract.laws import of_bodies, part
-from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower.flywheels import Turns, let_turn, named_turns, places_of, turn_of
-from mahovik.core.lower.forward import Scene
-from mahovik.core.lower.laws import add_force
+from mahovik.core.lower.forward import place_in
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Place, Status, integer, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Expr
+from mahovik.core.program.kernel import Reals, argument, body, changed, inline, reals, result
+from mahovik.core.program.vector import Vector, cross
 
 
-def external(lib: Library) -> Function:
-    """F of (7) from checked inputs."""
+def add_external(lib: Library) -> None:
+    """Adds F of (7) from checked inputs, and the wrench of one body that has such in its own frame."""
     layout = lib.layout
-    table, x = lib.table_argument(), lib.state_argument()
-    sums = Argument("sum", layout.sums, purpose="their mu gives the moment of the weight")
-    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid")
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    F = Argument("F", Kind.REAL, (6,), "out", "N, N m", "in E1 about O1")
-    own = own_argument(lib)
-    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
-    turns = places_of(given)
-    body = Body()
-    laws = lib.layout.law_tables
-    refuses, checked = any(law.refuses for law in laws), "check_actuators" in lib
-    if checked:
-        lib.check(body, "check_actuators", table.place)
-    for element in F.place:
-        body.set(element, real(0))
-    if layout.weight:
-        _weight(lib, body, table.place, x.place, turns, sums.place, g.place, F.place)
-    if layout.carrier_damped:
-        _damp(lib, body, table.place, table.place.damper, V.place, F.place)
-    if layout.carrier_input:
-        for i in range(6):
-            body.add(F.place[i], wrench[0].place[i])
-    if layout.own:
-        own_wrenches(
-            lib, body, table.place, x.place, turns, V.place, wrench[0].place if wrench else None, F.place, own.place
-        )
-    for law in laws:
-        law.act(lib, body, table.place, x.place, C.place, F.place)
-    if refuses or checked:
-        body.ret(Status("OK"))
-    return Function(
-        "external",
-        "Total external wrench of " + _kinds(lib) + ", from checked inputs.",
-        (table, x, *given, sums, C, V, g, *wrench, F, own),
-        body.statements,
-        equation="(7)",
-        returns=Kind.STATUS if refuses or checked else None,
-        statuses=("OK", "NOT_FINITE", "RANGE") if checked else ("OK", "RANGE") if refuses else (),
+    laws, checked = layout.law_tables, "check_actuators" in lib
+    refuses = any(law.refuses for law in laws)
+    own_wrenches_of_all: Any = result(
+        "wrenches of the flywheels of their own, six numbers each, in Es about Os", 6 * int(layout.count), unit="N, N m"
     )
+    kinds = [*layout.body_laws, *(law.words for law in laws), *(["run-time wrenches"] if layout.inputs else [])]
+
+    @lib.kernel(
+        equation="(7)",
+        statuses=("OK", "NOT_FINITE", "RANGE") if checked else ("OK", "RANGE") if refuses else (),
+        purpose=f"Total external wrench of {', '.join(kinds) or 'no kind at all'}, from checked inputs.",
+    )
+    def external(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = lib.sine,
+        cosine: Any = lib.cosine,
+        sum_: Any = argument("their mu gives the moment of the weight", struct=layout.sums),
+        C: Any = argument("attitude of the carrier", 9),
+        V: Reals = argument("twist relative to the fluid", 6),
+        g: Reals = argument("gravity in E1", 3, unit="m/s2"),
+        wrench: Any = lib.wrench,
+        F: Any = result("in E1 about O1", 6, unit="N, N m"),
+        own: Any = own_wrenches_of_all,
+    ) -> Any:
+        """Total external wrench."""
+        if checked:
+            lib["check_actuators"](table)
+        F[:] = [0] * 6
+        if layout.weight:
+            weigh(lib, table, (sine, cosine), sum_, g, F)
+        if layout.carrier_damped:
+            damp(lib, table, table.damper, V, F)
+        if layout.carrier_input:
+            F += wrench[0:6]
+        if layout.own:
+            own_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
+        for law in laws:
+            law.act(lib, body(), table, x, C, F)
 
 
-def _kinds(lib: Library) -> str:
-    layout = lib.layout
-    of_carrier = [law.words for law in layout.law_tables]
-    names = [*layout.body_laws, *of_carrier, *(["run-time wrenches"] if layout.inputs else [])]
-    return ", ".join(names) or "no kind at all"
-
-
-def own_argument(lib: Library) -> Argument:
-    """Own wrenches of the flywheels, where any has such: six numbers each in Es about Os."""
-    purpose = "wrenches of the flywheels of their own, six numbers each, in Es about Os"
-    return Argument("own", Kind.REAL, (6 * int(lib.layout.count),), "out", "N, N m", purpose)
-
-
-def own_wrenches(
-    lib: Library,
-    body: Body,
-    table: Place,
-    x: Place,
-    turns: Turns,
-    V: Place,
-    wrench: Place | None,
-    F: Place,
-    own: Place | None,
-) -> None:
+@inline
+def own_wrenches(lib: Library, table: Any, x: Any, turns: Any, V: Reals, wrench: Any, F: Reals, own: Any) -> None:
     """Adds the wrenches of all bodies that have some in their own frame to F; of the flywheels also to `own`."""
     if lib.layout.own_turning:
-        assert own is not None
-        with body.loop("i", 6 * int(lib.layout.count)) as i:
-            body.set(own[i], real(0))
-    with body.loop("k", len(lib.layout.own)) as k:
-        everything = {"table": table, "frame": table.frame[k], "x": x, "V": V, "F": F, "own": own, "wrench": wrench}
-        everything |= named_turns(turns)
-        body.call(lib["own_wrench"], *lib.arguments_of("own_wrench", **everything))
+        for i in range(6 * int(lib.layout.count)):
+            own[i] = 0
+    for k in range(len(lib.layout.own)):
+        lib["own_wrench"](table, table.frame[k], x, *turns, V, wrench, F, own)
 
 
-def flywheel_wrenches(
-    lib: Library, body: Body, table: Place, x: Place, seen: Scene, wrench: tuple[Argument, ...]
-) -> None:
+@inline
+def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> None:
     """Set the flywheels' own wrenches in `seen`, where they have such; `wrench`: `flywheel_wrench_arguments`."""
-    if seen.own is None:
-        return
-    scratch = body.local("scratch", (6,), comment="wrench on the carrier, not used here")
-    for element in scratch:
-        body.set(element, real(0))
-    given = wrench[0].place if wrench else None
-    if lib.layout.own_inputs and given is None:
-        given = body.local("none", (6 * len(lib.layout.inputs),), comment="wrenches on bodies that are no flywheels")
-        with body.loop("i", len(given)) as i:
-            body.set(given[i], real(0))
-    own_wrenches(lib, body, table, x, seen.turns, seen.V, given, scratch, seen.own)
+    if seen.own is not None:
+        scratch = reals(6)  # wrench on the carrier, not used here
+        scratch[:] = [0] * 6
+        given = place_in(wrench)
+        if lib.layout.own_inputs and given is None:
+            none = reals(6 * len(lib.layout.inputs))  # wrenches on bodies that are no flywheels
+            for i in range(len(none)):
+                none[i] = 0
+            given = none
+        own_wrenches(lib, table, x, seen.turns, seen.V, given, scratch, seen.own)
 
 
-def _weight(lib: Library, body: Body, table: Place, x: Place, turns: Turns, sums: Place, g: Place, F: Place) -> None:
+@inline
+def weigh(lib: Library, table: Any, turns: Any, sums: Any, g: Reals, F: Reals) -> None:
     """Weight of every body at its mass centre, less the Archimedes force."""
     layout = lib.layout
-    binding: dict[str, Any] = {"g": g, "mu": sums.mu, "m": table.mass}
+    numbers = {"g": g, "mu": sums.mu, "m": table.mass}
     if layout.displaces:
-        binding["weight_mass"] = table.weight_mass
-        binding["displaced_moment"] = table.displaced_moment
+        numbers = numbers | {"weight_mass": table.weight_mass, "displaced_moment": table.displaced_moment}
     if layout.flywheel_displaces:
-        moment = body.local("displaced", (3,), comment="first moment of displaced fluid at the phases")
-        body.copy_array(moment, table.displaced_moment)
-        with body.loop("s", layout.count) as s:
+        displaced: Reals = table.displaced_moment  # first moment of displaced fluid at the phases
+        for s in range(layout.count):
             row = table.flywheel[s]
-            turn = turn_of(turns, s)
-            for i in range(3):
-                body.add(moment[i], row.displaced_c[i] * turn["c"] + row.displaced_s[i] * turn["s"])
-        binding["displaced_moment"] = moment
-    part("weight", "lower").add_weight(body, layout.displaces, binding, F)
+            displaced += row.displaced_c * turns[1][s] + row.displaced_s * turns[0][s]
+        numbers = numbers | {"displaced_moment": displaced}
+    part("weight", "lower").add_weight(body(), layout.displaces, numbers, F)
 
 
-def _damp(lib: Library, body: Body, table: Place, damper: Place, V: Place, P: Place) -> None:
+def damp(lib: Library, table: Any, damper: Any, V: Any, P: Any) -> None:
+    """Adds the damping of a body by its twist to P."""
     for name in of_bodies("lower", "BY_TWIST"):
         if name in lib:
-            body.call(lib[name], *lib.arguments_of(name, table=table, damper=damper, V=V, P=P))
+            body().call(lib[name], *lib.arguments_of(name, table=table, damper=damper, V=V, P=P))
 
 
-def own_wrench(lib: Library) -> Function:
-    """Wrench of one instrument or flywheel that acts in its own frame, added to F."""
+def turned_axes(R: Any, c: Expr, s: Expr) -> Vector:
+    """R C1(phi): axes of a flywheel in E1, nine numbers."""
+    rows = [R[3 * i : 3 * i + 3] for i in range(3)]
+    return Vector(x for a, b, d in rows for x in (a, b * c + d * s, d * c - b * s))
+
+
+def add_own_wrench(lib: Library) -> None:
+    """Adds the wrench of one instrument or flywheel that acts in its own frame."""
     layout = lib.layout
-    table, x = lib.table_argument(), lib.state_argument()
-    frame = Argument("frame", layout.frame)
-    V = Argument("V", Kind.REAL, (6,), purpose="twist of the carrier relative to the fluid")
-    F = Argument("F", Kind.REAL, (6,), "inout", "N, N m", "in E1 about O1; this wrench is added to it")
-    own = own_argument(lib)
-    given, wrench = lib.turn_arguments(), lib.wrench_arguments()
-    body = Body()
-    origin = frame.place.origin
-    axes = body.local("axes", (9,), comment="axes of the body in E1")
-    P = body.local("P", (6,), comment="in the body's own frame")
-    body.copy_array(axes, frame.place.axes)
-    for element in P:
-        body.set(element, real(0))
-    if layout.own_turning:
-        with body.when(frame.place.flywheel >= 0):
-            turn = let_turn(body, places_of(given), frame.place.flywheel, "")
-            assign(body, list(axes), derived.turned_axes(), turn | {"R": frame.place.axes})
-    if layout.own_damped:
-        _own_damping(lib, body, table.place, frame.place, x.place, V.place, axes, P)
-    if layout.own_inputs:
-        with body.when(frame.place.wrench >= 0), body.loop("i", 6) as i:
-            body.add(P[i], wrench[0].place[frame.place.wrench * integer(6) + i])
-    if layout.own_turning:
-        with body.when(frame.place.flywheel >= 0), body.loop("i", 6) as i:
-            body.set(own.place[frame.place.flywheel * integer(6) + i], P[i])
-    force = body.local("force", (3,), comment="in E1")
-    moment = body.local("moment", (3,), comment="in E1, about the body's origin")
-    _turn(body, axes, list(P)[:3], force)
-    _turn(body, axes, list(P)[3:], moment)
-    add_force(body, list(F.place), origin, list(force), list(moment))
-    return Function(
-        "own_wrench",
-        "Adds the wrench that acts on one instrument or flywheel in its own frame.",
-        (table, frame, x, *given, V, *wrench, F, own),
-        body.statements,
-        equation="(7)",
+    own_result: Any = result(
+        "wrenches of the flywheels of their own, six numbers each, in Es about Os", 6 * int(layout.count), unit="N, N m"
     )
 
-
-def _turn(body: Body, C: Place, a: list[Place], out: Place) -> None:
-    assign(body, list(out), derived.rotated(), {"C": C, "a": a})
-
-
-def _own_damping(
-    lib: Library, body: Body, table: Place, frame: Place, x: Place, V: Place, axes: Place, P: Place
-) -> None:
-    """Twist of the body relative to the fluid in its own frame, L^T V_r + f phi', and its damping."""
-    six = list(V)
-    velocity = body.local("velocity", (3,), comment="of the body's origin, in E1")
-    twist = body.local("twist", (6,), comment="of the body, in its own frame")
-    assign(body, list(velocity), derived.twist_at(), {"v": six[:3], "omega": six[3:], "O": frame.origin})
-    back = derived.rotated_back()
-    assign(body, list(twist)[:3], back, {"C": axes, "a": velocity})
-    assign(body, list(twist)[3:], back, {"C": axes, "a": six[3:]})
-    if lib.layout.own_turning:
-        with body.when(frame.flywheel >= 0):
-            body.add(twist[3], x.phi_dot[frame.flywheel], "L^T V + f phi'")
-    _damp(lib, body, table, frame.damper, twist, P)
+    @lib.kernel(equation="(7)")
+    def own_wrench(
+        table: Any = lib.table,
+        frame: Any = argument(struct=layout.frame),
+        x: Any = lib.x,
+        sine: Any = lib.sine,
+        cosine: Any = lib.cosine,
+        V: Reals = argument("twist of the carrier relative to the fluid", 6),
+        wrench: Any = lib.wrench,
+        F: Reals = changed("in E1 about O1; this wrench is added to it", 6, unit="N, N m"),
+        own: Any = own_result,
+    ) -> None:
+        """Adds the wrench that acts on one instrument or flywheel in its own frame."""
+        axes = reals(9)  # axes of the body in E1
+        P = reals(6)  # in the body's own frame
+        axes[:] = frame.axes
+        P[:] = [0] * 6
+        if layout.own_turning and frame.flywheel >= 0:
+            s = sine[frame.flywheel]
+            c = cosine[frame.flywheel]
+            axes[:] = turned_axes(frame.axes, c, s)
+        if layout.own_damped:
+            velocity = reals(3)  # of the body's origin, in E1
+            twist = reals(6)  # of the body, in its own frame
+            velocity[:] = -cross(frame.origin, V[3:6]) + V[0:3]
+            twist[0:3] = axes.T @ velocity
+            twist[3:6] = axes.T @ V[3:6]
+            if layout.own_turning and frame.flywheel >= 0:
+                twist[3] += x.phi_dot[frame.flywheel]  # L^T V + f phi'
+            damp(lib, table, frame.damper, twist, P)
+        if layout.own_inputs and frame.wrench >= 0:
+            for i in range(6):
+                P[i] += wrench[frame.wrench * 6 + i]
+        if layout.own_turning and frame.flywheel >= 0:
+            for i in range(6):
+                own[frame.flywheel * 6 + i] = P[i]
+        force = reals(3)  # in E1
+        moment = reals(3)  # in E1, about the body's origin
+        force[:] = axes @ P[0:3]
+        moment[:] = axes @ P[3:6]
+        F[0:3] += force
+        F[3:6] += cross(frame.origin, force) + moment

@@ -67,8 +67,8 @@ class Expr:
     __lt__, __le__ = _comparison("<"), _comparison("<=")
     __gt__, __ge__ = _comparison(">"), _comparison(">=")
 
-    def __neg__(self) -> Any:
-        return -_vector(self) if _is_array(self) else Negate(self)
+    def __neg__(self) -> Expr:
+        return cast(Expr, -_vector(self)) if _is_array(self) else Negate(self)
 
     def __matmul__(self, other: Any) -> Any:
         return operator.matmul(_vector(self), _vector(other)) if _is_array(self) else NotImplemented

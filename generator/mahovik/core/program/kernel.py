@@ -156,9 +156,9 @@ def ints(*shape: int | NamedCount) -> Any:
     return Local(shape, Kind.INT)
 
 
-def record(struct: Struct) -> Any:
-    """A local struct."""
-    return Local((), struct)
+def record(struct: Struct, *shape: int | NamedCount) -> Any:
+    """A local struct, or an array of them."""
+    return Local(shape, struct)
 
 
 _bodies: list[Body] = []
@@ -236,7 +236,8 @@ def kernel(
             for parameter, a in arguments.items()
             if a is not None
         }
-        returns = {"None": None, "float": Kind.REAL, "Status": Kind.STATUS}[text.returns]
+        status = Kind.STATUS if statuses else None  # of `Any`
+        returns = {"None": None, "float": Kind.REAL, "Status": Kind.STATUS, "Any": status}[text.returns]
         absent = {parameter: None for parameter, a in arguments.items() if a is None}
         compilation = _Compilation(text, body, places | absent)
         compilation.block(text.statements)
@@ -260,7 +261,9 @@ class inline:  # noqa: N801
         self.signature = inspect.signature(function)
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
-        return self.put_into(_body(self.text.name), *arguments, **named)
+        """Its statements where it is called; outside of a text one of the arguments is the body."""
+        bodies = [a for a in arguments if isinstance(a, Body)] or [_body(self.text.name)]
+        return self.put_into(bodies[0], *(a for a in arguments if not isinstance(a, Body)), **named)
 
     def put_into(self, body: Body, *arguments: Any, **named: Any) -> Any:
         """Its statements in a body; what it returns."""
@@ -325,10 +328,15 @@ class _Text:
         self.statements = tree.body[1:] if self.docstring else tree.body
         self.line = (tree.body[0].end_lineno or 0) if self.docstring else tree.lineno
         self.returns = ast.unparse(tree.returns) if tree.returns else "None"
-        self.names = function.__globals__ | dict(inspect.getclosurevars(function).nonlocals) | OPERATORS
+        self.function = function
         arguments = (*tree.args.args, *tree.args.kwonlyargs)
         self.annotations = {node.arg: ast.unparse(node.annotation) for node in arguments if node.annotation}
         self.defaults = {p.name: p.default for p in inspect.signature(function).parameters.values()}
+
+    def names(self) -> dict[str, Any]:
+        """The names around the function, as they are now."""
+        around = dict(inspect.getclosurevars(self.function).nonlocals)
+        return self.function.__globals__ | around | OPERATORS
 
     def arguments(self) -> dict[str, Argument | None]:
         """The arguments of the function, from the default values of its parameters."""
@@ -368,7 +376,7 @@ class _Compilation:
     def __init__(self, text: _Text, body: Body, scope: dict[str, Any], inlined: bool = False) -> None:
         self.text = text
         self.body = body
-        self.scope: dict[str, Any] = text.names | scope
+        self.scope: dict[str, Any] = text.names() | scope
         self.variables: set[str] = set()  # those that change
         self.inlined = inlined
         self.line = text.line  # of the last statement
@@ -415,7 +423,9 @@ class _Compilation:
         match node:
             case ast.AnnAssign(ast.Name(name), annotation, ast.expr() as value):
                 first = self.value(value)
-                shape = () if isinstance(first, OPERANDS) else (len(first),)
+                shape = (
+                    first.shape if isinstance(first, Place) else () if isinstance(first, OPERANDS) else (len(first),)
+                )
                 self.body.set(self._local(name, Local(shape, KINDS[ast.unparse(annotation)]), comment), first)
             case ast.Assign([ast.Tuple(targets)], value) if not isinstance(result := self.value(value), Expr):
                 for target, part in zip(targets, result, strict=True):
@@ -587,12 +597,13 @@ def _joined(join: Callable[[Expr, Expr], Expr], decides: bool) -> Callable[..., 
         result: Any = None
         for operand in operands:
             value = operand()
-            if not isinstance(value, Expr):
-                if bool(value) is decides:
-                    return decides
-            else:
-                result = value if result is None else join(result, value)
-        return not decides if result is None else result
+            if isinstance(value, Expr):
+                result = value if not isinstance(result, Expr) else join(result, value)
+            elif bool(value) is decides:
+                return value
+            elif not isinstance(result, Expr):
+                result = value
+        return result
 
     return joined
 
