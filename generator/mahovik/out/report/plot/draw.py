@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.report.plot.panel import Dots, Levels, Line, Panel, extent
+from mahovik.out.report.plot.panel import Levels, Line, Panel, extent
 from mahovik.out.report.plot.tags import tag_ends
 
 SUFFIXES = (".svg", ".png")
@@ -116,8 +116,6 @@ def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) 
     _draw_panel(axes, panel)
     _, room = tag_ends(axes, panel.lines, GREY)
     _words(axes, panel, narrow, room)
-    if panel.dots is not None:
-        _dots(figure, axes, panel.dots)
     if panel.levels is not None:
         _levels(figure, axes, panel.levels)
     if panel.abscissa or last:
@@ -127,9 +125,8 @@ def _draw_whole(figure: Any, axes: Any, panel: Panel, narrow: bool, last: bool) 
 def _draw_panel(axes: Any, panel: Panel) -> None:
     """Draw lines, marks and shaded stretches, and set the ranges."""
     xs, ys = ([getattr(line, name) for line in panel.lines] for name in "xy")
-    for more in (panel.dots, panel.levels):
-        if more is not None:
-            xs, ys = [*xs, more.x], [*ys, more.y]
+    if panel.levels is not None:
+        xs, ys = [*xs, panel.levels.x], [*ys, panel.levels.y]
     across = panel.span or extent(xs, panel.log_abscissa, margin=0.0)
     down = extent(ys, panel.log, panel.least) if panel.top is None else (0.0, panel.top)
     axes.autoscale(False)
@@ -204,18 +201,6 @@ def _words(axes: Any, panel: Panel, narrow: bool, room: float) -> None:
             loc="upper left", bbox_to_anchor=(1.005, 1.02), frameon=False, ncols=columns, handlelength=1.6,
             labelspacing=0.25, columnspacing=1.0, borderaxespad=0.0,
         )  # fmt: skip
-
-
-def _dots(figure: Any, axes: Any, dots: Dots) -> None:
-    colours = import_module("matplotlib.colors")
-    if not len(dots.value):
-        return
-    order = dots.value.argsort()  # the largest on top
-    norm = colours.LogNorm(dots.least, max(float(dots.value.max()), 10.0 * dots.least))
-    shown = axes.scatter(
-        dots.x[order], dots.y[order], s=9, c=dots.value[order], norm=norm, cmap="viridis_r", linewidths=0, zorder=3
-    )
-    _scale_of_colours(figure, axes, shown, dots.quantity)
 
 
 def _levels(figure: Any, axes: Any, levels: Levels) -> None:

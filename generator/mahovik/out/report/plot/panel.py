@@ -31,17 +31,6 @@ class Line:
 
 
 @dataclass(frozen=True, eq=False)
-class Dots:
-    """Values at places x, y, by colour in powers of ten from `least` to the largest; `quantity` stands at the scale."""
-
-    x: Array
-    y: Array
-    value: Array
-    quantity: str
-    least: float
-
-
-@dataclass(frozen=True, eq=False)
 class Levels:
     """Values (rows, columns) of the cells between edges `x` (columns + 1) and `y` (rows + 1), by colour in powers of
     ten from `least` to the largest; NaN: nothing there. `quantity` stands at the scale.
@@ -78,7 +67,6 @@ class Panel:
     log: bool = False
     least: float = 0.0
     note: str = ""
-    dots: Dots | None = None
     abscissa: str = ""
     height: float = 1.0
     span: tuple[float, float] | None = None

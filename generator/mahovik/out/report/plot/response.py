@@ -1,23 +1,15 @@
-"""Panels of a sweep of speeds: Campbell diagram, amplitudes of orders, RMS, waterfall and map of spectra."""
+"""Panels of a sweep of speeds: amplitudes of orders and RMS; of one speed its spectrum."""
 
 from __future__ import annotations
-
-import re
 
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.out.report.plot.panel import Array, Dots, Levels, Line, Panel
-from mahovik.use.study.response.sweep import OrderLine, Step, Sweep
+from mahovik.out.report.plot.panel import Array, Line, Panel
+from mahovik.use.study.response.sweep import Step, Sweep
 
 DECADES = 4.0
 """Below the largest amplitude that are shown."""
-
-CASCADE = 24
-"""Spectra in a waterfall at most."""
-
-CELLS = 100
-"""Cells of frequency in the map of levels."""
 
 ORDERS = 8
 """Lines in a panel at most."""
@@ -26,19 +18,12 @@ ORDERS = 8
 def panels(found: Sweep) -> list[Panel]:
     """All panels of a sweep; for a single speed its spectrum."""
     what = f"{found.quantity} of {found.point}, {found.unit}"
-    steps, floor = _steady(found), _floor(found)
+    floor = _floor(found)
     if floor == 0.0:
         return [Panel(f"{what}: nothing moves", ())]
     if len(found.steps) == 1:
         return [_spectrum(found.steps[0], what, floor)]
-    lines = found.lines()[:ORDERS]
-    top = 1.05 * max(float(step.frequencies[step.sizes > floor].max(initial=0.0)) for step in steps)
-    return [
-        orders_panel(found),
-        _campbell(found, steps, lines, top, floor),
-        _waterfall(found, steps, top, floor),
-        _level_map(found, steps, top, floor),
-    ]
+    return [orders_panel(found)]
 
 
 def _steady(found: Sweep) -> list[Step]:
@@ -62,28 +47,6 @@ def _speed_title(found: Sweep) -> str:
 def _span(found: Sweep) -> tuple[float, float]:
     """Range of the speeds, rpm."""
     return RPM * float(found.values.min()), RPM * float(found.values.max())
-
-
-def _campbell(found: Sweep, steps: list[Step], lines: tuple[OrderLine, ...], top: float, floor: float) -> Panel:
-    """Natural frequencies over speed, lines of orders, and by colour the amplitude of every harmonic."""
-    speed = RPM * found.values
-    drawn = [Line("", speed, line.frequency, 6, dashed=True, tag=_first(line.name)) for line in lines]
-    most = max((len(step.natural) for step in steps), default=0)
-    for k in range(most):
-        row = np.array([step.natural[k] if k < len(step.natural) else np.nan for step in found.steps])
-        drawn.append(Line("", speed, row, 1))
-    x, y, value = (np.concatenate(each) for each in zip(*(_visible_lines(step, floor) for step in steps), strict=True))
-    dots = Dots(x, y, value, f"{found.quantity}, {found.unit}", floor)
-    note = "red: natural frequencies; dashed: orders; colour: amplitude, 0 to peak"
-    return Panel(
-        f"Campbell diagram of {found.point}: frequency, Hz", tuple(drawn), note=note, dots=dots,
-        abscissa=_speed_title(found), height=1.4, span=_span(found), top=top, beside=True,
-    )  # fmt: skip
-
-
-def _first(name: str) -> str:
-    """The first name of an order: "2 x w1" of "2 x w1, w2 = 1 x w3"."""
-    return re.split(" = |, ", name, maxsplit=1)[0]
 
 
 def _short(name: str) -> str:
@@ -110,55 +73,12 @@ def orders_panel(found: Sweep) -> Panel:
         within = np.linalg.norm(found.rms(found.band), axis=1)
         drawn.append(Line(f"RMS {low:g}..{high:g} Hz", speed, _above(within, floor), None, dashed=True))
     quantity = f"{found.quantity} of {found.point}, {found.unit}: amplitude of orders, 0 to peak; RMS"
-    return Panel(quantity, tuple(drawn), log=True, abscissa=_speed_title(found), height=1.4, span=_span(found))
+    return Panel(quantity, tuple(drawn), log=True, abscissa=_speed_title(found), height=2.2, span=_span(found))
 
 
 def _above(values: Array, floor: float) -> Array:
     """Values with NaN below the floor, which are not drawn."""
     return np.where(values > floor, values, np.nan)
-
-
-def _waterfall(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
-    """Spectra at their speeds: heights by powers of ten above the floor, all decades as high as two spectra apart."""
-    chosen = steps[:: -max(1, -(-len(steps) // CASCADE))][::-1]  # the fastest among them
-    speeds = RPM * np.array([step.value for step in chosen])
-    apart = float(np.ptp(speeds)) / max(len(chosen) - 1, 1) or 1.0
-    drawn = []
-    for step, speed in zip(chosen, speeds, strict=True):
-        _, y, value = _visible_lines(step, floor)
-        x = np.concatenate([[0.0], np.repeat(y, 3), [top]])
-        height = 2.0 * apart * np.log10(value / floor) / DECADES
-        peaks = np.stack([np.zeros_like(height), height, np.zeros_like(height)], axis=1).ravel()
-        drawn.append(Line("", x, speed + np.concatenate([[0.0], peaks, [0.0]]), 0))
-    note = f"heights: amplitudes, 0 to peak; {DECADES:g} decades of {found.unit} are two spectra apart"
-    return Panel(
-        f"waterfall: {_speed_title(found)}",
-        tuple(drawn),
-        note=note,
-        abscissa="frequency, Hz",
-        height=1.4,
-        span=(0.0, top),
-    )
-
-
-def _level_map(found: Sweep, steps: list[Step], top: float, floor: float) -> Panel:
-    """Response as a map: the largest amplitude in each cell of frequency and speed, by colour."""
-    speeds = RPM * np.array([step.value for step in steps])
-    order = np.argsort(speeds)
-    edges = np.linspace(0.0, top, CELLS + 1)
-    value = np.full((len(steps), CELLS), np.nan)
-    for row, index in enumerate(order):
-        _, y, size = _visible_lines(steps[index], floor)
-        cell = np.minimum((CELLS * y / top).astype(int), CELLS - 1)
-        np.fmax.at(value[row], cell, size)
-    middle = (speeds[order][1:] + speeds[order][:-1]) / 2.0
-    rows = np.concatenate([speeds[order][:1], middle, speeds[order][-1:]])
-    levels = Levels(edges, rows, value, f"{found.quantity}, {found.unit}", floor)
-    return Panel(
-        f"levels: {_speed_title(found)}", (), note="amplitudes, 0 to peak; blank: below the scale",
-        abscissa="frequency, Hz", height=1.4,
-        span=(0.0, top), levels=levels, beside=True,
-    )  # fmt: skip
 
 
 def _spectrum(step: Step, what: str, floor: float) -> Panel:
