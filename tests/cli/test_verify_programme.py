@@ -33,15 +33,6 @@ def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
     assert {each["name"] for each in found["findings"] if not each["passed"]} == {"winding", "residual", "simulation"}
 
 
-def test_all_multipliers_are_in_the_json(programme: str) -> None:
-    result = run("verify-programme", SHAKER, *OF_SPIN, programme, "--json")
-    assert result.exit_code == 0
-    found = json.loads(result.stdout)
-    (largest,) = (each["value"] for each in found["findings"] if each["name"] == "Floquet")
-    assert len(found["floquet"]) == 12
-    assert abs(complex(*found["floquet"][0])) == largest
-
-
 def test_a_programme_of_another_stand(programme: str, tmp_path: Path) -> None:
     text = Path(programme).read_text(encoding="utf-8").replace(shaker()[2].physics, "00000000")
     (tmp_path / "q.json").write_text(text, encoding="utf-8")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 import pytest
@@ -21,8 +20,6 @@ from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.errors import ServoError, UsageError
 from mahovik.out.export.servo import trim_message
-from mahovik.proof.verify.servo.tables import MATRIX
-from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.plan.forward import course, drive
@@ -98,58 +95,7 @@ def test_corrections_take_the_error_away_and_leave_the_mean() -> None:
     assert not np.any(own.matrix[:, 0])
 
 
-HIGHEST = 10
-"""Harmonics of the motion that unbalanced wheels make: all above rounding."""
-
-
 HEAD = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "20 Hz"\n'
-
-
-TABLE = """
-schema = 1
-name = "table"
-gravity = [0, 0, -9.81]
-[carrier]
-mass = 5.0
-center_of_mass = [0.02, -0.01, 0.03]
-inertia = [0.05, 0.06, 0.07]
-inertia_about = "center_of_mass"
-[suspension]
-stiffness = [4000, 3000, 5000, 200, 250, 150]
-damping = [40, 50, 60, 2, 3, 4]
-[hold]
-{hold}
-position = [0.02, 0.01, -0.03]
-angles = [0.2, 0.1, -0.3]
-[[flywheel]]
-name = "w0"
-mass = 0.5
-position = [0, 0.2, 0.1]
-axis = [0.2, 0.3, 1]
-zero = [1, 0, -0.2]
-center_of_mass = [0, 0.004, 0]
-inertia_about = "center_of_mass"
-inertia = [1e-3, 6e-4, 6e-4]
-[[flywheel]]
-name = "w1"
-mass = 0.4
-position = [0.1, 0, 0.1]
-axis = [1, 0, 0.4]
-zero = [0, 1, 0]
-center_of_mass = [0, 0.003, -0.003]
-inertia_about = "center_of_mass"
-inertia = [1e-3, 7e-4, 6e-4]
-"""
-
-
-HOLDS = {
-    "hinge": ("axis = [1, -2, 0.5]\npivot = [0.05, 0, -0.1]", '["1"]'),
-    "plane": ('freedoms = ["z", "x", "pitch"]\npivot = [0.05, 0, -0.1]', '["x", "pitch"]'),
-    "rail": ("slide = [1, 1, 3]", '["1"]'),
-}
-
-
-Case = tuple[Stand, RequiredMotion, Programme]
 
 
 def required(stand: Stand, period: float, **more: object) -> RequiredMotion:
@@ -167,41 +113,11 @@ def programme_of(stand: Stand, wanted: RequiredMotion, phi: Fourier, winding: tu
     )  # fmt: skip
 
 
-@cache
-def table(name: str) -> Case:
-    """A suspended stand that is held so, with unbalanced wheels that turn unevenly, and the motion that they make."""
-    stand, period = loads(TABLE.format(hold=HOLDS[name][0])), 0.4
-    assert stand.hold is not None
-    begun = required(stand, period, harmonics=[{"k": 1, "cos": [0.0] * len(stand.hold.freedoms)}])
-    phi = Fourier(np.array([0.3, 1.0]), np.array([[0.2, -0.1]]), np.array([[0.1, 0.15]]))
-    driven = programme_of(stand, begun, phi, (1, -2))
-    mechanics, count = Mechanics.of(stand), nodes(begun, driven, 12)
-    orbit = required_orbit(mechanics, begun, driven, count)
-    start = settled_state(mechanics, begun, driven, count)
-    found = course(orbit.chart, orbit.drive, period / count, start, orbit.y, None).y[:-1, : orbit.chart.count]
-    terms = np.fft.rfft(found + begun.mean, axis=0) / count
-    harmonics = [
-        {"k": k, "cos": (2.0 * terms[k].real).tolist(), "sin": (-2.0 * terms[k].imag).tolist()}
-        for k in range(1, HIGHEST + 1)
-    ]
-    made = required(stand, period, mean=terms[0].real.tolist(), harmonics=harmonics)
-    return stand, made, programme_of(stand, made, phi, (1, -2))
-
-
 def trim_of(stand: Stand, keys: str) -> Trim:
     """A trim by its keys."""
     found = read_servo(f"{HEAD}[trim]\n{keys}\n", stand).trim
     assert found is not None
     return found
-
-
-@pytest.mark.parametrize("name", quick(1, HOLDS))
-def test_the_matrix_is_that_of_harmonic_balance(name: str) -> None:
-    """The judge is the literal reference with multipliers, along the required motion."""
-    case = table(name)
-    trim = trim_of(case[0], f"coordinates = {HOLDS[name][1]}\nharmonics = 2\nsettling = 60\ngain = 0.3")
-    expected, scale = trim_matrix(*case, trim)
-    assert (np.abs(design_trim(*case, trim).matrix - expected) / scale).max() < MATRIX
 
 
 def test_a_pendulum_answers_by_its_closed_formula() -> None:

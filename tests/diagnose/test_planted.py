@@ -104,8 +104,7 @@ def diagnosis_of(rig: Rig) -> Diagnosis:
 
     found = diagnoser().diagnose(answer)
     if found.wrong and not (found.verdict == "named" and len(found.causes) == 1):
-        wrong = tuple(dict.fromkeys(each.partition(":")[0] for each in found.wrong))
-        found = found.with_terms(term_search(wrong).find(answer))
+        found = found.with_terms(term_search(found.wrong).find(answer))
     return found
 
 

@@ -47,8 +47,6 @@ def test_refused(change: dict[str, Any], want: list[str], words: str, derivation
     [
         ({}, "mounts", "second derivation .* has no 'mounts'"),
         ({}, "inverse", "second derivation .* has no 'inverse'"),
-        *(({name: (1.0,)}, "momentum", f"{name}: expected . numbers, found 1") for name in ("V", "phi", "tau")),
-        ({"wrench": {"w9": (0.0,) * 6}}, "forward", "'w9' is no body of the stand"),
     ],
 )
 def test_refused_by_the_second_derivation(change: dict[str, Any], want: str, words: str) -> None:

@@ -22,12 +22,12 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.hold import accelerations
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.second.linear import Matrices, linear
 from mahovik.stands import path
 from mahovik.use.simulate.held import home, move, rates
 from mahovik.use.study.linear import LinearModel, linear_model, modes
 from mahovik.use.study.linear.model import model_file
 from mahovik.use.study.rest import rest
+from study.energy_linear import Matrices, linear
 from verify.holds import HOLDS, PENDULUM
 
 AGREEMENT = 1e-10

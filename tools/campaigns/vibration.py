@@ -18,7 +18,6 @@ from mahovik.core import motion
 from mahovik.core.motion.laws import WrenchTable
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import random_stand, random_state
-from mahovik.proof.second.linear import linear
 from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.by_c import compiled_backend
@@ -33,6 +32,7 @@ from mahovik.use.study.linear.model import places
 from mahovik.use.study.response import Periodic, periodic_response
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.rest import rest
+from study.energy_linear import linear
 
 Array = NDArray[np.float64]
 

@@ -114,7 +114,6 @@ def _report(programme: Programme, path: Path) -> None:
     figures = {
         "residual": report["residual"],
         "simulation error": report.get("simulation_error"),
-        "largest Floquet multiplier": report.get("largest_multiplier"),
         "objective": report["objective"],
         "least singular value": report["least_singular_value"],
         "sign changes of det I": report["det_I_sign_changes"],

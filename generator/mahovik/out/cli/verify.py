@@ -48,9 +48,7 @@ def verify(
     motion: str | None = file_option(
         "--motion", "M.json", "Judge also the duration and the target of a trim, with --servo."
     ),
-    programme: str | None = file_option(
-        "--programme", "P.json", "Judge also the matrix of a trim, or along a slew of --motion, with --servo."
-    ),
+    programme: str | None = file_option("--programme", "P.json", "Judge along the slew of --motion, with --servo."),
     name: str = option("--name", "Judge the servos of the programme of this name in C.", default="programme"),
     judges: bool = flag("--judges", "Judge by Pinocchio and MuJoCo, without the laws that they do not know."),
     rigorous: bool = flag("--rigorous", "Bound the true error of the C by enclosures of the exact answer."),

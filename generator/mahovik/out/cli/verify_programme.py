@@ -36,7 +36,7 @@ def verify_programme(
     """Verify that a programme makes the carrier move as required.
 
     Uses only the literal reference and an adaptive integration, independent of planning: the residual of (12) between
-    the programme's nodes, the carrier's motion by (8), table, period, bounds, bias, and stability of the motion.
+    the programme's nodes, the carrier's motion by (8), table, period, bounds and bias.
     With --against, every function of the C that `export programme` wrote there: its angles, the residual of (12) that
     they leave, drive torques, run-up and run-down, and the clock.
 
@@ -57,11 +57,10 @@ def verify_programme(
         )
     findings = found.findings
     if as_json:
-        from mahovik.proof.verify.programme.verification import as_item, floquet_multipliers
+        from mahovik.proof.verify.programme.verification import as_item
 
-        items, floquet = [as_item(item) for item in findings], floquet_multipliers(findings)
-        owner = {"stand": stand.name, "motion": found.motion.name}
-        print_json({**owner, "passed": found.passed, "findings": items, "floquet": floquet})
+        items, owner = [as_item(item) for item in findings], {"stand": stand.name, "motion": found.motion.name}
+        print_json({**owner, "passed": found.passed, "findings": items})
     else:
         _print(findings)
     if not found.passed:
@@ -69,11 +68,9 @@ def verify_programme(
 
 
 def _print(items: Sequence[Check]) -> None:
-    from mahovik.proof.verify.programme.verification import warns
-
     rows = []
     for item in items:
-        verdict = ("FAILED", "red") if item.failed else ("warns", "yellow") if warns(item) else ("ok", "")
+        verdict = ("FAILED", "red") if item.failed else ("ok", "")
         rows.append((item.quantity, f"{item.value:.3g}", f"{item.limit:.4g}", verdict, item.words))
     # long words about another stand would widen every row; programs read --json
     print_table(("item", "found>", "accepted>", "verdict", "quantity"), rows, piped=100)

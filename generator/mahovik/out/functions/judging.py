@@ -216,7 +216,7 @@ def _diagnosis(
         if diagnosed.verdict == "none" and diagnosed.failed:
             return replace(diagnosed, verdict="unnamed")
         return diagnosed
-    silent = {gap.want for gap in diagnosed.gaps if gap.everywhere}
+    silent = {gap.want for gap in diagnosed.gaps if gap.missing == gap.states}
     searched = tuple(want for want in offered if want not in silent)
     if not set(searched) & set(WANTS):
         without = [want for want in WANTS if want in silent]
@@ -224,8 +224,7 @@ def _diagnosis(
         return diagnosed if known else replace(diagnosed, hindrance=_silence(without))
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    wrong = [each.partition(":")[0] for each in diagnosed.wrong]
-    terms = TermSearch(stand, seed, searched, states, precision, program, wrong)
+    terms = TermSearch(stand, seed, searched, states, precision, program, diagnosed.wrong)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:

@@ -1,4 +1,4 @@
-"""Answers to many requests as one vector: the right ones, their scale, and the rounding that a program may have."""
+"""Answers to many requests as one vector: the right ones, their scale, what is missing, and a program's rounding."""
 
 from __future__ import annotations
 
@@ -25,6 +25,8 @@ Answers = Callable[[Request], Mapping[str, Any]]
 
 Model = Callable[[State, str], Mapping[str, Any]]
 """Values of a want at a state, by some equations: empty where they have none."""
+
+Mask = NDArray[np.bool_]
 
 NOT_COMPARED = ("status", "rank")
 
@@ -90,13 +92,33 @@ class Reference:
         try:
             with np.errstate(all="ignore"):
                 if self._last is None or self._last[0] is not state:
-                    own = stand_at(self._stand, state)
-                    held = held_state(own, state)
-                    self._last = state, own, held, reference.pieces(own, held)
-                _, own, held, at = self._last
-                return reference.evaluate(own, held, (want,), at)
+                    stand = stand_at(self._stand, state)
+                    held = held_state(stand, state)
+                    self._last = state, stand, held, reference.pieces(stand, held)
+                _, stand, held, at = self._last
+                return reference.evaluate(stand, held, (want,), at)
         except (StateError, np.linalg.LinAlgError, ArithmeticError, ValueError):
             return {}
+
+
+@dataclass(frozen=True)
+class Gap:
+    """A want in whose answers numbers are missing: NaN, infinity, null or another shape.
+
+    missing     number of states with an answer that is not all numbers; states: of those with an answer
+    components  of each quantity with gaps, the indices of its components there, of all its numbers in a row
+    """
+
+    want: str
+    missing: int
+    states: int
+    components: Mapping[str, tuple[int, ...]]
+
+    @property
+    def words(self) -> str:
+        """The gap in a line."""
+        places = "; ".join(f"{name}[{', '.join(map(str, indices))}]" for name, indices in self.components.items())
+        return f"{self.want} answers no number at {self.missing} of {self.states} states of the diagnosis: {places}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,6 +140,29 @@ class AnswerVector:
     parts: tuple[tuple[tuple[tuple[str, ...], tuple[int, ...], int], ...], ...]
     ranks: tuple[int | None, ...]
 
+    @classmethod
+    def of(cls, stand: Stand, requests: Sequence[Request]) -> AnswerVector:
+        """The vector of one-want requests; those that the reference refuses are left out."""
+        scales, quantities, kept = Scales(stand), dict[tuple[str, str], int](), []
+        blocks, expected, scale, start = [np.zeros(0)], [np.zeros(0)], [np.zeros(0)], 0
+        for request in requests:
+            (want,) = request.want
+            measured = scales.want(request.state, want)
+            if measured is None:
+                continue
+            places, sizes = [], dict(_leaves(measured.scales))
+            for path, value in _leaves(measured.values):
+                name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
+                blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))
+                expected.append(value.ravel())
+                scale.append(np.maximum(sizes[path].ravel(), LEAST))
+                places.append((path, value.shape, start))
+                start += value.size
+            kept.append((request, tuple(places), measured.values.get("rank")))
+        block, right, size = map(np.concatenate, (blocks, expected, scale))
+        asked, parts, ranks = zip(*kept, strict=True) if kept else ((), (), ())
+        return cls(asked, tuple(quantities), block.astype(np.int64), right, size, parts, ranks)
+
     def fill(self, answers: Answers, among: Collection[str] | None = None) -> Array:
         """The same numbers from other answers; NaN if missing, of another shape, or of no request `among` these ids.
 
@@ -130,56 +175,48 @@ class AnswerVector:
             values = answers(request)
             other_rank = rank is not None and values.get("rank", rank) != rank
             for path, shape, start in parts:
-                numbers = numbers_at(values, path)
+                place, numbers = slice(start, start + int(np.prod(shape))), numbers_at(values, path)
                 if other_rank:
-                    size = int(np.prod(shape))
-                    found[start : start + size] = self.expected[start : start + size]
+                    found[place] = self.expected[place]
                 elif numbers is not None and numbers.shape == shape:
-                    found[start : start + numbers.size] = numbers.ravel()
+                    found[place] = numbers.ravel()
         return found
 
     def of_model(self, model: Model, among: Collection[str] | None = None) -> Array:
         """The numbers that other equations answer; NaN where they have none, and of other requests than these ids."""
         return self.fill(lambda request: model(request.state, request.want[0]), among)
 
-    def places(self, among: Collection[str]) -> NDArray[np.bool_]:
+    def places(self, among: Collection[str]) -> Mask:
         """Mask of the numbers that belong to the requests with these ids."""
         sizes = [sum(int(np.prod(shape)) for _, shape, _ in parts) for parts in self.parts]
         return np.repeat([request.id in among for request in self.requests], sizes)
 
-    def words_of(self, places: NDArray[np.bool_]) -> tuple[str, ...]:
+    def words_of(self, places: Mask) -> tuple[str, ...]:
         """Quantities that some numbers belong to, as want: quantity."""
-        wanted = sorted({int(i) for i in self.block[places]})
-        return tuple(f"{want}: {quantity}" for want, quantity in (self.quantities[i] for i in wanted))
+        return tuple(": ".join(self.quantities[i]) for i in sorted({int(i) for i in self.block[places]}))
 
+    def gaps(self, numbers: Array, answers: Answers) -> tuple[Gap, ...]:
+        """Wants with missing ones among the numbers of a program.
 
-def answer_vector(stand: Stand, requests: Sequence[Request]) -> AnswerVector:
-    """The vector of one-want requests; those that the reference refuses are left out."""
-    scales = Scales(stand)
-    quantities: dict[tuple[str, str], int] = {}
-    kept, parts, ranks, blocks, expected, scale = [], [], [], [], [], []
-    start = 0
-    for request in requests:
-        (want,) = request.want
-        measured = scales.want(request.state, want)
-        if measured is None:
-            continue
-        places = []
-        sizes = dict(_leaves(measured.scales))
-        for path, value in _leaves(measured.values):
-            name = path[0] if len(path) == 1 else f"{path[0]}.{path[-1]}"
-            blocks.append(np.full(value.size, quantities.setdefault((want, name), len(quantities))))
-            expected.append(value.ravel())
-            size = sizes[path].ravel()
-            scale.append(np.maximum(size, LEAST))
-            places.append((path, value.shape, start))
-            start += value.size
-        kept.append(request)
-        parts.append(tuple(places))
-        ranks.append(measured.values.get("rank"))
-    block, right, size = (np.concatenate([*x, np.zeros(0)]) for x in (blocks, expected, scale))
-    cut = tuple(kept), tuple(quantities), block.astype(np.int64), right, size
-    return AnswerVector(*cut, tuple(parts), tuple(ranks))
+        States that it refused, and quantities that none of its answers has, are not counted.
+        """
+        offered: dict[str, set[str]] = {}
+        for request in self.requests:
+            offered.setdefault(request.want[0], set()).update(answers(request))
+        lost: dict[str, list[dict[str, Mask]]] = {}
+        for request, parts in zip(self.requests, self.parts, strict=True):
+            (want,) = request.want
+            row = {".".join(path): ~np.isfinite(numbers[start : start + int(np.prod(shape))])
+                   for path, shape, start in parts if path[0] in offered[want]}  # fmt: skip
+            if answers(request).keys() & {path[0] for path, *_ in parts}:
+                lost.setdefault(want, []).append(row)
+        found = []
+        for want, rows in lost.items():
+            missing = sum(any(mask.any() for mask in row.values()) for row in rows)
+            anywhere = {name: np.flatnonzero(np.any([row[name] for row in rows], axis=0)).tolist() for name in rows[0]}
+            components = {name: tuple(indices) for name, indices in anywhere.items() if indices}
+            found += [Gap(want, missing, len(rows), components)] if missing else []
+        return tuple(found)
 
 
 def _leaves(values: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Array]]:

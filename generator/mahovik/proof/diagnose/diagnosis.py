@@ -14,8 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.write import dumps
-from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, Reference, answer_vector, numbers_at
-from mahovik.proof.diagnose.gaps import Gap, gaps_of
+from mahovik.proof.diagnose.answers import Answers, AnswerVector, Gap, Model, Precision, Reference, numbers_at
 from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
 from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
 from mahovik.proof.diagnose.states import FIRST, separating_states
@@ -93,18 +92,18 @@ class Diagnosis:
         looked_at = (*self.follows, *(() if self.terms is None else self.terms.looked_at))
         return tuple(x for x in self.wrong if x not in looked_at)
 
-    def with_terms(self, found: TermSearchResult) -> Diagnosis:
+    def with_terms(self, terms: TermSearchResult) -> Diagnosis:
         """The diagnosis after the search for wrong terms, of an error that has no other name.
 
         In place of two numbers terms are named only where they are fewer.
         """
-        if self.verdict == "named" and not (found.whole and len(found.terms) < len(self.causes)):
+        if self.verdict == "named" and not (terms.whole and len(terms.terms) < len(self.causes)):
             return self
-        if not found.whole:
-            unsure = replace(self, verdict="unnamed", causes=(), unexplained=1.0) if found.doubtful else self
-            return replace(unsure, terms=found)
-        after = replace(self, verdict="named", causes=(), terms=found, unexplained=found.unexplained)
-        return replace(after, verdict="approximate") if found.besides or after.not_looked_at else after
+        if not terms.whole:
+            unsure = replace(self, verdict="unnamed", causes=(), unexplained=1.0) if terms.doubtful else self
+            return replace(unsure, terms=terms)
+        after = replace(self, verdict="named", causes=(), terms=terms, unexplained=terms.unexplained)
+        return replace(after, verdict="approximate") if terms.besides or after.not_looked_at else after
 
 
 class Diagnoser:
@@ -137,7 +136,7 @@ class Diagnoser:
             for want in wants or wants_of_carrier(stand.hold is not None)
             if applicable(state, want) and (stand.flywheels or want != "inverse")
         ]
-        self.whole = answer_vector(stand, [request for _, request in asked])
+        self.whole = AnswerVector.of(stand, [request for _, request in asked])
         self._first = {request.id for number, request in asked if number < FIRST}
         self._document = document if document is not None else parse(dumps(stand))
 
@@ -148,48 +147,45 @@ class Diagnoser:
 
     def diagnose(self, answers: Answers) -> Diagnosis:
         """The diagnosis of a program by its answers to `requests`, without wrong terms."""
-        found = self.whole.fill(answers)
-        found[~np.isfinite(found)] = np.nan
-        gaps = gaps_of(self._stand, self.whole, found, answers)
-        if not np.isfinite(found).any():
+        numbers = self.whole.fill(answers)
+        numbers[~np.isfinite(numbers)] = np.nan
+        gaps = self.whole.gaps(numbers, answers)
+        if not np.isfinite(numbers).any():
             return Diagnosis("unnamed", unexplained=1.0, gaps=gaps)
-        precision = Precision.of(found, self._tolerance)
-        evidence = _Evidence(self.whole, self._first, found, precision)
+        precision = Precision.of(numbers, self._tolerance)
+        evidence = _Evidence(self.whole, self._first, numbers, precision)
         wrong = self.whole.words_of(evidence.wrong)
         if not wrong:
             return Diagnosis("unnamed" if gaps else "none", precision=precision, gaps=gaps)
-        follows = self._following(answers, evidence)
-        base = Diagnosis("unnamed", (), 1.0, precision, wrong, tuple(x for x in wrong if x in follows), gaps=gaps)
-        named, nearest = self._by_reading(evidence, wrong)
-        if named is not None:
-            return replace(base, verdict="named", causes=named, unexplained=0.0)
-        named, near_numbers = self._by_numbers(evidence)
-        if named is not None:
-            return replace(base, verdict="named", causes=named, unexplained=0.0)
-        left, causes = min((nearest, near_numbers), key=lambda each: each[0])
-        return replace(base, verdict="approximate" if left < NEAR else "unnamed", causes=causes, unexplained=left)
+        right = evidence.right_beside(self.whole.of_model(self._following(answers)))
+        follows = tuple(x for x in wrong if x in right)
+        named, near = self._by_reading(evidence, wrong)
+        if not named:
+            named, near_numbers = self._by_numbers(evidence)
+            near = min(near, near_numbers, key=lambda each: each[0])
+        left, causes = (0.0, named) if named else near
+        verdict: Verdict = "named" if named else "approximate" if left < NEAR else "unnamed"
+        return Diagnosis(verdict, causes, left, precision, wrong, follows, gaps=gaps)
 
-    def _following(self, answers: Answers, evidence: _Evidence) -> set[str]:
-        """Quantities that are right beside another answer of the program: q_ddot beside V_dot, Z0 beside Z."""
+    def _following(self, answers: Answers) -> Model:
+        """Quantities by other answers of the program: q_ddot by V_dot, Z0 by Z."""
         right = Reference(self._stand)
         requests = {(id(each.state), each.want[0]): each for each in self.requests}
 
         def implied(state: State, want: str) -> Mapping[str, Any]:
             source = requests.get((id(state), "forward" if want == "generalized" else want))
-            given = {} if source is None else answers(source)
-            if want == "momentum" and (Z := numbers_at(given, ("Z",))) is not None and Z.shape == (6,):
+            beside = {} if source is None else answers(source)
+            V_dot, Z = (numbers_at(beside, (name,)) for name in ("V_dot", "Z"))
+            if want == "momentum" and Z is not None and Z.shape == (6,):
                 return {"Z0": wrench_to_parent(np.array(state.position), carrier_rotation(self._stand, state)) @ Z}
-            own = right(state, want) if want == "generalized" else {}
-            V_dot = numbers_at(given, ("V_dot",))
-            if "A" not in own or V_dot is None or V_dot.shape != (6,):
+            at = right(state, want) if want == "generalized" else {}
+            if "A" not in at or V_dot is None or V_dot.shape != (6,):
                 return {}
-            return {"q_ddot": np.linalg.solve(own["A"], V_dot - own["D"] @ own["q_dot"])}
+            return {"q_ddot": np.linalg.solve(at["A"], V_dot - at["D"] @ at["q_dot"])}
 
-        off = evidence.differing(self.whole.of_model(implied))
-        names = ("generalized: q_ddot", "momentum: Z0")
-        return {name for name in names if name not in off}
+        return implied
 
-    def _by_reading(self, evidence: _Evidence, wrong: Sequence[str]) -> tuple[tuple[Cause, ...] | None, _Near]:
+    def _by_reading(self, evidence: _Evidence, wrong: Sequence[str]) -> _Search:
         """A reading that explains all of the error, with those of the same effect; else the nearest one."""
         quantities = dict.fromkeys(each.partition(": ")[2] for each in wrong)
         factors = [answered_by_factor(name, factor) for name in quantities for factor in FACTORS]
@@ -198,43 +194,42 @@ class Diagnoser:
         for reading in (*factors, *readings_of(self._stand)):
             if reading.only and exact:
                 break
-            model = reading.model(self._stand)
-            left, wants = evidence.compare(model)
+            left, wants = evidence.compare(reading.model(self._stand))
             if wants is not None:
                 exact.append((reading, wants))
             elif left < near[0]:
                 near = left, (Cause(reading.words),)
         if not exact:
-            return None, near
+            return (), near
         exact.sort(key=lambda each: len(each[1]))  # what is right nowhere else comes first
         best, only = exact[0]
         same = tuple(reading.words for reading, wants in exact[1:] if len(wants) == len(only))
         return (Cause(best.words, None, same, only),), near
 
-    def _by_numbers(self, evidence: _Evidence) -> tuple[tuple[Cause, ...] | None, _Near]:
+    def _by_numbers(self, evidence: _Evidence) -> _Search:
         """A number, or two, that explain all of the error; else those that leave least."""
-        few, noise = evidence.few, evidence.noise
-        search = NumberSearch(self._stand, self._document, self.whole, few)
-        error = np.where(self.whole.places(few), evidence.error, np.nan)
+        search = NumberSearch(self._stand, self._document, self.whole, evidence.few, evidence.error, evidence.noise)
         near: _Near = 1.0, ()
-        for solved in (search.singles, search.pairs):
+        for count in (1, 2):
             exact = []
-            for each in solved(error, noise):
+            for each in search.solutions(count):
                 left, wants = evidence.compare(search.model(each.values))
                 if wants == ():
-                    exact.append(search.rounded(each, error, noise))
+                    exact.append(search.rounded(each))
                 elif left < near[0]:
                     near = left, _causes(each)
             if exact:
-                exact.sort(key=lambda each: _digits(each) > SIMPLE)
-                first, *others = exact
+                first, *others = sorted(exact, key=lambda each: _digits(each) > SIMPLE)
                 like = tuple(" and ".join(x.path for x in each.values) for each in others)
                 return tuple(replace(cause, like=like) for cause in _causes(first)), near
-        return None, near
+        return (), near
 
 
 _Near = tuple[float, tuple[Cause, ...]]
 """Part of the error that some causes leave, and these."""
+
+_Search = tuple[tuple[Cause, ...], _Near]
+"""Causes that explain all of an error, none if there are none; and the nearest of the others."""
 
 
 class _Evidence:
@@ -256,34 +251,28 @@ class _Evidence:
         if not self.wrong[whole.places(self.few)].any():
             self.few = self._every
 
-    def differing(self, numbers: Array) -> tuple[str, ...]:
-        """Quantities whose answers differ from other numbers by more than rounding; those without numbers too."""
-        return self._whole.words_of(self._there & ~(np.abs(self._found - numbers) <= self.noise))
+    def right_beside(self, numbers: Array) -> set[str]:
+        """Quantities all of whose answers are other numbers, to rounding."""
+        off = self._there & ~(np.abs(self._found - numbers) <= self.noise)
+        return {*self._whole.words_of(self._there)} - {*self._whole.words_of(off)}
 
     def compare(self, model: Model) -> tuple[float, tuple[str, ...] | None]:
         """What a model leaves of the error, 0 to 1; and, where this is rounding, the wants that it is in alone.
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        left, everywhere = 1.0, False
         for among in (self.few, self._every):
-            left, exact, everywhere = self._remainder(model, among)
-            if not exact:
-                return left, None
-        return left, () if everywhere else tuple(sorted(self._wants))
-
-    def _remainder(self, model: Model, among: Collection[str]) -> tuple[float, bool, bool]:
-        """What is left of the error in some requests; whether it is rounding in wants that are wrong, and in all."""
-        places, predicted = self._whole.places(among), self._whole.of_model(model, among)
-        rest = np.abs(np.nan_to_num(self._found - predicted, nan=np.inf))
-        growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
-        beyond = places & self._there & (rest > self.noise * growth)
-        wrong = places & self.wrong
-        blocks, e = self._whole.block[wrong], np.abs(self.error[wrong])
-        with np.errstate(all="ignore"):
-            shares = np.bincount(blocks, np.minimum(rest[wrong], e) ** 2) / np.bincount(blocks, e**2)
-        left = float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0
-        return left, not (beyond & self._in_wrong_wants).any(), not beyond.any()
+            places, predicted = self._whole.places(among), self._whole.of_model(model, among)
+            rest = np.abs(np.nan_to_num(self._found - predicted, nan=np.inf))
+            growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
+            beyond = places & self._there & (rest > self.noise * growth)
+            if (beyond & self._in_wrong_wants).any():
+                wrong = places & self.wrong
+                blocks, e = self._whole.block[wrong], np.abs(self.error[wrong])
+                with np.errstate(all="ignore"):
+                    shares = np.bincount(blocks, np.minimum(rest[wrong], e) ** 2) / np.bincount(blocks, e**2)
+                return float(np.sqrt(np.nanmean(shares))) if blocks.size else 0.0, None
+        return 0.0, tuple(sorted(self._wants)) if beyond.any() else ()
 
     def _growth(self, right: Array, predicted: Array) -> Array:
         """How much larger the numbers of each quantity are than the right ones: their rounding is so too."""

@@ -1,37 +1,51 @@
-"""Wrong readings and conventions: one-line changes of the stand, a state or an answer, and the programs they make.
+"""Wrong readings and conventions: kinds of one-line changes, times what they may be of, and the programs they make.
 
-A row says what a program does, and what the right equations must be asked to do the same.
+A reading says what a program does, and what the right equations must be asked to do the same.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import partial
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, MountingAxes, Stand
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.answers import Model, Reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import inertia_about_origin, mount_transfer
-from mahovik.proof.reference.rotation import C1, C2, C3, carrier_rotation, flywheel_mounting
+from mahovik.proof.reference.bodies import mount_transfer
+from mahovik.proof.reference.rotation import C1, carrier_rotation, flywheel_mounting
 from mahovik.proof.verify.held import freedom_rates, quaternion_of
 from mahovik.proof.verify.states import stand_at
 
-Scope = Literal["both", "answer", "bodies", "fixed", "flywheels", "phases"]
-"""What is changed: stand and state, the answer, all bodies or one, carrier and instruments, flywheels, their states."""
-
 Data = TypeVar("Data")
 
-E, OFF = np.eye(3), 1.0 - np.eye(3)
-LAW_MATRICES = "linear", "quadratic", "stiffness", "damping"
+E = np.eye(3)
 DEGREE, RPM = math.pi / 180.0, math.pi / 30.0
+
+
+@dataclass(frozen=True)
+class At:
+    """Where a number is changed: stand and state; the body that it is of; the answer, or point of one, that has it."""
+
+    stand: Stand
+    s: State
+    body: Any = None
+    beside: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def C(self) -> Array:
+        """Attitude of the carrier (3x3)."""
+        return carrier_rotation(self.stand, self.s)
+
+
+Place = Literal["state", "wrench", "stand", "body", "law", "answer", "all"]
+Change = Callable[[Any, At], Any]
 
 
 @dataclass(frozen=True)
@@ -39,20 +53,25 @@ class Reading:
     """One wrong reading.
 
     name    what the program does
-    scope   what it changes; bodies all together, or `only` one
-    change  of a stand and a state: both; of the values of a want, stand and state: the values; of a body: a body; of a
-            stand, a state and the index of a flywheel: the state
+    place   of the numbers that it changes: keys of the state, run-time wrenches, keys of the stand or of bodies,
+            matrices of laws and of added mass, a quantity of the answer ("points.NAME": of every point); or stand and
+            state together
+    keys    there; none of a body: the body itself
+    change  of the numbers, and where they are
+    bodies  that may have it, all together or `only` one: "", "bodies", "fixed" ones, "flywheels"
     """
 
     name: str
-    scope: Scope
-    change: Callable[..., Any]
+    place: Place
+    keys: str
+    change: Change
+    bodies: str = ""
     only: str = ""
 
     def of_parts(self, stand: Stand) -> list[Reading]:
-        """This reading of all that it may be of, and then of each."""
-        names = [body.name for body in self._bodies(stand)]
-        if self.scope in ("both", "answer"):
+        """This reading of all that it may be of, and then of each; none where there is nothing."""
+        names = self._names(stand)
+        if not self.bodies:
             return [self]
         return [self, *(replace(self, only=name) for name in names if len(names) > 1)] if names else []
 
@@ -63,36 +82,69 @@ class Reading:
 
     def model(self, stand: Stand) -> Model:
         """The right equations with this reading."""
-        names = {self.only} if self.only else {body.name for body in self._bodies(stand)}
-        if self.scope in ("bodies", "fixed", "flywheels"):
-            return Reference(with_bodies(stand, lambda body: self.change(body) if body.name in names else body))
-        right = Reference(stand)
+        names = self._names(stand)
 
-        def answer(asked: State, want: str) -> Mapping[str, Any]:
-            varied, state = stand_at(stand, asked), asked
-            if self.scope == "answer":
-                values = right(asked, want)
-                return self.change(dict(values), varied, asked) if values else values
-            if self.scope == "both":
-                varied, state = self.change(varied, asked)
-                if stand.hold is not None and state.V != asked.V:
-                    state = replace(state, u=tuple(freedom_rates(stand.hold, np.array(state.V)).tolist()))
-                return Reference(varied)(state, want)
-            for k, wheel in enumerate(stand.flywheels):
-                state = self.change(varied, state, k) if wheel.name in names else state
-            return right(state, want)
+        def answered(asked: State, want: str) -> Mapping[str, Any]:
+            at = At(stand_at(stand, asked), asked)
+            varied, state = self._changed(at, names)
+            if stand.hold is not None and state.V != asked.V:
+                state = replace(state, u=tuple(freedom_rates(stand.hold, np.array(state.V)).tolist()))
+            values = Reference(varied)(state, want)
+            outer, _, inner = self.keys.partition(".")
+            if self.place != "answer" or outer not in values:
+                return values
+            if not inner:
+                return {**values, outer: self.change(values[outer], replace(at, beside=values))}
+            points = {k: {**p, inner: self.change(p[inner], replace(at, beside=p))} for k, p in values[outer].items()}
+            return {**values, outer: points}
 
-        return answer
+        return answered
 
-    def _bodies(self, stand: Stand) -> Sequence[Body]:
-        if self.scope in ("both", "answer"):
-            return ()
-        parts = {"bodies": stand.bodies, "fixed": (stand.carrier, *stand.instruments)}
-        return parts.get(self.scope, stand.flywheels)
+    def _changed(self, at: At, names: Collection[str]) -> tuple[Stand, State]:
+        stand, s = at.stand, at.s
+        keys = self.keys.split() if self.place != "answer" else []
+        if self.place == "all":
+            stand, s = self.change(None, at)
+        elif self.place == "wrench":
+            bodies = {body.name: body for body in stand.bodies}
+            P = {k: _tuples(self.change(np.array(x), replace(at, body=bodies[k]))) for k, x in s.wrench.items()}
+            s = replace(s, wrench=MappingProxyType(P))
+        elif self.place == "body":
+            stand = with_bodies(stand, lambda k: self._changed_body(k, at) if k.name in names else k)
+        for key in keys:
+            if self.place == "state" and (x := getattr(s, key)) is not None:
+                new = np.asarray(self.change(np.array(x), at))
+                if self.bodies:
+                    new = np.where([wheel.name in names for wheel in stand.flywheels], new, x)
+                s = replace(s, **{key: _tuples(new)})
+            elif self.place == "stand":
+                stand = replace(stand, **{key: _tuples(self.change(getattr(stand, key), at))})
+            elif self.place == "law":
+                stand = with_bodies(self._with_laws(stand), self._with_laws)
+        return stand, s
+
+    def _changed_body(self, body: Any, at: At) -> Any:
+        at = replace(at, body=body)
+        if not self.keys:
+            return self.change(body, at)
+        numbers = getattr(body, self.keys, None)
+        return body if numbers is None else replace(body, **{self.keys: _tuples(self.change(np.array(numbers), at))})
+
+    def _with_laws(self, bearer: Any) -> Any:
+        if (M := getattr(bearer, self.keys, None)) is not None:
+            bearer = replace(bearer, **{self.keys: _tuples(self.change(np.array(M), None))})  # type: ignore[arg-type]
+        return replace(bearer, laws=tuple(map(self._with_laws, bearer.laws))) if hasattr(bearer, "laws") else bearer
+
+    def _names(self, stand: Stand) -> list[str]:
+        fixed = (stand.carrier, *stand.instruments)
+        bodies: Sequence[Any] = {"bodies": stand.bodies, "fixed": fixed, "flywheels": stand.flywheels}.get(
+            self.bodies, ()
+        )
+        return [body.name for body in bodies if self.only in ("", body.name)]
 
 
 def replace(data: Data, **values: Any) -> Data:
-    """A copy with other values, which are not typed: rows name the fields that they change."""
+    """A copy with other values, which are not typed: readings name the fields that they change."""
     return dataclasses.replace(data, **values)  # type: ignore[type-var]
 
 
@@ -102,141 +154,16 @@ def with_bodies(stand: Stand, change: Callable[[Any], Any]) -> Stand:
     return replace(stand, carrier=change(stand.carrier), instruments=instruments, flywheels=flywheels)
 
 
-# -- what rows are made of -------------------------------------------------------------------------------------------
-
-
-def of_stand(name: str, change: Callable[[Stand, State], Stand]) -> Reading:
-    """Another stand, which may depend on the state."""
-    return Reading(name, "both", lambda stand, s: (change(stand, s), s))
-
-
-def of_state(name: str, keys: str, change: Callable[[Array, Array, Stand, State], Array]) -> Reading:
-    """Other numbers of a state, where it has them, by these, C (3x3), stand and state; `keys`: one, or several."""
-
-    def changed(stand: Stand, s: State) -> tuple[Stand, State]:
-        C, values = carrier_rotation(stand, s), {key: getattr(s, key) for key in keys.split()}
-        new = {key: tuple(change(np.array(x), C, stand, s).tolist()) for key, x in values.items() if x is not None}
-        return stand, replace(s, **new)
-
-    return Reading(name, "both", changed)
-
-
-def of_attitude(name: str, change: Callable[[Array], Array]) -> Reading:
-    """Another attitude C (3x3), however the state gives it."""
-    return Reading(name, "both", lambda stand, s: (stand, replace(
-        s, angles=None, quaternion=quaternion_of(change(carrier_rotation(stand, s))))))  # fmt: skip
-
-
-def of_vector(name: str, key: str, change: Callable[[Array, Array], Array]) -> Reading:
-    """Another gravity or stream in E0 (3), by itself and C (3x3)."""
-
-    def changed(stand: Stand, s: State) -> Stand:
-        vector = np.array(getattr(stand, key) or (0.0, 0.0, 0.0))
-        return replace(stand, **{key: tuple(change(vector, carrier_rotation(stand, s)).tolist())})
-
-    return of_stand(name, changed)
-
-
-def of_phase(name: str, keys: str, change: Callable[[float], float]) -> Reading:
-    """Other numbers of a flywheel in the state: phi, phi_dot, phi_ddot, tau."""
-    return Reading(name, "phases", lambda _, s, k: _with_items(s, keys, k, change))
-
-
-def absolute(name: str, key: str, rate: str, sign: float) -> Reading:
-    """Speed or acceleration of a flywheel with a part of that of its mount about the spin axis."""
-
-    def changed(stand: Stand, s: State, k: int) -> State:
-        wheel = stand.flywheels[k]
-        axis = mount_transfer(stand, wheel.mount)[:3, :3] @ flywheel_mounting(wheel)[:, 0]
-        return _with_items(s, key, k, lambda x: x + sign * float(axis @ np.array(getattr(s, rate)[3:])))
-
-    return Reading(name, "phases", changed)
-
-
-def _with_items(s: State, keys: str, k: int, change: Callable[[float], float]) -> State:
-    rows = {key: getattr(s, key) for key in keys.split()}
-    return replace(s, **{key: (*x[:k], float(change(x[k])), *x[k + 1 :]) for key, x in rows.items()})
-
-
-def of_wrench(name: str, change: Callable[[Array, str, Stand, State], Array]) -> Reading:
-    """Other run-time wrenches (6), by wrench, body, stand and state."""
-    return Reading(name, "both", lambda stand, s: (stand, replace(s, wrench=MappingProxyType(
-        {k: tuple(change(np.array(P), k, stand, s).tolist()) for k, P in s.wrench.items()}))))  # fmt: skip
-
-
-def of_body(name: str, scope: Scope, key: str, change: Callable[[Array, Any], Any]) -> Reading:
-    """Other numbers of bodies that have them, by these and the body."""
-
-    def changed(body: Any) -> Any:
-        numbers = getattr(body, key, None)
-        return body if numbers is None else replace(body, **{key: _tuples(change(np.array(numbers), body))})
-
-    return Reading(name, scope, changed)
-
-
-def centered(name: str, change: Callable[[Array], Array]) -> Reading:
-    """Another centre of mass (3, m) of flywheels, with the same inertia about the origin."""
-    return Reading(name, "flywheels", lambda k: replace(
-        k, inertia=_tuples(inertia_about_origin(k)), inertia_about="origin",
-        center_of_mass=_tuples(change(np.array(k.center_of_mass)))))  # fmt: skip
-
-
-def of_law(name: str, key: str, change: Callable[[Array], Array]) -> Reading:
-    """Another 6x6 of added mass, or of any law of a body or between E0 and the carrier, by its name there."""
-
-    def changed(bearer: Any) -> Any:
-        own = getattr(bearer, key, None)
-        bearer = bearer if own is None else replace(bearer, **{key: _tuples(change(np.array(own)))})
-        return replace(bearer, laws=tuple(map(changed, bearer.laws))) if hasattr(bearer, "laws") else bearer
-
-    return of_stand(name, lambda stand, _: with_bodies(changed(stand), changed))
-
-
-def of_buoyancy(name: str, change: Callable[[Any, Body], Any]) -> Reading:
-    """Another buoyancy of a body that has one."""
-    return Reading(name, "bodies", lambda k: k if (law := buoyancy_of(k)) is None else k.with_laws(change(law, k)))
-
-
-def mounted(name: str, change: Callable[[Array], Array]) -> Reading:
-    """Another rotation (3x3) of flywheels in their mount, at phase zero."""
-
-    def changed(wheel: Flywheel) -> Flywheel:
-        C = change(flywheel_mounting(wheel))
-        return replace(wheel, mounting=MountingAxes(tuple(C[:, 0].tolist()), tuple(C[:, 1].tolist())))
-
-    return Reading(name, "flywheels", changed)
-
-
-def of_answer(name: str, key: str, change: Callable[[Any, dict[str, Any], Stand, State], Any]) -> Reading:
-    """Another quantity in an answer, by itself, all values, stand and state; of every point if `key` is points.NAME."""
-    outer, _, inner = key.partition(".")
-
-    def changed(values: dict[str, Any], stand: Stand, s: State) -> Mapping[str, Any]:
-        if outer not in values:
-            return values
-        if not inner:
-            return {**values, key: change(values[key], values, stand, s)}
-        points = {k: {**p, inner: change(p[inner], p, stand, s)} for k, p in values["points"].items()}
-        return {**values, "points": points}
-
-    return Reading(name, "answer", changed)
-
-
-def answered_by_factor(name: str, factor: float) -> Reading:
-    """A quantity, "V_dot" or "points.twist", answered with a factor of FACTORS."""
-    words = f"{name.removeprefix('points.')} answered {FACTORS[factor]}"
-    return of_answer(words, name, lambda x, *_: factor * np.asarray(x))
-
-
 def _tuples(values: Any) -> Any:
-    """An array as nested tuples."""
+    """An array as nested tuples; words as they are."""
+    if isinstance(values, str):
+        return values
     return tuple(map(_tuples, values)) if np.ndim(values) else float(values)
 
 
 def rotate(V: Array, C: Array, parts: Sequence[int] = (0, 1)) -> Array:
     """V (6) with its linear part (0), angular part (1) or both times C."""
-    rows = V.reshape(2, 3)
-    return np.concatenate([C @ row if i in parts else row for i, row in enumerate(rows)])
+    return np.concatenate([C @ row if i in parts else row for i, row in enumerate(V.reshape(2, 3))])
 
 
 def moment_of(P: Array, point: Sequence[float] | Array) -> Array:
@@ -244,190 +171,183 @@ def moment_of(P: Array, point: Sequence[float] | Array) -> Array:
     return np.concatenate([P[:3], P[3:] + np.cross(point, P[:3])])
 
 
-def linear(v: Array) -> Array:
-    """(v, 0) (6)."""
-    return np.concatenate([v, np.zeros(3)])
+def across(at: At, v: Sequence[float]) -> Array:
+    """(omega x v, 0) (6)."""
+    return np.concatenate([np.cross(at.s.V[3:], v), np.zeros(3)])
 
 
-def buoyancy_of(body: Any) -> Any:
-    """The data of the buoyancy of a body; None without."""
-    return next((law for law in body.laws if hasattr(law, "displaced_mass")), None)
+def without_buoyancy(body: Any) -> Any:
+    """A body without buoyancy."""
+    laws = (replace(law, displaced_mass=0.0) if hasattr(law, "displaced_mass") else law for law in body.laws)
+    return replace(body, laws=tuple(laws))
 
 
-def buoyancy_of_body(stand: Stand, s: State) -> tuple[Stand, State]:
+def buoyancy_in_body_axes(_: None, at: At) -> tuple[Stand, State]:
     """Buoyancy as wrenches that keep the direction that they have where the attitude is zero."""
-    wrenches = dict(s.wrench)
-    for body in (stand.carrier, *stand.instruments):
-        if (law := buoyancy_of(body)) is not None:
-            force = moment_of(linear(-law.displaced_mass * np.array(stand.gravity)), law.center)
-            wrenches[body.name] = tuple((np.array(wrenches.get(body.name, np.zeros(6))) + force).tolist())
-    without = of_buoyancy("", lambda law, k: replace(law, displaced_mass=0.0)).change
-    return with_bodies(stand, without), replace(s, wrench=MappingProxyType(wrenches))
+    wrenches = dict(at.s.wrench)
+    for body in (at.stand.carrier, *at.stand.instruments):
+        laws: list[Any] = [law for law in body.laws if hasattr(law, "displaced_mass")]
+        for law in laws:
+            force = -law.displaced_mass * np.array([*at.stand.gravity, 0.0, 0.0, 0.0])
+            applied = np.array(wrenches.get(body.name, np.zeros(6)))
+            wrenches[body.name] = _tuples(applied + moment_of(force, law.center))
+    return with_bodies(at.stand, without_buoyancy), replace(at.s, wrench=MappingProxyType(wrenches))
 
 
-def _with_angles(name: str, stand: Stand, _: State) -> Stand:
-    return replace(stand, angles=name)
+def relative_to_mounts(x: Array, at: At, rate: str) -> Array:
+    """Speeds or accelerations (N) without the part of that of each flywheel's mount about the spin axis."""
+    axes = [mount_transfer(at.stand, k.mount)[:3, :3] @ flywheel_mounting(k)[:, 0] for k in at.stand.flywheels]
+    return np.array(x - np.reshape(axes, (-1, 3)) @ np.array(getattr(at.s, rate)[3:]))
 
 
-def rotated_inertia(J: Array, k: Body) -> Array:
-    """Inertia of an instrument that was given in axes of E1, in its own."""
-    C = C3(k.angles[0]) @ C2(k.angles[1]) @ C1(k.angles[2]) if isinstance(k, Instrument) else E
-    return C.T @ J @ C
+def mounted(wheel: Flywheel, C: Array) -> Flywheel:
+    """The flywheel with another rotation (3x3) in its mount, at phase zero."""
+    first, second, _ = C.T.tolist()
+    return replace(wheel, mounting=MountingAxes(tuple(first), tuple(second)))
 
 
-def parallel(J: Array, k: Body, share: float) -> Array:
-    """J with a share more of the parallel axis term, where it is about the centre of mass."""
-    rc = np.array(k.center_of_mass)
-    return J if k.inertia_about == "origin" else J + share * k.mass * (rc @ rc * E - np.outer(rc, rc))
+def with_products_twice(_: None, at: At) -> tuple[Stand, State]:
+    """Damping terms that hold the products of added mass, taken as if they did not."""
+    laws = at.stand.carrier.laws
+    laws = tuple(replace(law, contains_products=False) if hasattr(law, "contains_products") else law for law in laws)
+    return replace(at.stand, carrier=replace(at.stand.carrier, laws=laws)), at.s
 
 
-PARTS: Mapping[str, Scope] = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
+# -- kinds, and what they are of ---------------------------------------------------------------------------------------
+
+SIGN: tuple[str, Change] = ("of the opposite sign", lambda x, at: -x)
+FIRST: tuple[str, Change] = (
+    "with the angular part first",
+    lambda x, at: np.roll(x, (3,) * np.ndim(x), range(np.ndim(x))),
+)
+
+QUATERNION: Mapping[str, Change] = {
+    "read with the scalar last": lambda q, at: np.roll(q, 1),
+    "given with the scalar last to what reads it scalar first": lambda q, at: np.roll(q, -1),
+    "conjugated": lambda q, at: q * [1, -1, -1, -1],
+    "read with the scalar last, and conjugated": lambda q, at: np.roll(q, 1) * [1, -1, -1, -1],
+}
+ANGLES: Mapping[str, Change] = {
+    "in degrees": lambda a, at: DEGREE * a, "in reverse order": lambda a, at: a[::-1], SIGN[0]: SIGN[1],
+}  # fmt: skip
+SIXES: Mapping[str, Change] = {
+    FIRST[0]: FIRST[1],
+    "taken in the axes of E0": lambda x, at: rotate(x, at.C.T),
+    "turned into the axes of E1 though it is given there": lambda x, at: rotate(x, at.C),
+    SIGN[0]: SIGN[1],
+}
+"""Of twists and wrenches."""
+TWIST: Mapping[str, Change] = {
+    "v taken in the axes of E0, omega in E1": lambda V, at: rotate(V, at.C.T, [0]),
+    "omega taken in the axes of E0, v in E1": lambda V, at: rotate(V, at.C.T, [1]),
+    "omega in degrees a second": lambda V, at: rotate(V, DEGREE * E, [1]),
+    "omega of the opposite sense": lambda V, at: rotate(V, -E, [1]),
+    "v taken at the carrier's centre of mass": lambda V, at: V - across(at, at.stand.carrier.center_of_mass),
+}
+WRENCH: Mapping[str, Change] = {
+    "force of a run-time wrench acting at the centre of mass": lambda P, at: moment_of(P, at.body.center_of_mass),
+    "run-time wrench of a flywheel not turning with it": lambda P, at: next(
+        (rotate(P, C1(x).T) for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k is at.body), P),
+}  # fmt: skip
+WHEELS = {
+    "phase": "phi", "speed of a flywheel": "phi_dot", "acceleration of a flywheel": "phi_ddot",
+    "torque of a flywheel": "tau", "phase, speed, acceleration and torque": "phi phi_dot phi_ddot tau",
+}  # fmt: skip
+OF_WHEELS: Mapping[str, Change] = {
+    "of the opposite sense": SIGN[1],
+    "in degrees": lambda x, at: DEGREE * x,
+    "in revolutions a minute": lambda x, at: RPM * x,
+    "turned into revolutions a minute": lambda x, at: x / RPM,
+    "ignored": lambda x, at: 0.0 * x,
+}
+VECTORS: Mapping[str, Change] = {
+    SIGN[0]: lambda g, at: -np.array(g or (0.0, 0.0, 0.0)),
+    "not turned into the axes of E1": lambda g, at: at.C @ (g or (0.0, 0.0, 0.0)),
+    "turned by C in place of its transpose": lambda g, at: at.C @ at.C @ (g or (0.0, 0.0, 0.0)),
+}
+"""Of gravity and stream in E0."""
+PARTS = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
 """Bodies that share a convention, in words."""
-
-READINGS: tuple[Reading, ...] = (
-    # attitude
-    of_state("quaternion read with the scalar last", "quaternion", lambda q, *_: np.roll(q, 1)),
-    of_state("quaternion given with the scalar last to what reads it scalar first", "quaternion",
-             lambda q, *_: np.roll(q, -1)),
-    of_state("quaternion conjugated", "quaternion", lambda q, *_: q * [1, -1, -1, -1]),
-    of_state("quaternion read with the scalar last, and conjugated", "quaternion",
-             lambda q, *_: np.roll(q, 1) * [1, -1, -1, -1]),
-    of_attitude("attitude transposed: from E0 to E1", lambda C: C.T),
-    of_attitude("attitude ignored", lambda C: E),
-    of_state("attitude angles in degrees", "angles", lambda a, *_: DEGREE * a),
-    of_state("attitude angles in reverse order", "angles", lambda a, *_: a[::-1]),
-    of_state("attitude angles with the opposite sign", "angles", lambda a, *_: -a),
-    *(of_stand(f"attitude angles in the {name} sequence", partial(_with_angles, name))
-      for name in ("ship", "aircraft", "euler")),
-    of_state("position ignored", "position", lambda x, *_: 0.0 * x),
-    # twist of the carrier
-    of_state("V read with the angular part first", "V", lambda V, *_: np.roll(V, 3)),
-    of_state("V and V_dot read with the angular part first", "V V_dot", lambda V, *_: np.roll(V, 3)),
-    of_state("V taken in the axes of E0", "V", lambda V, C, *_: rotate(V, C.T)),
-    of_state("V turned into E1 though it is given there", "V", lambda V, C, *_: rotate(V, C)),
-    of_state("v taken in the axes of E0, omega in E1", "V", lambda V, C, *_: rotate(V, C.T, [0])),
-    of_state("omega taken in the axes of E0, v in E1", "V", lambda V, C, *_: rotate(V, C.T, [1])),
-    of_state("omega in degrees a second", "V", lambda V, *_: rotate(V, DEGREE * E, [1])),
-    of_state("omega of the opposite sense", "V", lambda V, *_: rotate(V, -E, [1])),
-    of_state("v taken at the carrier's centre of mass", "V",
-             lambda V, _, st, s: V - linear(np.cross(V[3:], st.carrier.center_of_mass))),
-    of_state("V taken relative to the fluid", "V", lambda V, C, st, s: V + linear(C.T @ (st.stream or np.zeros(3)))),
-    of_state("V_dot read as the acceleration of O1", "V_dot",
-             lambda A, _, st, s: A - linear(np.cross(s.V[3:], s.V[:3]))),
-    of_state("V_dot taken in the axes of E0", "V_dot", lambda A, C, *_: rotate(A, C.T)),
-    # flywheels in the state
-    of_phase("phase of the opposite sense", "phi", lambda x: -x),
-    of_phase("phase, speed, acceleration and torque of the opposite sense", "phi phi_dot phi_ddot tau", lambda x: -x),
-    of_phase("speed of a flywheel of the opposite sense", "phi_dot", lambda x: -x),
-    of_phase("acceleration of a flywheel of the opposite sense", "phi_ddot", lambda x: -x),
-    of_phase("drive torque taken as that on the mount", "tau", lambda x: -x),
-    of_phase("phase in degrees", "phi", lambda x: DEGREE * x),
-    of_phase("speed of a flywheel in degrees a second", "phi_dot", lambda x: DEGREE * x),
-    of_phase("speed of a flywheel in revolutions a minute", "phi_dot", lambda x: RPM * x),
-    of_phase("speed of a flywheel turned into revolutions a minute", "phi_dot", lambda x: x / RPM),
-    of_phase("phase counted from the third axis", "phi", lambda x: x - math.pi / 2),
-    of_phase("phase half a turn off", "phi", lambda x: x + math.pi),
-    of_phase("phase ignored", "phi", lambda x: 0.0),
-    absolute("speed of a flywheel is taken as absolute, not relative to its mount", "phi_dot", "V", -1.0),
-    absolute("speed of a flywheel counts the turning of its mount twice", "phi_dot", "V", 1.0),
-    absolute("acceleration of a flywheel is taken as absolute, not relative to its mount", "phi_ddot", "V_dot", -1.0),
-    of_state("flywheels in reverse order", "phi phi_dot phi_ddot tau", lambda x, *_: x[::-1]),
-    # run-time wrenches
-    of_wrench("run-time wrenches ignored", lambda P, *_: 0.0 * P),
-    of_wrench("run-time wrenches of the opposite sign", lambda P, *_: -P),
-    of_wrench("run-time wrenches read with the moment first", lambda P, *_: np.roll(P, 3)),
-    of_wrench("run-time wrenches taken in the axes of E0", lambda P, k, st, s: rotate(P, carrier_rotation(st, s).T)),
-    of_wrench("force of a run-time wrench acting at the centre of mass", lambda P, k, st, s: moment_of(
-        P, next(body.center_of_mass for body in st.bodies if body.name == k))),
-    of_wrench("run-time wrench of a flywheel not turning with it", lambda P, k, st, s: next(
-        (rotate(P, C1(phi).T) for wheel, phi in zip(st.flywheels, s.phi, strict=True) if wheel.name == k), P)),
-    # gravity, stream, buoyancy
-    *(of_vector(f"{name} {words}", name, change) for name in ("gravity", "stream") for words, change in (
-        ("of the opposite sign", lambda g, C: -g), ("ignored", lambda g, C: 0.0 * g),
-        ("not turned into the axes of E1", lambda g, C: C @ g),
-        ("turned by C in place of its transpose", lambda g, C: C @ C @ g))),
-    Reading("buoyancy that does not turn into the axes of the body", "both", buoyancy_of_body),
-    of_buoyancy("buoyancy of the opposite sign", lambda law, k: replace(law, displaced_mass=-law.displaced_mass)),
-    of_buoyancy("buoyancy ignored", lambda law, k: replace(law, displaced_mass=0.0)),
-    of_buoyancy("buoyancy acting at the centre of mass", lambda law, k: replace(law, center=k.center_of_mass)),
-    # inertia
-    *(of_body(f"products of inertia{words} of the opposite sign", scope, "inertia", lambda J, k: J * (E - OFF))
-      for words, scope in PARTS.items()),
-    of_body("products of inertia ignored", "bodies", "inertia", lambda J, k: J * E),
-    Reading("inertia taken about the origin though it is about the centre of mass", "bodies",
-            lambda k: replace(k, inertia_about="origin")),
-    Reading("inertia taken about the centre of mass though it is about the origin", "bodies",
-            lambda k: replace(k, inertia_about="center_of_mass")),
-    of_body("parallel axis term twice", "bodies", "inertia", lambda J, k: parallel(J, k, 1.0)),
-    of_body("parallel axis term of the opposite sign", "bodies", "inertia", lambda J, k: parallel(J, k, -2.0)),
-    of_body("inertia of an instrument taken in the axes of E1", "fixed", "inertia", rotated_inertia),
-    of_body("third axis taken as the spin axis", "flywheels", "inertia", lambda J, k: np.roll(J, (1, 1), (0, 1))),
-    of_body("inertia in g cm^2", "bodies", "inertia", lambda J, k: 1e-7 * J),
-    of_body("inertia in kg cm^2", "bodies", "inertia", lambda J, k: 1e-4 * J),
-    of_body("centre of mass on the other side of the origin", "bodies", "center_of_mass", lambda c, k: -c),
-    of_body("centre of mass taken at the origin", "bodies", "center_of_mass", lambda c, k: 0.0 * c),
-    of_body("centre of mass in mm", "bodies", "center_of_mass", lambda c, k: 1e-3 * c),
-    centered("centre of mass of a flywheel mirrored at its axis", lambda c: c * [1.0, -1.0, -1.0]),
-    centered("unbalance of a flywheel counted from its third axis", lambda c: np.array([c[0], -c[2], c[1]])),
-    centered("static unbalance ignored", lambda c: c * [1.0, 0.0, 0.0]),
-    of_stand("products of added mass counted twice, in the derivatives and beside them", lambda stand, _: replace(
-        stand, carrier=replace(stand.carrier, laws=tuple(
-            replace(law, contains_products=False) if hasattr(law, "contains_products") else law
-            for law in stand.carrier.laws)))),
-    # mounting
-    mounted("mounting of flywheels transposed", lambda C: C.T),
-    mounted("spin axis of the opposite direction", lambda C: C @ np.diag([-1.0, 1.0, -1.0])),
-    mounted("third axis of a flywheel taken as its spin axis", lambda C: np.roll(C, 1, 1)),
-    *(Reading(f"mounting angles {words}", "flywheels", lambda k, change=change: replace(
-        k, mounting=MountingAngles(*change(*dataclasses.astuple(k.mounting))))
-        if isinstance(k.mounting, MountingAngles) else k)
-      for words, change in (("exchanged", lambda a, b, c: (b, a, c)),
-                            ("in degrees", lambda *x: (DEGREE * angle for angle in x)))),
-    of_body("position of a body of the opposite sign", "bodies", "position", lambda p, k: -p),
-    of_body("position of a body ignored", "bodies", "position", lambda p, k: 0.0 * p),
-    of_body("position of a body in mm", "bodies", "position", lambda p, k: 1e-3 * p),
-    Reading("flywheel of an instrument taken as mounted on the carrier", "flywheels",
-            lambda k: replace(k, mount="carrier")),
-    # matrices of added mass and of laws
-    *(of_law(f"{name} {words}", key, change)
-      for key, name in (("added_mass", "added mass"), *((x, f"{x} matrix") for x in LAW_MATRICES))
-      for words, change in (("of the opposite sign", np.negative), ("transposed", np.transpose),
-                            ("with the angular part first", lambda M: np.roll(M, (3, 3), (0, 1))))),
-    # answers
-    of_answer("V_dot answered as the acceleration of O1, with omega x v", "V_dot",
-              lambda A, _, st, s: A + linear(np.cross(s.V[3:], s.V[:3]))),
-    of_answer("V_dot answered in the axes of E0", "V_dot", lambda A, _, st, s: rotate(A, carrier_rotation(st, s))),
-    of_answer("V_dot answered with the angular part first", "V_dot", lambda A, *_: np.roll(A, 3)),
-    of_answer("Z answered with the moment first", "Z", lambda Z, *_: np.roll(Z, 3)),
-    of_answer("Z0 answered about O1", "Z0", lambda _, v, st, s: rotate(v["Z"], carrier_rotation(st, s))),
-    of_answer("Z0 answered in the axes of E1", "Z0", lambda _, v, st, s: moment_of(v["Z"], s.position)),
-    of_answer("energy answered without its factor of one half", "energy", lambda x, *_: 2.0 * x),
-    of_answer("centre of mass answered in the axes of E0", "center_of_mass",
-              lambda c, _, st, s: carrier_rotation(st, s) @ c),
-    of_answer("reaction answered about the pivot", "reaction",
-              lambda R, _, st, s: moment_of(R, -np.array(st.hold.pivot)) if st.hold else R),
-    of_answer("reaction in the axes of E0", "reaction", lambda R, _, st, s: rotate(R, carrier_rotation(st, s))),
-    of_answer("wrench of mounts answered in axes that turn", "mount_wrench", lambda P, _, st, s: np.array(
-        [rotate(x, C1(phi).T) for x, phi in zip(np.asarray(P), s.phi, strict=True)]).reshape(-1, 6)),
-    of_answer("specific force answered with the opposite sign of gravity", "points.specific_force",
-              lambda a, p, st, s: a + 2.0 * p["C"].T @ np.array(st.gravity)),
-    of_answer("specific force answered without gravity", "points.specific_force",
-              lambda a, p, st, s: a + p["C"].T @ np.array(st.gravity)),
-    of_answer("specific force answered without omega x v", "points.specific_force",
-              lambda a, p, st, s: a - np.cross(p["twist"][3:], p["twist"][:3])),
-    of_answer("axes of points answered transposed", "points.C", lambda C, *_: C.T),
-)  # fmt: skip
-"""Readings, in the order in which they are tried."""
-
+PLACES = {"centre of mass": "center_of_mass", "position of a body": "position"}
+OF_PLACES: Mapping[str, Change] = {SIGN[0]: SIGN[1], "ignored": lambda c, at: 0.0 * c, "in mm": lambda c, at: 1e-3 * c}
+OF_INERTIA: Mapping[str, Change] = {"in g cm^2": lambda J, at: 1e-7 * J, "in kg cm^2": lambda J, at: 1e-4 * J}
+MOUNTING: Mapping[str, Change] = {
+    "mounting of flywheels transposed": lambda k, at: mounted(k, flywheel_mounting(k).T),
+    "spin axis of the opposite direction": lambda k, at: mounted(k, flywheel_mounting(k) * [-1.0, 1.0, -1.0]),
+    "flywheel of an instrument taken as mounted on the carrier": lambda k, at: replace(k, mount="carrier"),
+}
+MATRICES = {"added mass": "added_mass", **{f"{x} matrix": x for x in ("linear", "quadratic", "stiffness", "damping")}}
+OF_MATRICES: Mapping[str, Change] = dict([SIGN, ("transposed", lambda M, at: M.T), FIRST])
+ANSWERED: Mapping[str, tuple[str, Change]] = {
+    "V_dot answered as the acceleration of O1, with omega x v": ("V_dot", lambda A, at: A + across(at, at.s.V[:3])),
+    "Z0 answered about O1": ("Z0", lambda _, at: rotate(at.beside["Z"], at.C)),
+    "reaction answered about the pivot": ("reaction", lambda R, at: (
+        moment_of(R, -np.array(at.stand.hold.pivot)) if at.stand.hold else R)),
+    "wrench of mounts answered in axes that turn": ("mount_wrench", lambda P, at: np.array(
+        [rotate(x, C1(phi).T) for x, phi in zip(np.asarray(P), at.s.phi, strict=True)]).reshape(-1, 6)),
+    "specific force answered with the opposite sign of gravity": ("points.specific_force", lambda a, at: (
+        a + 2.0 * at.beside["C"].T @ np.array(at.stand.gravity))),
+    "specific force answered without gravity": ("points.specific_force", lambda a, at: (
+        a + at.beside["C"].T @ np.array(at.stand.gravity))),
+    "axes of points answered transposed": ("points.C", lambda C, at: C.T),
+}  # fmt: skip
 FACTORS: Mapping[float, str] = MappingProxyType({
-    -1.0: "of the opposite sign", 1.0 / DEGREE: "in degrees", DEGREE: "times pi/180",
+    -1.0: "of the opposite sign", 1.0 / DEGREE: "in degrees", DEGREE: "times pi/180", 2.0: "twice too large",
     1.0 / RPM: "in revolutions a minute", 1e3: "a thousand times too large", 1e-3: "a thousand times too small",
     0.0: "as zero",
 })  # fmt: skip
 """Factors by which a whole quantity may be answered."""
 
 
+def answered_by_factor(name: str, factor: float) -> Reading:
+    """A quantity, "V_dot" or "points.twist", answered with a factor of FACTORS."""
+    words = f"{name.removeprefix('points.')} answered {FACTORS[factor]}"
+    return Reading(words, "answer", name, lambda x, at: factor * np.asarray(x))
+
+
+READINGS: tuple[Reading, ...] = (
+    *(Reading(f"quaternion {words}", "state", "quaternion", x) for words, x in QUATERNION.items()),
+    Reading("attitude transposed: from E0 to E1", "all", "", lambda _, at: (
+        at.stand, replace(at.s, angles=None, quaternion=quaternion_of(at.C.T)))),
+    *(Reading(f"attitude angles {words}", "state", "angles", x) for words, x in ANGLES.items()),
+    *(Reading(f"attitude angles in the {name} sequence", "stand", "angles", lambda _, at, name=name: name)  # type: ignore[misc]
+      for name in ("ship", "aircraft", "euler")),
+    *(Reading(f"{keys.replace(' ', ' and ')} {words}", "state", keys, x)
+      for words, x in SIXES.items() for keys in ("V", "V_dot", "V V_dot")),
+    *(Reading(words, "state", "V", x) for words, x in TWIST.items()),
+    Reading("V_dot read as the acceleration of O1", "state", "V_dot", lambda A, at: A - across(at, at.s.V[:3])),
+    *(Reading(f"run-time wrenches {words}", "wrench", "", x) for words, x in SIXES.items()),
+    *(Reading(words, "wrench", "", x) for words, x in WRENCH.items()),
+    *(Reading(f"{name} {words}", "state", keys, x, "flywheels")
+      for words, x in OF_WHEELS.items() for name, keys in WHEELS.items()),
+    Reading("phase counted from the third axis", "state", "phi", lambda x, at: x - math.pi / 2, "flywheels"),
+    *(Reading(f"{name} is taken as absolute, not relative to its mount", "state", key,
+              lambda x, at, rate=rate: relative_to_mounts(x, at, rate), "flywheels")  # type: ignore[misc]
+      for name, key, rate in (("speed of a flywheel", "phi_dot", "V"),
+                              ("acceleration of a flywheel", "phi_ddot", "V_dot"))),
+    *(Reading(f"{key} {words}", "stand", key, x) for key in ("gravity", "stream") for words, x in VECTORS.items()),
+    Reading("buoyancy that does not turn into the axes of the body", "all", "", buoyancy_in_body_axes),
+    *(Reading(f"products of inertia{words} of the opposite sign", "body", "inertia",
+              lambda J, at: J * (2.0 * E - 1.0), bodies) for words, bodies in PARTS.items()),
+    Reading("inertia taken about the origin though it is about the centre of mass", "body", "",
+            lambda k, at: replace(k, inertia_about="origin"), "bodies"),
+    Reading("inertia taken about the centre of mass though it is about the origin", "body", "",
+            lambda k, at: replace(k, inertia_about="center_of_mass"), "bodies"),
+    *(Reading(f"inertia {words}", "body", "inertia", x, "bodies") for words, x in OF_INERTIA.items()),
+    *(Reading(f"{name} {words}", "body", key, x, "bodies")
+      for words, x in OF_PLACES.items() for name, key in PLACES.items()),
+    *(Reading(words, "body", "", x, "flywheels") for words, x in MOUNTING.items()),
+    *(Reading(f"{name} {words}", "law", key, x) for words, x in OF_MATRICES.items() for name, key in MATRICES.items()),
+    Reading("products of added mass counted twice, in the derivatives and beside them", "all", "", with_products_twice),
+    *(Reading(f"{key} answered {words}", "answer", key, x) for key in ("V_dot", "Z", "reaction")
+      for words, x in (FIRST, ("in the axes of E0", lambda x, at: rotate(x, at.C)))),
+    *(Reading(name, "answer", *answer) for name, answer in ANSWERED.items()),
+)  # fmt: skip
+"""Readings, in the order in which they are tried."""
+
+
 def readings_of(stand: Stand) -> Iterator[Reading]:
     """Every reading that a stand may show: of all, then of single bodies."""
-    yield from (parts[0] for row in READINGS if (parts := row.of_parts(stand)))
-    yield from (part for row in READINGS for part in row.of_parts(stand)[1:])
+    parts = [row.of_parts(stand) for row in READINGS]
+    yield from (first for first, *_ in filter(None, parts))
+    yield from (part for row in parts for part in row[1:])

@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
-from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
 from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
-
-WRENCHES = ("forward", "coupled", "reaction")
-"""Wants whose wrong terms are those of a wrench."""
-
-ACCELERATION = re.compile(r"_dot\b|\.acceleration\b")
-"""Factor of a product that is an acceleration."""
 
 CONSTANT = "1"
 """The product without factors, as it is written."""
@@ -22,19 +15,18 @@ CONSTANT = "1"
 MOST_TWINS = 4
 """Number of products that are printed beside one that looks like them."""
 
+TERM_KEYS = ("want", "component", "term", "factor", "expected", "coefficient", "share")
+
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
     """Lines with the cause of the error, or what comes nearest; before, numbers that the program leaves out."""
-    lines = [gap.sentence() for gap in diagnosis.gaps]
+    lines = [gap.words for gap in diagnosis.gaps]
     result, precision = diagnosis.terms, diagnosis.precision
-    rounding = "" if precision is None else f"rounding ({precision.name})"
+    rounding = "what is accepted" if precision is None else f"rounding ({precision.name})"
     if not diagnosis.wrong:
-        if precision is not None:
-            right = "the numbers that it does answer differ by no more than {}"
-            none = "no fault: nothing differs by more than {} at the states of the diagnosis"
-            lines.append((right if diagnosis.gaps else none).format(rounding))
-        elif diagnosis.verdict == "none":
-            lines.append("no fault: nothing differs by more than is accepted")
+        if precision is not None or diagnosis.verdict == "none":
+            right = "the numbers that it answers differ by no" if diagnosis.gaps else "no fault: nothing differs by"
+            lines.append(f"{right} more than {rounding} at the states of the diagnosis")
         elif not diagnosis.gaps:
             lines.append("no diagnosis: the program answered nothing that can be compared")
     elif diagnosis.by_terms and result is not None:
@@ -51,8 +43,9 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         if diagnosis.verdict == "approximate":
             lines += [f"approximately, {left}:", *_cause_lines(diagnosis.causes, "")]
         else:
-            near = f"; nearest: {' and '.join(map(_short, diagnosis.causes))}, {left}" if diagnosis.causes else ""
-            lines.append(f"no wrong reading and no one or two numbers of the stand file explain it{near}")
+            near = " and ".join(_cause_lines([cause], "")[0] for cause in diagnosis.causes)
+            lines.append("no wrong reading and no one or two numbers of the stand file explain it"
+                         + (f"; nearest: {near}, {left}" if near else ""))  # fmt: skip
         if result is not None:
             lines.append(f"nor do a few wrong terms in {_join(result.wants)}")
         if diagnosis.hindrance:
@@ -64,28 +57,17 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
 def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
     """The diagnosis for `--json`."""
     precision, causes = diagnosis.precision, list[dict[str, Any]]()
-    if diagnosis.verdict in ("named", "approximate"):
-        if diagnosis.by_terms and diagnosis.terms is not None:
-            keys = ("want", "component", "term", "factor", "expected", "coefficient", "share")
-            causes = [{key: getattr(term, key) for key in keys} for term in diagnosis.terms.terms]
-        else:
-            share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
-            causes = [_cause(cause, share) for cause in diagnosis.causes]
+    if diagnosis.by_terms and diagnosis.terms is not None:
+        causes = [{key: getattr(term, key) for key in TERM_KEYS} for term in diagnosis.terms.terms]
+    elif diagnosis.verdict in ("named", "approximate"):
+        share = (1.0 - diagnosis.unexplained) / max(len(diagnosis.causes), 1)
+        causes = [_cause(cause, share) for cause in diagnosis.causes]
     return {
         "verdict": diagnosis.verdict,
         "unexplained": diagnosis.unexplained,
         "precision": None if precision is None else {"name": precision.name, "accepted": precision.accepted},
         "found": causes,
-        "gaps": [
-            {
-                "want": gap.want,
-                "missing": gap.missing,
-                "states": gap.states,
-                "components": {name: list(names) for name, names in gap.components.items()},
-                **({"shapes": {name: [*map(list, pair)] for name, pair in gap.shapes.items()}} if gap.shapes else {}),
-            }
-            for gap in diagnosis.gaps
-        ],
+        "gaps": [asdict(gap) for gap in diagnosis.gaps],
         "wrong": list(diagnosis.wrong),
         "words": sentences(diagnosis),
     }
@@ -108,17 +90,13 @@ def _cause_lines(causes: Sequence[Cause], explains: str) -> list[str]:
         else:
             value, expected, unit = cause.number
             more = "with the other " if len(causes) > 1 else ""
-            words = f" {more}{explains};" if explains else ""
-            lines.append(f"{cause.name}: {f'{value:.15g} {unit}'.rstrip()}{words} the file has {expected:.15g}")
+            words = f" {more}{explains}" if explains else ""
+            lines.append(f"{cause.name}: {f'{value:.15g} {unit}'.rstrip()}{words}; the file has {expected:.15g}")
     if causes and causes[0].only_in:
         lines.append(f"  only in {_join(causes[0].only_in)}: what else it would spoil is right")
     if causes and causes[0].like:
         lines.append(f"  of the same effect on this stand: {_some(causes[0].like)}")
     return lines
-
-
-def _short(cause: Cause) -> str:
-    return cause.name if cause.number is None else f"{cause.name} = {cause.number[0]:.6g} {cause.number[2]}".rstrip()
 
 
 def _join(names: Sequence[str]) -> str:
@@ -133,23 +111,14 @@ def _some(terms: Sequence[str]) -> str:
 
 def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
     """A line for each wrong term, what their names stand for, and whether they are all of the error."""
-    terms, products = result.terms, [term for term in result.terms if not term.of_body]
+    terms = result.terms
     lines = ["wrong term found:" if len(terms) == 1 else f"{len(terms)} wrong terms found:"]
     for term in terms:
-        words = _constant_words(term) if term.term == CONSTANT else _term_words(term)
         part = f"{term.share:.0%}" if term.share >= 0.01 else "less than 1 %"
-        lines.append(f"  {term.want}, {term.component}: {words}; {part} of the error")
-    if any(term.want in WRENCHES for term in products):
+        lines.append(f"  {term.want}, {term.component}: {_term_words(term)}; {part} of the error")
+    if not all(term.of_body for term in terms):
         side = f"the right-hand side of K V* = ..., of force and moment about {result.about} in E1"
         lines.append(f"  factors are those on {side}; letters of SNAME")
-    if any(term.want == "momentum" for term in products):
-        lines.append(f"  factors are those in Z about {result.about} in E1; letters of SNAME")
-    if len(products) < len(terms):
-        lines.append(
-            "  e: spin axis; O, r: from O1 to the origin of the body, and from there to its mass centre; on the left"
-        )
-    if any(term.want in WRENCHES and ACCELERATION.search(term.term) for term in products):
-        lines.append("  accelerations stand on the left; the signs of their factors are those on the right, -K")
     if result.freedoms:
         lines.append(f"  {result.freedoms}")
     them, they_explain = ("it", "it explains") if len(terms) == 1 else ("them", "they explain")
@@ -160,7 +129,7 @@ def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
 
 
 def _term_words(term: WrongTerm) -> str:
-    name, factor, expected = term.term, term.factor, term.expected
+    name, factor, expected = "a constant" if term.term == CONSTANT else term.term, term.factor, term.expected
     path = f": {term.coefficient}" if term.coefficient else ""
     if expected is None:
         return f"{name} has a factor that is wrong by {factor:.6g}"
@@ -170,17 +139,3 @@ def _term_words(term: WrongTerm) -> str:
         return f"{name} is missing, expected with the factor {expected:.6g}{path}"
     sign = "wrong sign: factor" if abs(factor + expected) <= 1e-6 * abs(expected) else "factor"
     return f"{name} has the {sign} {factor:.6g}, expected {expected:.6g}{path}"
-
-
-def _constant_words(term: WrongTerm) -> str:
-    """A wrong constant in words; that of a reaction has its own sign, which is not that on the right-hand side."""
-    of_reaction, force = term.want == "reaction", term.component in WRENCH_LETTERS[:3]
-    unit = {True: "kg m/s", False: "kg m2/s"} if term.want == "momentum" else {True: "N", False: "N m"}
-    known = term.component in WRENCH_LETTERS or term.want == "torque"
-    in_unit = unit[force] if known else "in SI"
-    sign, of = (-1.0, " of the reaction") if of_reaction else (1.0, "")
-    if not term.expected:
-        side = f" ({term.factor:.6g} on the right-hand side)" if of_reaction else ""
-        error = " is too much" if term.expected is None else ", which should not be there"
-        return f"a constant{of} of {sign * term.factor:.6g} {in_unit}{side}{error}"
-    return f"the constant{of} is {sign * term.factor:.6g} {in_unit}, expected {sign * term.expected:.6g} {in_unit}"

@@ -69,7 +69,7 @@ class Second:
         """What `want` names, under the names of the contract: arrays in SI, V and V_dot relative to E0, in E1.
 
         Raises StateError for wants that are unknown, not there or contradict each other, a state that does not fit the
-        stand or the want, one where a law is undefined, what CasADi refuses, and results that are not finite.
+        want, one where a law is undefined, what CasADi refuses, and results that are not finite.
         """
         for name in want:
             if name not in WANTS:
@@ -80,7 +80,6 @@ class Second:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
             state = problems.held_state(self.system.S, state)
-        self._check_state(state)
         check_depth(self.stand, state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)
@@ -138,16 +137,6 @@ class Second:
             return free_coordinates(self.stand.angles, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
         except np.linalg.LinAlgError as error:
             raise StateError(f"generalized: {error}") from None
-
-    def _check_state(self, state: State) -> None:
-        N = len(self.stand.flywheels)
-        for name, count in (("V", 6), ("V_dot", 6), ("phi", N), ("phi_dot", N), ("phi_ddot", N), ("tau", N)):
-            if (length := len(getattr(state, name))) != count:
-                raise StateError(f"{name}: expected {count} numbers, found {length}")
-        names = [body.name for body in self.stand.bodies]
-        for name in state.wrench:
-            if name not in names:
-                raise StateError(f"wrench: {name!r} is no body of the stand; known are " + ", ".join(names))
 
 
 class Derivatives:

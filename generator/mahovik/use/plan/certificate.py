@@ -53,7 +53,7 @@ def make_programme(
 
 def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:
     """The programme with the findings of the independent verification in its report."""
-    from mahovik.proof.verify.programme.verification import as_item, floquet_multipliers, verify_programme, warns
+    from mahovik.proof.verify.programme.verification import as_item, verify_programme
 
     checks = verify_programme(stand, motion, programme)
     items = [as_item(item) for item in checks]
@@ -61,10 +61,7 @@ def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Progr
     words = {
         "verified": not any(item.failed for item in checks),
         "simulation_error": values.get("simulation"),
-        "largest_multiplier": values.get("Floquet"),
-        "floquet": floquet_multipliers(checks),
         "verification": items,
-        "warnings": [f"{item.quantity}: {item.words}" for item in checks if warns(item)],
     }
     return replace(programme, report={**programme.report, **words})
 

@@ -214,7 +214,7 @@ def _verified_plan(
     if not good:
         return Plan("NO_PROGRAM", "SEARCH", tuple(refused), (*first.warnings, *first.hint), (), effort, interrupted)
     limits = motor_warnings(stand, good[0].report)
-    warnings = (*first.warnings, *limits, *good[0].report.get("warnings", ()))
+    warnings = (*first.warnings, *limits)
     over = (*good[0].report["exceeded"], *shortcomings(good[0]))
     return Plan("OK_LIMIT" if over else "OK", None, over, warnings, tuple(good), effort, interrupted)
 

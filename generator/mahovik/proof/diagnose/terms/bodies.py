@@ -11,6 +11,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.state import State
+from mahovik.proof.diagnose.numbers import pairs_explain
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import PlacedBody
@@ -25,9 +26,6 @@ DRIVE = "J11 phi_ddot of the drive alone"
 
 ZERO = 1e-9
 """Part of the largest term of a component below which another is rounding."""
-
-SAME = 1e-9
-"""Square of the sine of two columns below which they are one."""
 
 Term = tuple[str, str, float]
 """Bodies that have it; the term on the left-hand side, with e the spin axis and r from the origin of the body to its
@@ -80,10 +78,7 @@ def explain(
     A = np.column_stack([(terms[term] / unit).ravel() for term in there])
     size = np.linalg.norm(A, axis=0)
     A = A / size
-    b, G = A.T @ e, A.T @ A
-    with np.errstate(all="ignore"):
-        explained = (b[:, None] ** 2 + b**2 - 2.0 * G * np.outer(b, b)) / (1.0 - G**2)
-    explained = np.where(np.triu(1.0 - G**2 > SAME, 1), np.nan_to_num(explained), 0.0)
+    b, explained = A.T @ e, pairs_explain(A, e)
     # of pairs that explain alike, single bodies come before sums of bodies
     pairs = np.argsort(-np.round(explained / max(float(e @ e), 1e-300), 9), axis=None, kind="stable")[:4]
     known = [there.index(term) for term in first if term in there]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -54,10 +54,22 @@ class Fit:
     twins         columns that explain the error as well in the place of one of these, by this one
     """
 
-    coefficients: dict[int, float]
+    coefficients: Mapping[int, float]
     left: float
     exact: bool = False
-    twins: dict[int, list[int]] | None = None
+    twins: Mapping[int, list[int]] = field(default_factory=dict)
+
+
+def least_squares(columns: Array, values: Array) -> Array:
+    """Factors (m, c) of values (n, c) in columns (n, m); NaN where these leave something, or have no single answer."""
+    size = np.linalg.norm(columns, axis=0)
+    places = np.flatnonzero(size)
+    c, _, rank, _ = np.linalg.lstsq(columns[:, places] / size[places], values, rcond=SINGULAR)
+    factors = np.zeros((len(size), values.shape[1]))
+    factors[places] = c / size[places, None]
+    left = np.linalg.norm(values - columns @ factors, axis=0)
+    known = (left <= KNOWN * np.linalg.norm(values, axis=0)) & (rank == len(places))
+    return np.where(known, factors, np.nan)
 
 
 class Columns:
@@ -81,31 +93,24 @@ class Columns:
                 kept.append(i)
         return kept
 
-    def least_squares(self, values: Array) -> Array | None:
-        """Factors (m, c) of values (n, c) in all columns; None where these leave something."""
-        whole = self._set(np.full(self._size.shape, True))
-        c = whole.solve(values)
-        if c is None or np.linalg.norm(values - whole.columns @ c) > KNOWN * np.linalg.norm(values):
-            return None
-        factors = np.zeros((self._size.size, values.shape[1]))
-        factors[whole.places] = c / self._size[whole.places, None]
-        return factors
-
     def fit(self, error: Array, rounding: float, first: Mask) -> Fit:
         """Few columns whose combination is the error (n); of fits that do alike one of the columns `first` (m).
 
         `rounding`: root mean square of that of a right program.
         """
-        limit = max(EXACT * float(np.linalg.norm(error)), rounding * np.sqrt(len(error)))
+        whole = float(np.linalg.norm(error))
+        limit = max(EXACT * whole, rounding * np.sqrt(len(error)))
         best, exact = Fit({}, 1.0), dict[int, tuple[Fit, _Set]]()
         for chosen in (first & ~self._later, first, ~self._later, np.full(first.shape, True)):
             columns = self._set(chosen)
             for kept in columns.candidates(error, limit):
                 if 0 < kept.size <= MOST:
-                    fit = self._refit(kept, error, limit)
+                    c, left = _solve(self._scaled[:, kept], error)
+                    factors = dict(zip(kept.tolist(), (c / self._size[kept]).tolist(), strict=True))
+                    fit = Fit(factors, left / whole, left <= min(limit, PART * whole))
                     best = min(best, fit, key=lambda fit: fit.left)
                     if fit.exact:
-                        exact.setdefault(len(fit.coefficients), (fit, columns))
+                        exact.setdefault(len(kept), (fit, columns))
         if not exact:
             return best
         fit, columns = exact[min(exact)]
@@ -116,12 +121,6 @@ class Columns:
         if key not in self._sets:
             self._sets[key] = _Set(self._scaled, np.flatnonzero(chosen & (self._size > 0.0)))
         return self._sets[key]
-
-    def _refit(self, kept: Places, error: Array, limit: float) -> Fit:
-        whole = float(np.linalg.norm(error))
-        c, left = _solve(self._scaled[:, kept], error)
-        factors = dict(zip(kept.tolist(), (c / self._size[kept]).tolist(), strict=True))
-        return Fit(factors, left / whole, left <= min(limit, PART * whole))
 
     def _twins(self, fit: Fit, among: _Set, error: Array, limit: float) -> dict[int, list[int]]:
         """States of one's own choice have none; rows of a log may. Each has all others where few are independent."""
@@ -162,24 +161,17 @@ class _Set:
         """Orthonormal columns that span them."""
         return self._svd[0][:, : self.rank]
 
-    def solve(self, values: Array) -> Array | None:
-        """Least squares (m, ...); None where it has no single answer."""
-        if self.rank < len(self.places) or not self.rank:
-            return None
-        left, singular, right = self._svd
-        return np.asarray(right.T @ ((left.T @ values).T / singular).T)
-
     def candidates(self, error: Array, limit: float) -> Iterator[Places]:
-        """Few columns that may be the error: least squares over all, one after another, the least sum of magnitudes."""
-        if not self.places.size or np.linalg.norm(error - self.span @ (self.span.T @ error)) > limit:
-            yield self.places[self._one_by_one(error, limit)]
-            return
-        c = self.solve(error)
-        if c is not None:
-            yield self.places[np.abs(c) > limit / self._svd[1][-1]]
+        """Few columns that may be the error: one after another, least squares over all, the least sum of magnitudes."""
         yield self.places[self._one_by_one(error, limit)]
-        if c is None and len(self.places) <= SMALL:
-            yield self.places[self._least_sum(error)]
+        if not self.places.size or np.linalg.norm(error - self.span @ (self.span.T @ error)) > limit:
+            return
+        left, singular, right = self._svd
+        equal, wanted = right[: self.rank], (left.T @ error)[: self.rank] / singular[: self.rank]
+        if self.rank == len(self.places):
+            yield self.places[np.abs(right.T @ wanted) > limit / singular[-1]]
+        elif len(self.places) <= SMALL:
+            yield self.places[_least_sum(equal, wanted)]
 
     def _one_by_one(self, error: Array, limit: float) -> Places:
         """The column most like what is left, again and again; columns that later ones make needless are dropped."""
@@ -192,16 +184,15 @@ class _Set:
             rest = error - self.columns[:, kept] @ c
         return np.sort(np.array(kept, dtype=np.int64)[np.abs(c) > 10 * limit])
 
-    def _least_sum(self, error: Array) -> Places:
-        left, singular, right = self._svd
-        equal, wanted = right[: self.rank], (left.T @ error)[: self.rank] / singular[: self.rank]
-        unit = float(np.abs(wanted).max())
-        m = len(self.places)
-        solved = linprog(np.ones(2 * m), A_eq=np.hstack([equal, -equal]), b_eq=wanted / unit, method="highs")
-        if solved.x is None:
-            return np.zeros(0, dtype=np.int64)
-        c = np.abs(solved.x[:m] - solved.x[m:])
-        return np.flatnonzero(c > 1e-6 * c.max())
+
+def _least_sum(equal: Array, wanted: Array) -> Places:
+    """Places of the c (m) with equal c = wanted and the least sum of magnitudes that are not zero."""
+    unit, m = float(np.abs(wanted).max()), equal.shape[1]
+    solved = linprog(np.ones(2 * m), A_eq=np.hstack([equal, -equal]), b_eq=wanted / unit, method="highs")
+    if solved.x is None:
+        return np.zeros(0, dtype=np.int64)
+    c = np.abs(solved.x[:m] - solved.x[m:])
+    return np.flatnonzero(c > 1e-6 * c.max())
 
 
 def _solve(columns: Array, error: Array) -> tuple[Array, float]:

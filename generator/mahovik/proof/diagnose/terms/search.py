@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
@@ -20,10 +20,10 @@ from mahovik.core.stand.toml import parse
 from mahovik.core.stand.write import dumps
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.diagnose.answers import Precision, numbers_at
+from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
 from mahovik.proof.diagnose.terms.bodies import ROWS, body_terms, explain
-from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit
-from mahovik.proof.diagnose.terms.law_columns import KINDS, LawColumn, law_columns, law_parts
+from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit, least_squares
+from mahovik.proof.diagnose.terms.law_columns import LawColumn, law_columns, law_parts
 from mahovik.proof.diagnose.terms.products import Frame, count, frame_in_words, frame_of, products
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
@@ -61,6 +61,9 @@ RIGHT: Mapping[str, Callable[[Pieces, State], Array]] = {
 }
 """Sides of equations that are sums of terms, at a motion: of the wrench on the carrier F - M V_r - ... - K V_r*."""
 
+SIDES = {"torque": "torque", "mounts": "mounts", "momentum": "momentum", "reaction": "wrench", "inverse": "wrench"}
+"""The side that the last quantity of a want is, that of the reaction with the other sign."""
+
 MORE, SPARE = 1.25, 40
 """Number of states for each product, and of those besides."""
 
@@ -82,9 +85,6 @@ ROUNDING, PART = 1e-11, 0.03
 PLAIN = "weight", "buoyancy", "run-time"
 PLAIN_ON_CARRIER = "linear damping", "quadratic damping", "damping terms", "products in derivatives"
 """Kinds of wrench that are sums of products, of any body and in the axes of the carrier alone."""
-
-SOLVABLE = 1e-6
-"""Least singular value of the mass matrix of a program: one that answers has such a matrix."""
 
 
 @dataclass(frozen=True)
@@ -109,11 +109,6 @@ class WrongTerm:
     share: float = 1.0
     twins: tuple[str, ...] = ()
     of_body: bool = False
-
-    def is_same(self, other: WrongTerm) -> bool:
-        """Whether two wants have one wrong term."""
-        same = (self.component, self.term) == (other.component, other.term)
-        return same and abs(self.factor - other.factor) <= ALIKE * max(abs(self.factor), abs(other.factor))
 
 
 @dataclass(frozen=True)
@@ -166,9 +161,6 @@ class _Equations:
     answered: Array
 
 
-Answers = Callable[[Request], Mapping[str, Any]]
-
-
 class TermSearch:
     """Finds wrong terms in programs of one stand: states, the reference's pieces and the products are kept."""
 
@@ -184,11 +176,11 @@ class TermSearch:
     ) -> None:
         """`states`: the only ones with answers, by name, as in a log; None: those that the search asks for.
 
-        `precision`: of the program, None: double; `program`: which states it takes, None: all; `wrong`: wants that are
-        known to differ.
+        `precision`: of the program, None: double; `program`: which states it takes, None: all; `wrong`: quantities that
+        are known to differ, as want: quantity; none: any may.
         """
         rng = np.random.default_rng(seed)
-        self._stand, self._rounding, self._wrong = stand, ROUNDING, tuple(wrong)
+        self._stand, self._rounding, self._wrong = stand, ROUNDING, {tuple(each.split(": ")) for each in wrong}
         if precision is not None:
             self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
         self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
@@ -197,20 +189,21 @@ class TermSearch:
         asked = self._drawn if program is None else [program.state(stand, state) for state in self._drawn]
         named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
         self._states = [state for _, state in named]
-        tell_all = {"forward", "torque"} <= set(wants) and "coupled" not in wrong  # "coupled" says nothing new then
+        differing = {want for want, _ in self._wrong}
+        tell_all = {"forward", "torque"} <= set(wants) and "coupled" not in differing  # it says nothing new then
         self.wants = tuple(
             want
             for want in WANTS
             if want in wants
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
-            and (want not in WHERE_WRONG or (want in wrong and stand.hold is None))
+            and (want not in WHERE_WRONG or (want in differing and stand.hold is None))
             and not (want == "coupled" and tell_all)
         )
         self._requests = {
             want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
         }
-        self._right: dict[tuple[str, str], Array | None] = {}
+        self._right: dict[tuple[str, ...], Array] = {}
 
     @property
     def requests(self) -> list[Request]:
@@ -219,10 +212,8 @@ class TermSearch:
 
     def find(self, answers: Answers) -> TermSearchResult:
         """The wrong terms of a program by its answers to `requests`. Raises CheckError: it answers too few states."""
-        terms: list[WrongTerm] = []
-        fits: list[Fit] = []
-        besides: list[str] = []
-        unexplained = set(self._wrong)
+        terms, fits, besides = list[WrongTerm](), list[Fit](), list[str]()
+        unexplained = {want for want, _ in self._wrong}
         for want in self.wants:
             parts = [self._terms(equations, terms) for equations in self._equations(want, answers)]
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
@@ -230,10 +221,8 @@ class TermSearch:
                 continue
             for of_part, more in parts:
                 unexplained -= {term.want for term in of_part}
-                terms += [x for x in of_part if not (want == "coupled" and any(x.is_same(y) for y in terms))]
+                terms += [x for x in of_part if not (want == "coupled" and any(_is_same(x, y) for y in terms))]
                 fits += more
-        if not self._has_mass_matrix(terms):
-            return TermSearchResult((), 1.0, self.wants, False, tuple(besides))
         left, exact = max((fit.left for fit in fits), default=0.0), all(fit.exact for fit in fits)
         looked_at = tuple(
             f"{want}: {name}"
@@ -253,88 +242,76 @@ class TermSearch:
         names, hold = ANSWERS[want], self._stand.hold
         if hold is None or "V_dot" not in names:
             return names
-        names = (*(("u_dot",) if hold.freedoms else ("reaction",)), *(x for x in names if x != "V_dot"))
+        names = ("u_dot" if hold.freedoms else "reaction", *names[1:])
         beside = hold.freedoms and "reaction" not in self.wants
         answered = beside and any("reaction" in answers(request) for request in self._requests[want])
         return (*names, "reaction") if answered else names
 
-    @cached_property
-    def _pieces(self) -> list[Pieces]:
-        return self._pieces_of(self._states)
-
-    def _pieces_of(self, states: Sequence[State], stand: Stand | None = None) -> list[Pieces]:
-        return [reference.pieces(stand_at(stand or self._stand, state), state) for state in states]
-
-    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array], set[str]]:
-        """Rows of the states with finite answers, these (n, ...) by quantity, and the quantities that are right.
-
-        Raises CheckError: too few.
-        """
-        names = self._names(want, answers)
-        rows: list[int] = []
-        values, right = list[list[Array]](), list[list[Array]]()
+    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
+        """Rows of the states with finite answers, and these (n, ...) by quantity. Raises CheckError: too few."""
+        N, m = len(self._stand.flywheels), len(self._stand.hold.freedoms) if self._stand.hold else 0
+        sizes = {"tau": N, "phi_ddot": N, "mount_wrench": 6 * N, "u_dot": m}
+        names, rows = self._names(want, answers), dict[int, list[Array]]()
         for i, request in enumerate(self._requests[want]):
             numbers = [numbers_at(answers(request), (name,)) for name in names]
-            there = [x for x in numbers if x is not None and np.isfinite(x).all()]
-            if len(there) < len(names):
-                continue
-            state = self._states[i]
-            expected = reference.evaluate(stand_at(self._stand, state), state, (want,), self._pieces[i])
-            if [x.shape for x in there] == [np.shape(expected[name]) for name in names]:
-                rows.append(i)
-                values.append([x.ravel() for x in there])
-                right.append([np.ravel(expected[name]) for name in names])
-        least = count(self._stand) if want not in ("mounts",) else 1
+            there = [x.ravel() for x in numbers if x is not None and np.isfinite(x).all()]
+            if [x.size for x in there] == [sizes.get(name, 6) for name in names]:
+                rows[i] = there
+        least = count(self._stand) if want != "mounts" else 1
         if len(rows) < least:
             raise CheckError(
                 f"{want}: {len(rows)} of {len(self._states)} states have an answer; expected at least {least}, as many "
                 "as there are products whose factors are looked for"
             )
-        given, expected_rows = (np.array([np.concatenate(x) for x in group]) for group in (values, right))
-        size = np.abs(expected_rows).max(axis=0) + 1e-300
-        off = np.abs((given - expected_rows) / size)
-        bounds = np.cumsum([x.size for x in values[0]])[:-1]
-        off_by_name = dict(zip(names, np.split(off, bounds, axis=1), strict=True))
-        by_name = dict(zip(names, np.split(given, bounds, axis=1), strict=True))
-        return rows, by_name, {name for name, x in off_by_name.items() if (x <= self._rounding).all()}
+        return list(rows), {name: np.array(x) for name, x in zip(names, zip(*rows.values(), strict=True), strict=True)}
 
-    def _equations(self, want: str, answers: Answers) -> list[_Equations]:
+    def _equations(self, want: str, answers: Answers) -> Iterator[_Equations]:
         """Equations of a want at the motion that the program answers.
 
         Beside a wrong acceleration the equation of a right one, or of a right reaction, has no error of its own.
         """
-        rows, values, right = self._answered(want, answers)
-        states, at = [self._states[i] for i in rows], [self._pieces[i] for i in rows]
-        wheels = tuple(wheel.name for wheel in self._stand.flywheels)
-        drives = replace(frame_of(self._stand), components=wheels, rows=np.eye(len(wheels)))
-        if want == "torque":
-            return [_Equations(want, "torque", drives, states, at, values["tau"])]
-        if want == "mounts":
-            names = tuple(f"{wheel} {letter}" for wheel in wheels for letter in WRENCH_LETTERS)
-            frame = replace(drives, components=names, rows=np.eye(len(names)))
-            return [_Equations(want, "mounts", frame, states, at, values["mount_wrench"])]
-        every = frame_of(self._stand, "all")
-        if want == "momentum":
-            return [_Equations(want, "momentum", every, states, at, values["Z"])]
-        if want == "reaction":
-            return [_Equations(want, "wrench", every, states, at, -values["reaction"])]
-        V_dot = values["V_dot"] if "V_dot" in values else np.zeros((len(rows), 6))
+        rows, values = self._answered(want, answers)
+        at, states = [self._pieces[i] for i in rows], [self._states[i] for i in rows]
+        motion = {key: values[key] for key in ("V_dot", "phi_ddot") if key in values}
         if "u_dot" in values:
-            V_dot = values["u_dot"] @ frame_of(self._stand).rows.T
-        phi_ddot = values.get("phi_ddot", np.array([s.phi_ddot for s in states]))
-        moved = [replace(s, phi_ddot=tuple(a)) for s, a in zip(states, phi_ddot.tolist(), strict=True)]
-        if want == "inverse":
-            return [_Equations(want, "wrench", every, moved, at, values["residual"])]
-        moved = [replace(s, V_dot=tuple(a)) for s, a in zip(moved, V_dot.tolist(), strict=True)]
-        left_out = right if {"V_dot", "u_dot", "phi_ddot"} & values.keys() - right else set[str]()
-        none, tau = np.zeros((len(rows), 6)), np.array([s.tau for s in states])
-        equations = [
-            ({"V_dot", "u_dot"}, _Equations(want, "wrench", frame_of(self._stand), moved, at, none)),
-            ({"phi_ddot"}, _Equations(want, "torque", drives, moved, at, tau)),
-            ({"reaction"}, _Equations(want, "wrench", frame_of(self._stand, "blocked"), moved, at,
-                                      -values.get("reaction", none))),
-        ]  # fmt: skip
-        return [x for names, x in equations if names & values.keys() and not names & left_out and x.frame.components]
+            motion["V_dot"] = values["u_dot"] @ frame_of(self._stand).rows.T
+        for key, numbers in motion.items():
+            rows_of: Any = [{key: tuple(x)} for x in numbers.tolist()]
+            states = [replace(s, **x) for s, x in zip(states, rows_of, strict=True)]
+        side, last = SIDES.get(want, ""), values[ANSWERS[want][-1]] if want in SIDES else None
+        if last is not None:
+            last = -last if want == "reaction" else last
+            yield _Equations(want, side, self._frame(side, "all"), states, at, last)
+            return
+        none = np.zeros((len(rows), 6))
+        blocked = -values["reaction"] if "reaction" in values else none
+        equations = {
+            "V_dot": ("wrench", "free", none),
+            "u_dot": ("wrench", "free", none),
+            "phi_ddot": ("torque", "free", np.array([s.tau for s in states])),
+            "reaction": ("wrench", "blocked", blocked),
+        }
+        wrong = {name for of, name in self._wrong if of == want} or {*values}
+        for name in values:
+            side, kind, answered = equations[name]
+            frame = self._frame(side, kind)
+            if frame.components and (name in wrong or not wrong & motion.keys() | {"u_dot"} & wrong):
+                yield _Equations(want, side, frame, states, at, answered)
+
+    def _frame(self, side: str, equations: str) -> Frame:
+        """Names of equations and speeds of a side; of the wrench on the carrier those that are free, blocked or all."""
+        wheels = tuple(wheel.name for wheel in self._stand.flywheels)
+        names = {"torque": wheels, "mounts": tuple(f"{k} {letter}" for k in wheels for letter in WRENCH_LETTERS)}
+        if side not in names:
+            return frame_of(self._stand, equations)
+        return replace(frame_of(self._stand), components=names[side], rows=np.eye(len(names[side])))
+
+    @cached_property
+    def _pieces(self) -> list[Pieces]:
+        return self._pieces_of(self._states, self._stand)
+
+    def _pieces_of(self, states: Sequence[State], stand: Stand) -> list[Pieces]:
+        return [reference.pieces(stand_at(stand, state), state) for state in states]
 
     # -- terms ---------------------------------------------------------------------------------------------------------
 
@@ -343,20 +320,16 @@ class TermSearch:
         rows = of.frame.rows
         sides = np.array([RIGHT[of.side](p, s) for p, s in zip(of.at, of.states, strict=True)])
         error = (of.answered - sides) @ rows
-        size = np.abs(sides) @ np.abs(rows)
+        size = np.abs(sides)
         if of.side == "wrench":
-            parts = [_magnitudes(p, s) for p, s in zip(of.at, of.states, strict=True)]
-            size = np.array(parts) @ np.abs(rows)
-        rounding = self._rounding * np.sqrt(np.mean(size**2, axis=0))
-        wrong = np.sqrt(np.mean(error**2, axis=0)) > 10 * np.sqrt(np.mean(rounding**2))
+            size = np.array([_magnitudes(p, s) for p, s in zip(of.at, of.states, strict=True)])
+        rounding = self._rounding * np.sqrt(np.mean((size @ np.abs(rows)) ** 2, axis=0))
+        whole = float(np.sqrt(np.mean(rounding**2)))
+        wrong = np.flatnonzero(np.sqrt(np.mean(error**2, axis=0)) > 10 * whole)
         by_body = self._body_terms(of, error[:ROWS], rounding, before)
-        if by_body and (len(by_body) < np.count_nonzero(wrong) or of.side == "mounts"):
-            return by_body, [Fit({}, 0.0, True)]
-        if of.side == "mounts":
-            return [], [Fit({}, 1.0)] if wrong.any() else []
-        terms, fits = self._product_terms(
-            of, error, np.flatnonzero(wrong).tolist(), float(np.sqrt(np.mean(rounding**2)))
-        )
+        if of.side == "mounts" or (by_body and len(by_body) < len(wrong)):
+            return by_body, [Fit({}, 0.0, True)] if by_body or not len(wrong) else [Fit({}, 1.0)]
+        terms, fits = self._product_terms(of, error, wrong.tolist(), whole) if len(wrong) else ([], [])
         if by_body and (len(by_body) < len(terms) or not all(fit.exact for fit in fits)):
             return by_body, [Fit({}, 0.0, True)]
         return terms, fits
@@ -386,16 +359,16 @@ class TermSearch:
         self, of: _Equations, error: Array, wrong: Sequence[int], rounding: float
     ) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong products of the components that are wrong, and the fit of each."""
-        if not wrong:
-            return [], []
         table = products(of.frame, of.states, of.at, of.side == "momentum")
         parts = law_parts(self._stand, of.at) if of.side == "wrench" else []
-        columns, right = Columns(table.values, table.accelerate), self._coefficients(of)
-        m = len(table.names)
+        columns, key, m = Columns(table.values, table.accelerate), (of.side, *of.frame.components), len(table.names)
+        if key not in self._right:
+            self._right[key] = self._factors(of, self._stand)
+        right = self._right[key]
         terms: list[tuple[float, WrongTerm]] = []
         fits: list[Fit] = []
         for i in wrong:
-            there = np.full(m, False) if right is None else _is_there(right[:, i])
+            there = _is_there(right[:, i])
             fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawColumn]()
             for finer in law_columns(parts, of.frame.rows[:, i]):
                 if fit.exact and len(fit.coefficients) <= FEW:
@@ -407,65 +380,40 @@ class TermSearch:
                 other = widened.fit(error[:, i], rounding, np.append(there, ~more))
                 if other.exact and (not fit.exact or len(other.coefficients) < len(fit.coefficients)):
                     fit, of_laws = other, [finer[j] for j in kept]
+            mass = np.flatnonzero(there & table.accelerate).tolist()
+            left = np.abs([right[k, i] + fit.coefficients.get(k, 0.0) for k in mass])
+            if mass and (left <= SAME * np.abs(right[mass, i])).all():
+                fit = Fit({}, 1.0)  # "all of it is missing" is true of every wrong equation, but a program has its mass
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
             names = (*table.names, *(x.name for x in of_laws))
             for k, c in fit.coefficients.items():
-                law = of_laws[k - m] if k >= m else None
-                values = table.values[:, k] if law is None else law.values
-                twins = tuple(names[j] for j in (fit.twins or {}).get(k, ()))
-                place = of.want, of.frame.components[i], names[k]
-                if law is not None:
-                    factor, expected, path = law.right + c, law.right, law.path
-                elif right is None or np.isnan(right[k, i]):
-                    factor, expected, path = c, None, ""
-                else:
-                    expected = float(right[k, i]) if there[k] else 0.0
-                    factor, path = expected + c, ""
-                    if expected:
-                        factor, expected, path = self._part(of, k, i, expected, c)
+                values = of_laws[k - m].values if k >= m else table.values[:, k]
+                factor, expected, path = c, None, ""
+                if k >= m:
+                    factor, expected, path = of_laws[k - m].right + c, of_laws[k - m].right, of_laws[k - m].path
+                elif there[k]:
+                    factor, expected, path = self._part(of, k, i, float(right[k, i]), c)
+                elif not np.isnan(right[k, i]):
+                    expected = 0.0
                 factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
-                term = WrongTerm(*place, factor, expected, path, twins=twins)
+                twins = tuple(names[j] for j in fit.twins.get(k, ()))
+                term = WrongTerm(of.want, of.frame.components[i], names[k], factor, expected, path, twins=twins)
                 terms.append((float(np.sum((c * values) ** 2)), term))
         whole = sum(size for size, _ in terms) or 1.0
         return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
 
-    def _coefficients(self, of: _Equations) -> Array | None:
-        """Right factors (m, c) of the products; None, or NaN: not known, for the equations hold more than these."""
-        key = of.side, " ".join(of.frame.components)
-        if key not in self._right:
-            self._right[key] = self._solve(of, self._stand)
-        return self._right[key]
+    def _factors(self, of: _Equations, stand: Stand) -> Array:
+        """Right factors (m, c) of the products, of what is a sum of them; NaN: not known.
 
-    def _solve(self, of: _Equations, stand: Stand) -> Array | None:
-        at = self._drawn_pieces if stand is self._stand else self._pieces_of(self._drawn, stand)
+        Where there are other wrenches too, these may hold a product that nothing else has.
+        """
+        at = self._pieces_of(self._drawn, stand)
         table = products(of.frame, self._drawn, at, of.side == "momentum")
-        rows = of.frame.rows
-        right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)]) @ rows
-        parts = law_parts(stand, at) if of.side == "wrench" else []
-        if of.side != "wrench":
-            return Columns(table.values, np.full(len(table.names), False)).least_squares(right)
-        others = np.array([_other_wrenches(p) for p in at]) @ rows
-        factors = np.zeros((len(table.names), rows.shape[1]))
-        for i in range(rows.shape[1]):
-            laws = next(law_columns(parts, rows[:, i]), [])
-            narrow = Columns(table.values, np.full(len(table.names), False))
-            kept = narrow.independent(np.column_stack([x.values for x in laws])) if laws else []
-            wide = np.column_stack([table.values, *(laws[j].values for j in kept)])
-            columns = Columns(wide, np.full(wide.shape[1], False)) if kept else narrow
-            whole = columns.least_squares(right[:, [i]])
-            if whole is None:
-                whole = columns.least_squares((right - others)[:, [i]])
-                if whole is None:
-                    factors[:, i] = math.nan
-                    continue
-                # of a product that others may hold it is not known whether it should be there
-                whole = np.where(_is_there(whole), whole, math.nan)
-            factors[:, i] = whole[: len(table.names), 0]
-        return factors
-
-    @cached_property
-    def _drawn_pieces(self) -> list[Pieces]:
-        return self._pieces_of(self._drawn)
+        right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)])
+        others = np.array([_other_wrenches(p) for p in at]) if of.side == "wrench" else np.zeros_like(right)
+        factors = least_squares(table.values, (right - others) @ of.frame.rows)
+        beside = (others @ of.frame.rows).any(axis=0)
+        return np.where(beside & ~_is_there(factors), math.nan, factors)
 
     def _part(self, of: _Equations, k: int, component: int, expected: float, error: float) -> tuple[float, float, str]:
         """A factor, the right one, and the path of the number of the stand file that this is proportional to.
@@ -484,40 +432,24 @@ class TermSearch:
                 changed = read(file.with_values({number: 1.01 * number.value}), self._stand.name, physics=False)
             except UsageError:
                 continue
-            factors = self._solve(of, changed)
-            part = 0.0 if factors is None else (float(factors[k, component]) - expected) / 0.01
+            part = (float(self._factors(of, changed)[k, component]) - expected) / 0.01
             if abs(part - expected) <= SAME * abs(expected):
                 return expected + error, expected, number.path
             if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
                 found = part + error, part, number.path
         return found
 
-    def _has_mass_matrix(self, terms: Sequence[WrongTerm]) -> bool:
-        """Whether the equations with these terms wrong still have one acceleration, at some phases.
 
-        "All of X is missing" is true of every wrong program: its error is K V_r* less the right-hand side, and both
-        are sums of the products. But a program that answers has a mass matrix.
-        """
-        frame = frame_of(self._stand)
-        if not frame.components:
-            return True
-        at, state = self._drawn_pieces[:1], self._drawn[:1]
-        K = np.asarray(frame.rows.T @ at[0].K @ frame.rows)
-        table, wrong = products(frame, state, at), K.copy()
-        values = dict(zip(table.names, table.values[0], strict=True))
-        for term in terms:
-            rate = term.term.split(" ")[0]
-            if term.component in frame.components and rate.removesuffix("_dot") in frame.letters and rate in values:
-                error = (term.factor - (term.expected or 0.0)) * values[term.term] / values[rate]
-                row = frame.freedoms[frame.letters.index(rate.removesuffix("_dot"))]
-                wrong[frame.components.index(term.component)] -= error * row
-        size = np.sqrt(np.diag(K))
-        return bool(np.linalg.svd(wrong / np.outer(size, size), compute_uv=False)[-1] > SOLVABLE)
+def _is_same(one: WrongTerm, other: WrongTerm) -> bool:
+    """Whether two wants have one wrong term."""
+    same = (one.component, one.term) == (other.component, other.term)
+    return same and abs(one.factor - other.factor) <= ALIKE * max(abs(one.factor), abs(other.factor))
 
 
 def _is_there(factors: Array) -> Any:
-    """Mask of the factors that are more than rounding of the largest."""
-    return np.abs(np.nan_to_num(factors)) > THERE * np.abs(np.nan_to_num(factors)).max(initial=0.0)
+    """Mask of the factors (m, ...) that are more than rounding of the largest of their column."""
+    size = np.abs(np.nan_to_num(factors))
+    return size > THERE * size.max(axis=0, initial=0.0)
 
 
 def _magnitudes(at: Pieces, state: State) -> Array:
@@ -526,15 +458,12 @@ def _magnitudes(at: Pieces, state: State) -> Array:
 
 
 def _other_wrenches(at: Pieces) -> Array:
-    """Wrenches (6, in E1 about O1) that are no sum of these products or of coefficients of laws: laws between E0 and
-    the carrier, damping of bodies with axes of their own, all laws of flywheels that are not of their weight."""
-    carrier, wheels = at.bodies.bodies[0].name, {body.name for body in at.bodies.flywheels.bodies}
-    others = np.zeros(6)
+    """Wrenches (6, in E1 about O1) that are no sum of these products: all laws but weight, buoyancy and the damping of
+    the carrier, whose axes are those of E1."""
+    others, carrier = np.zeros(6), at.bodies.bodies[0].name
     for k in at.bodies.placed():
-        name = k.body.name
-        for kind, wrench in at.terms[name].items():
-            of_law = kind in KINDS and name not in wheels
-            if not (of_law or kind in PLAIN or (kind in PLAIN_ON_CARRIER and name == carrier)):
+        for kind, wrench in at.terms[k.body.name].items():
+            if kind not in PLAIN and not (kind in PLAIN_ON_CARRIER and k.body.name == carrier):
                 others += k.L @ wrench
     return others
 

@@ -7,7 +7,7 @@ H = H_0 exp(S_1^ q_1) exp(S_2^ q_2) .., S^ = [[<omega>, v], [0, 0]], which takes
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -292,65 +292,8 @@ def simulate(
     return np.array(states)
 
 
-def slope(function: Callable[..., Array], given: Sequence[Array], number: int, step: Array | float) -> Array:
-    """Derivatives (K, n) of a function (K) by its argument of this number (n), by central differences of `step`."""
-    columns = []
-    for way in np.eye(len(given[number])) * step:
-        ends = [function(*given[:number], given[number] + aside, *given[number + 1 :]) for aside in (way, -way)]
-        columns.append((ends[0] - ends[1]) / (2 * np.abs(way).max()))
-    return np.array(columns).T
-
-
-def slopes(
-    stand: Stand, motion: RequiredMotion, programme: Programme, t: Array, numbers: Sequence[int],
-    step: Callable[[Array], Array | float], unit: float = 1.0,
-) -> list[Array]:  # fmt: skip
-    """Derivatives (M, m, n) of q'' by those of q, q', phi, phi', phi'' with these numbers, at times t (M, s) along the
-    required motion. `unit` (s): of time in them; `step`: of a difference, by what is changed.
-    """
-    powers = (0, 1, 0, 1, 2)
-
-    def acceleration(*scaled: Array) -> Array:
-        return unit**2 * free_acceleration(stand, *(x / unit**n for x, n in zip(scaled, powers, strict=True)))
-
-    course, rows = motion.at(t, programme.bias), []
-    for values in zip(course.q, course.q_dot, *programme.at(t), strict=True):
-        scaled = [x * unit**n for x, n in zip(values, powers, strict=True)]
-        rows.append([slope(acceleration, scaled, k, step(scaled[k])) for k in numbers])
-    return [np.array(column) for column in zip(*rows, strict=True)]
-
-
-STEPS_OF_PERIOD = 12
-"""Least number of steps in a period, and two for every turn and harmonic: the carrier is slower than its excitation.
-
-Ten to a period leave the multipliers of the example stands right to 1e-5.
-"""
-
 DIFFERENCE = 1e-6
-"""Step of a difference, m, rad, and over 1 + the number itself of a rate."""
-
-
-def multipliers(stand: Stand, motion: RequiredMotion, programme: Programme) -> tuple[complex, ...]:
-    """The 12 eigenvalues of the monodromy matrix, held 2 m: the largest modulus first, of a pair that with Im > 0.
-
-    x' = A(t) x along the required motion, of (q, q'), over a period by Magnus's fourth-order steps with A at the
-    two points of Gauss. StateError at a singular attitude.
-    """
-    from scipy.linalg import expm
-
-    steps = max(STEPS_OF_PERIOD, 2 * max([*motion.harmonics, *map(abs, programme.winding)], default=0))
-    h = programme.span / steps
-    times = ((np.arange(steps)[:, None] + 0.5 + np.array([-1, 1]) * np.sqrt(3) / 6) * h).ravel()
-    along = slopes(stand, motion, programme, times, (0, 1), lambda x: DIFFERENCE * (1.0 + np.abs(x)))
-    m = along[0].shape[1]
-    matrices = [np.block([[np.zeros((m, m)), np.eye(m)], [*row]]) for row in zip(*along, strict=True)]
-    monodromy = np.eye(2 * m)
-    for A1, A2 in zip(matrices[::2], matrices[1::2], strict=True):
-        monodromy = expm(h / 2 * (A1 + A2) + np.sqrt(3) / 12 * h**2 * (A2 @ A1 - A1 @ A2)) @ monodromy
-    found = [complex(z) for z in np.linalg.eigvals(monodromy)]
-    # moduli of a pair may differ in the last digits
-    return tuple(sorted(found, key=lambda z: (-round(abs(z), 12), -round(z.real, 12), -z.imag)))
-
+"""Step of a difference, m, rad."""
 
 FREE = 1e-6
 """Part of the largest stiffness below which the stand is free to move in a direction."""
@@ -373,7 +316,8 @@ def rest_near(stand: Stand, phi: Array, q: Array, K0: Array) -> tuple[Array, Arr
         A = carrier_at(stand, q, none).A
         root = np.linalg.cholesky(A.T @ K0 @ A).T  # x^T A^T K0 A x = |root x|^2
         pull = root @ pull_at(q)
-        U, sigma, Vt = np.linalg.svd(root @ slope(pull_at, [q], 0, DIFFERENCE) @ np.linalg.inv(root))
+        slope = np.array([pull_at(q + x) - pull_at(q - x) for x in DIFFERENCE * np.eye(len(q))]).T / (2 * DIFFERENCE)
+        U, sigma, Vt = np.linalg.svd(root @ slope @ np.linalg.inv(root))
         kept = sigma > FREE * max(sigma[0], 1e-9)
         step = np.linalg.solve(root, -(Vt[kept].T @ ((U[:, kept].T @ pull) / sigma[kept])))
         q = q + step * min(1.0, 0.3 / max(float(np.abs(step).max()), 1e-300))

@@ -28,7 +28,6 @@ from mahovik.proof.verify.programme.mechanics import (
     displacement,
     largest,
     moment,
-    multipliers,
     residual_and_torque,
     rest_near,
     scale_of,
@@ -52,10 +51,10 @@ SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
 """Tolerances. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance: a
 constant residual, of one amplitude's share, moves a floating carrier (2 pi)^2 / 2 amplitudes in a period."""
 
-TABLE, JOINT, MULTIPLIER, EXCEEDED = 0.03, 1e-6, 1.001, 1 + 1e-9
+TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
 """Accepted of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours; where
-two courses meet, share of peaks, rad for phi; the largest Floquet multiplier without a warning; a value over its bound:
-rounding of the program that kept it is no excess."""
+two courses meet, share of peaks, rad for phi; a value over its bound: rounding of the program that kept it is no
+excess."""
 
 FINER, OFFSET, FINER_ANGLES, OF_WAVE = 20, 0.382, 8, 32
 """Points of the grid of the residual for each node of the programme, beginning this share of a step after a node, so
@@ -193,13 +192,6 @@ def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Arra
     return needed, most
 
 
-@dataclass
-class Stability(Check):
-    """The item Floquet: `value` is the largest modulus of the multipliers, which are all there, the largest first."""
-
-    multipliers: tuple[complex, ...] = ()
-
-
 class Residuals(NamedTuple):
     """Residual of (12) along a programme: t (M, s), residual (M) and its mean as shares; tau (M, N; N m)."""
 
@@ -331,27 +323,6 @@ class ProgrammeCase:
             away = ", ".join(f"{name} {size:.2g}{f' m{unit}' if unit else 'e-3'}" for name, size, unit in parts)
         words = f"of (8) from the required state: largest at t = {t[i]:.6g} s, {away} away"
         return Check.of("simulation", shares[i], self.limit.error, words)
-
-    def stability(self) -> Check:
-        """The largest multiplier. Above 1 the motion is right, but something must hold it: a warning, no failure."""
-        try:
-            found = multipliers(self.stand, self.motion, self.programme)
-        except StateError as error:
-            return Check.of("Floquet", np.inf, MULTIPLIER, str(error))
-        value = abs(found[0])
-        if value > MULTIPLIER:
-            words = "the motion is right, but not stable without feedback"
-        elif value > 2 - MULTIPLIER:
-            # of modulus 1, one that is 1 itself keeps a displacement, any other one turns it on
-            kept = [abs(z - 1) <= MULTIPLIER - 1 for z in found if abs(z) > 2 - MULTIPLIER]
-            fates = [*(["is free to drift"] if any(kept) else []), *([] if all(kept) else ["swings undamped"])]
-            words = f"neutral, the carrier {' and '.join(fates)}"
-        else:
-            words = f"stable, disturbances decay by {value:.3g} a period"
-        verdict = "ok" if np.isfinite(value) else "FAILED"
-        return Stability(
-            "", "Floquet", MULTIPLIER, value, verdict, f"largest multiplier: {words}", 1, multipliers=found
-        )
 
     def run_up(self, name: str, t: Array, steps: int, error: float = STEP_ERROR, *, rows: bool = False) -> Array:
         """y = (q, q') (M, 2 m) at the times t (M, s) of "run-up" or "run-down", on which the carrier is free, by (8).
@@ -497,7 +468,7 @@ def verify_programme(
     tolerance: float | None = None,
 ) -> tuple[Check, ...]:
     """Checks, one an item; the programme is right where none has failed. If the carrier does not follow the
-    motion, stability and run-ups are not examined.
+    motion, run-ups are not examined.
 
     `tolerance`: of the residual, a share; default 1e-6, with damping of V|V| 1e-5. What is of another
     stand's flywheels or another motion's kind or period is not verified further: only that is reported.
@@ -517,23 +488,12 @@ def verify_programme(
         items.append(case.simulation())
         follows = not any(item.failed for item in items[-2:])
         items += case.bounds()
-        items += [case.stability(), *case.runups()] if motion.periodic and follows else case.beginning()
+        items += case.runups() if motion.periodic and follows else case.beginning()
         items += case.slew()
     return tuple(items)
-
-
-def warns(item: Check) -> bool:
-    """Whether an item has passed with a value above its limit."""
-    return not item.failed and not item.value <= item.limit
 
 
 def as_item(item: Check) -> dict[str, Any]:
     """An item for JSON; a value that is not finite is null."""
     value = item.value if math.isfinite(item.value) else None
     return {"name": item.quantity, "value": value, "limit": item.limit, "passed": not item.failed, "words": item.words}
-
-
-def floquet_multipliers(items: Sequence[Check]) -> list[list[float]] | None:
-    """The Floquet multipliers among checks, real and imaginary part each; None: they have none."""
-    found = [[z.real, z.imag] for item in items if isinstance(item, Stability) for z in item.multipliers]
-    return found or None

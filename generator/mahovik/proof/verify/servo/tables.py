@@ -11,12 +11,10 @@ import numpy as np
 
 from mahovik.contract.limits import LIMITS
 from mahovik.contract.quantities import BOUNDS
-from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo import law
 from mahovik.proof.verify.servo.functions import ServoCase
-from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 
 TIME = 1e-9
 """Accepted relative error of what depends on the period: samples and periods in it are whole numbers below 2^31."""
@@ -27,9 +25,6 @@ SETTLING_CONSTANTS = 8.0
 RESTING = 1e-3
 """Scale of a coordinate that does not move, as a part of the largest coefficient (m or rad)."""
 
-MATRIX = 1e-8
-"""Accepted error of the matrix, by its largest number: both sides solve the linear equations of a period."""
-
 NODES = 4096
 """Times in a period at which the required motion is averaged."""
 
@@ -37,34 +32,40 @@ NEEDS_MOTION = "needs the required motion: give --motion MOTION.json"
 
 
 def table_checks(case: ServoCase) -> Iterator[Check]:
-    """Every member of `servo_default` and `trim_default`, and the number of samples in a period."""
-    library, motion, limit = case.made.library, case.motion, LIMITS[case.made.real].law
+    """Members of `servo_default` and `trim_default`, and the number of samples in a period."""
+    library, trim = case.made.library, case.servo.trim
     samples = Fraction(library.constant("SERVO_TICKS"), library.constant("SERVO_PERIODS"))
-    tables: dict[str, dict[str, Any]] = {"servo_default": gains_of(case, float(samples) * case.servo.period)}
-    if case.servo.trim is not None and library.has("trim_default"):
-        tables["trim_default"] = design_of(case, samples)
+    span = float(samples) * case.servo.period
+    period = Check("SERVO_TICKS", "SERVO_PERIODS", TIME, words="" if case.motion else NEEDS_MOTION)
+    if case.motion is not None:
+        period.compare(span, case.motion.span, case.motion.span)
+    yield period
+    yield from _members(case, "servo_default", gains_of(case, span))
+    if (trim is None) == library.has("trim_default"):
+        words = "of servo file and C one has a trim, the other none: export the servo again"
+        yield Check("trim_default", "trim", verdict="FAILED", words=words)
+    elif trim is not None:
         row, matrix = Check("trim_default", "means are not corrected"), case.default("trim_default")["matrix"]
-        row.demand(bool(np.any(matrix)) and not np.any(matrix[:, :: 2 * case.servo.trim.harmonics + 1]))
+        row.demand(bool(np.any(matrix)) and not np.any(matrix[:, :: 2 * trim.harmonics + 1]))
         yield row
-    elif case.servo.trim is not None or library.has("trim_default"):
-        row = Check("trim_default", "trim")
-        row.demand(False, words="of servo file and C one has a trim, the other none: export the servo again")
+        yield from _members(case, "trim_default", design_of(case, samples))
+
+
+def _members(case: ServoCase, table: str, expected: dict[str, Any]) -> Iterator[Check]:
+    """Every member of a table, against the law with a scale; a text says why it is not compared."""
+    found = case.default(table)
+    for name in dict.fromkeys((*found, *expected)):
+        if name == "matrix":  # of the trim; its zeros alone follow from the law
+            continue
+        limit = max(LIMITS[case.made.real].law, TIME if name in ("lead", "omega") else 0.0)
+        row, value = Check(table, name, limit), expected.get(name)
+        if isinstance(value, str):
+            row.words = value
+        elif value is None:
+            row.demand(False, words="no such number in the law")
+        else:
+            row.compare(found.get(name), *(value if isinstance(value, tuple) else (value, np.abs(value))))
         yield row
-    for table, expected in tables.items():
-        found = case.default(table)
-        for name in dict.fromkeys((*found, *expected)):
-            row = Check(table, name, max(limit, {"lead": TIME, "omega": TIME, "matrix": MATRIX}.get(name, 0.0)))
-            value = expected.get(name, "no such number in the law")
-            if isinstance(value, str):
-                row.words = value
-                row.verdict = row.verdict if name in expected else "FAILED"
-            else:
-                row.compare(found.get(name), *(value if isinstance(value, tuple) else (value, np.abs(value))))
-            yield row
-    row = Check("SERVO_TICKS", "SERVO_PERIODS", TIME, words="" if motion else NEEDS_MOTION)
-    if motion is not None:
-        row.compare(float(samples) * case.servo.period, motion.span, motion.span)
-    yield row
 
 
 def gains_of(case: ServoCase, span: float) -> dict[str, Any]:
@@ -93,7 +94,7 @@ def gains_of(case: ServoCase, span: float) -> dict[str, Any]:
 
 
 def design_of(case: ServoCase, samples: Fraction) -> dict[str, Any]:
-    """The design of the file's trim by the law, `samples` in a period; with a scale, or why it is not compared."""
+    """The design of the file's trim by the law, `samples` in a period, without its matrix."""
     trim = case.servo.trim
     assert trim is not None
     settling = round(trim.settling * samples)
@@ -104,16 +105,14 @@ def design_of(case: ServoCase, samples: Fraction) -> dict[str, Any]:
         "limit": trim.limit,
         "omega": math.tau / (float(samples) * case.servo.period),
         "inertia": case.inertia,
-        "target": _target(case),
-        "matrix": _matrix(case),
+        "target": NEEDS_MOTION if case.motion is None else _target(case),
     }
 
 
-def _target(case: ServoCase) -> tuple[Array, Array] | str:
+def _target(case: ServoCase) -> tuple[Array, Array]:
     """Fourier coefficients (C, T) of the measured coordinates of the required motion, with their scales."""
     trim, motion = case.servo.trim, case.motion
-    if trim is None or motion is None:
-        return NEEDS_MOTION
+    assert trim is not None and motion is not None
     phase = np.arange(NODES) / NODES
     q = motion.at(phase * motion.span, np.zeros_like(motion.mean)).q[:, list(trim.coordinates)]
     target, found = law.coefficients(q, phase, trim.harmonics).T, case.default("trim_default")["target"]
@@ -122,14 +121,3 @@ def _target(case: ServoCase) -> tuple[Array, Array] | str:
     if found.shape == target.shape:
         target[:, 0] = found[:, 0]  # means, which are not corrected, are shifted by the programme's bias
     return target, scale
-
-
-def _matrix(case: ServoCase) -> tuple[Array, Array] | str:
-    """Corrections by the error, with their scale."""
-    assert case.servo.trim is not None
-    if case.motion is None or case.programme is None:
-        return "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
-    try:
-        return trim_matrix(case.stand, case.motion, case.programme, case.servo.trim)
-    except StateError as error:
-        return f"its judge refused: {error}"

@@ -85,7 +85,7 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
         if wrong := failed_items(programme):
             words = f"a programme was found and refused by the verification: {wrong}"
             return Plan("NO_PROGRAM", "SEARCH", (words,), slew.doubts, ())
-    return Plan("OK", None, (), (*slew.doubts, *programme.report.get("warnings", ())), (programme,))
+    return Plan("OK", None, (), slew.doubts, (programme,))
 
 
 def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
