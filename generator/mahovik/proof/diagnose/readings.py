@@ -84,12 +84,17 @@ class Reading:
         """The right equations with this reading."""
         names = self._names(stand)
 
+        last: list[Any] = [None]  # state; what is asked there in its place, for all wants
+
         def answered(asked: State, want: str) -> Mapping[str, Any]:
-            at = At(stand_at(stand, asked), asked)
-            varied, state = self._changed(at, names)
-            if stand.hold is not None and state.V != asked.V:
-                state = replace(state, u=tuple(freedom_rates(stand.hold, np.array(state.V)).tolist()))
-            values = Reference(varied)(state, want)
+            if last[0] is not asked:
+                at = At(stand_at(stand, asked), asked)
+                varied, state = self._changed(at, names)
+                if stand.hold is not None and state.V != asked.V:
+                    state = replace(state, u=tuple(freedom_rates(stand.hold, np.array(state.V)).tolist()))
+                last[:] = asked, at, Reference(varied), state
+            _, at, right, state = last
+            values: Mapping[str, Any] = right(state, want)
             outer, _, inner = self.keys.partition(".")
             if self.place != "answer" or outer not in values:
                 return values
