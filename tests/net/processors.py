@@ -21,6 +21,7 @@ from mahovik.core.stand import Stand
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.proof.cost.measure import USUAL, Costs, TargetCost, measure
 from mahovik.proof.cost.page import COMPARED_FIGURES, compare
+from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.targets import parse_targets, verify_targets
 from net import HERE, record
 
@@ -97,8 +98,8 @@ def differing_bits(name: str, stand: Stand, everything: bool) -> Iterator[str]:
     words = "all" if everything and name == "bench8" else "quick"
     report = verify_targets(stand, parse_targets(words) if everything else named(ONE_OF_A_KIND))
     if not report.passed:
-        yield f"{name}: {report.conclusion}"
-        yield from (f"{name}: {row.target} {row.real}: {row.reason}" for row in report.rows if row.verdict != "ok")
+        yield f"{name}: {conclusion(report)}"
+        yield from (f"{name}: {row.judged}: {row.words}" for row in report.rows if row.verdict != "ok")
 
 
 def main() -> int:

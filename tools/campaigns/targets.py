@@ -7,25 +7,26 @@ from collections.abc import Iterator, Sequence
 
 from campaigns import REALS, Row, Rows, Table
 from mahovik.core.stand import load
-from mahovik.proof.verify.targets import SWEEP, TargetRow, parse_targets, verify_targets
+from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.targets import SWEEP, parse_targets, verify_targets
 from mahovik.stands import path
 
 OPTIONS = {"stand": "bench8", "states": SWEEP}
 EQUAL = "equal"
 
 
-def verdict(rows: Sequence[TargetRow]) -> str:
+def verdict(rows: Sequence[Check]) -> str:
     """Verdict of the rows that share a cell, with the reason of a failure."""
-    return "; ".join(dict.fromkeys(EQUAL if r.verdict == "ok" else f"{r.verdict}: {r.reason}" for r in rows))
+    return "; ".join(dict.fromkeys(EQUAL if r.verdict == "ok" else f"{r.verdict}: {r.words}" for r in rows))
 
 
 def measure(options: Namespace) -> Iterator[tuple[str, ...]]:
     """A row for each target."""
     report = verify_targets(load(path(options.stand)), parse_targets("all"), options.states)
-    for name in dict.fromkeys(row.target for row in report.rows):
-        rows = [row for row in report.rows if row.target == name]
-        verdicts = (verdict([row for row in rows if row.real == real]) for real in REALS)
-        yield name, rows[0].title, rows[0].built_with, *verdicts
+    for name in dict.fromkeys(row.judged.split()[0] for row in report.rows):
+        rows = [row for row in report.rows if row.judged.split()[0] == name]
+        verdicts = (verdict([row for row in rows if row.judged.endswith(real)]) for real in REALS)
+        yield name, rows[0].quantity, rows[0].state, *verdicts
 
 
 def is_equal(row: Row) -> bool:

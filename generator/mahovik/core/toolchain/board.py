@@ -132,11 +132,6 @@ def selftest_main(name: str, sweep: int) -> str:
     return template("board/selftest_main.c.j2").render(name=name, sweep=sweep)
 
 
-def difference_main(name: str) -> str:
-    """C of a `main` that includes a stand's self-test and prints the first output of each case that differs."""
-    return template("board/difference_main.c.j2").render(name=name)
-
-
 def _ending(status: int) -> str:
     if status == 99:
         return "crashed (fault handler)"

@@ -9,7 +9,6 @@ from mahovik.out.cli.output import Cell, print_line, print_table
 
 if TYPE_CHECKING:
     from mahovik.proof.verify.check import Check, Report
-    from mahovik.proof.verify.targets import TargetRow, TargetsReport
 
 
 MOST_FUNCTIONS = 20
@@ -79,22 +78,11 @@ def _figures(row: Check) -> tuple[str, str, str, str]:
     return (str(row.states) if row.states else "", *figures, "" if row.second is None else f"{row.second:.1e}")
 
 
-def print_targets(found: TargetsReport) -> None:
-    """The self-test on every processor."""
-    print_line(f"self-test of {found.stand} on targets   {_identities(found)}")
-    rows = []
-    for row in found.rows:
-        counts = (str(row.functions), str(row.states)) if row.functions else ("", "")
-        rows.append((row.target, row.title, row.built_with, row.real, *counts, _verdict(row, row.reason)))
-    print_table(("target", "processor", "compiler", "real", "functions>", "states>", "verdict"), rows)
-    _print_conclusion(found.conclusion, found.passed)
-
-
-def _identities(found: Report | TargetsReport) -> str:
+def _identities(found: Report) -> str:
     return f"structure {found.structure}, physics {found.physics}"
 
 
-def _verdict(row: Check | TargetRow, words: str) -> Cell:
+def _verdict(row: Check, words: str) -> Cell:
     """The verdict and its words, in its colour."""
     style = "green" if row.verdict == "ok" else "red" if row.failed else "yellow"
     return f"{row.verdict}  {words}".rstrip(), style

@@ -26,7 +26,7 @@ from mahovik.out.cli.options import (
 )
 from mahovik.out.cli.output import print_json_text
 from mahovik.out.cli.progress import progress
-from mahovik.out.cli.verdicts import print_report, print_targets
+from mahovik.out.cli.verdicts import print_report
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -177,18 +177,15 @@ def _verify_on_targets(
     1: bits differ. 2: a compiler or an emulator is missing, or the processor lacks a feature of the only target; then
     nothing is known.
     """
-    from mahovik.proof.verify.targets import SWEEP, as_junit, parse_targets, verify_targets
-    from mahovik.proof.verify.targets import as_json as json_text
-    from mahovik.writing import write
+    from mahovik.proof.verify.targets import SWEEP, parse_targets, verify_targets
 
     pairs = parse_targets(names, reals)
     with progress(f"verify {stand.name} on targets", len(pairs)) as stage:
         found = verify_targets(stand, pairs, states or SWEEP, stage.at, only)
-    print_json_text(json_text(found)) if as_json else print_targets(found)
-    if junit is not None:
-        write(Path(junit), as_junit(found))
-    if not found.passed:
-        raise SystemExit(1 if any(row.failed for row in found.rows) else 2)
+    try:
+        finish(found, as_json, junit, None, by="target")
+    except SystemExit:
+        raise SystemExit(1 if any(row.verdict == "FAILED" for row in found.rows) else 2) from None
 
 
 def _verify_rigorously(stand: Stand, seed: int, states: int, against: Path | None, real: str) -> Report:

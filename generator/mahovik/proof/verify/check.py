@@ -214,11 +214,14 @@ def conclusion(report: Report) -> str:
     """
     names = (row.quantity if row.request is not None else f"{row.judged} {row.quantity}" for row in report.failures)
     ok = [row for row in report.rows if row.verdict == "ok"]
-    if report.error or report.failures:
+    if report.failures and all(row.verdict == "not installed" for row in report.failures):
+        verdict = f"not everything was run: {', '.join(dict.fromkeys(row.judged for row in report.failures))}"
+    elif report.error or report.failures:
         verdict = f"FAILED: {report.error or ', '.join(dict.fromkeys(name.strip() for name in names))}"
     elif ok:
         row = max([row for row in ok if row.limit == report.tolerance] or ok, key=lambda row: row.value)
-        verdict = f"passed: worst {row.value:.1e} of the natural scale, {row.limit:.0e} accepted"
+        worst = f"worst {row.value:.1e} of the natural scale, {row.limit:.0e} accepted"
+        verdict = f"passed: {worst if row.limit else f'the same in {len(ok)} of {len(report.rows)}'}"
     else:
         verdict = ": ".join(["nothing was compared", *[row.words for row in report.rows if row.words][:1]])
     differs = next((row.words for row in report.rows if row.quantity == TEXT and row.words), "")
