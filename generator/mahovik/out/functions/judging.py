@@ -216,27 +216,17 @@ def _diagnosis(
         if diagnosed.verdict == "none" and diagnosed.failed:
             return replace(diagnosed, verdict="unnamed")
         return diagnosed
-    silent = {gap.want for gap in diagnosed.gaps if gap.missing == gap.states}
-    searched = tuple(want for want in offered if want not in silent)
-    if not set(searched) & set(WANTS):
-        without = [want for want in WANTS if want in silent]
-        known = diagnosed.verdict == "named" or not without
-        return diagnosed if known else replace(diagnosed, hindrance=_silence(without))
+    if not set(offered) & set(WANTS):
+        return diagnosed
     if states is not None:
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, searched, states, precision, program, diagnosed.wrong)
+    terms = TermSearch(stand, seed, offered, states, precision, program, diagnosed.wrong)
     try:
         return diagnosed.with_terms(terms.find(answers(terms.requests)))
     except CheckError as error:
-        if not (diagnosed.gaps or diagnosed.causes):
+        if not (diagnosed.missing or diagnosed.causes):
             raise
         return diagnosed if diagnosed.verdict == "named" else replace(diagnosed, hindrance=str(error))
-
-
-def _silence(wants: Sequence[str]) -> str:
-    """Why the equations of wants that have no whole answer are not looked at."""
-    names = " and ".join(wants)
-    return f"{names} {'has' if len(wants) == 1 else 'have'} all components at no state, and an equation needs all"
 
 
 def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Answers to many requests as one vector: the right ones, their scale, what is missing, and a program's rounding."""
+"""Answers to many requests as one vector: the right ones, their scale, and a program's rounding."""
 
 from __future__ import annotations
 
@@ -101,26 +101,6 @@ class Reference:
             return {}
 
 
-@dataclass(frozen=True)
-class Gap:
-    """A want in whose answers numbers are missing: NaN, infinity, null or another shape.
-
-    missing     number of states with an answer that is not all numbers; states: of those with an answer
-    components  of each quantity with gaps, the indices of its components there, of all its numbers in a row
-    """
-
-    want: str
-    missing: int
-    states: int
-    components: Mapping[str, tuple[int, ...]]
-
-    @property
-    def words(self) -> str:
-        """The gap in a line."""
-        places = "; ".join(f"{name}[{', '.join(map(str, indices))}]" for name, indices in self.components.items())
-        return f"{self.want} answers no number at {self.missing} of {self.states} states of the diagnosis: {places}"
-
-
 @dataclass(frozen=True, eq=False)
 class AnswerVector:
     """Requests of one want each and the answers of the reference, as vectors of the same length.
@@ -194,29 +174,6 @@ class AnswerVector:
     def words_of(self, places: Mask) -> tuple[str, ...]:
         """Quantities that some numbers belong to, as want: quantity."""
         return tuple(": ".join(self.quantities[i]) for i in sorted({int(i) for i in self.block[places]}))
-
-    def gaps(self, numbers: Array, answers: Answers) -> tuple[Gap, ...]:
-        """Wants with missing ones among the numbers of a program.
-
-        States that it refused, and quantities that none of its answers has, are not counted.
-        """
-        offered: dict[str, set[str]] = {}
-        for request in self.requests:
-            offered.setdefault(request.want[0], set()).update(answers(request))
-        lost: dict[str, list[dict[str, Mask]]] = {}
-        for request, parts in zip(self.requests, self.parts, strict=True):
-            (want,) = request.want
-            row = {".".join(path): ~np.isfinite(numbers[start : start + int(np.prod(shape))])
-                   for path, shape, start in parts if path[0] in offered[want]}  # fmt: skip
-            if answers(request).keys() & {path[0] for path, *_ in parts}:
-                lost.setdefault(want, []).append(row)
-        found = []
-        for want, rows in lost.items():
-            missing = sum(any(mask.any() for mask in row.values()) for row in rows)
-            anywhere = {name: np.flatnonzero(np.any([row[name] for row in rows], axis=0)).tolist() for name in rows[0]}
-            components = {name: tuple(indices) for name, indices in anywhere.items() if indices}
-            found += [Gap(want, missing, len(rows), components)] if missing else []
-        return tuple(found)
 
 
 def _leaves(values: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Array]]:

@@ -14,7 +14,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.write import dumps
-from mahovik.proof.diagnose.answers import Answers, AnswerVector, Gap, Model, Precision, Reference, numbers_at
+from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, Reference, numbers_at
 from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
 from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
 from mahovik.proof.diagnose.states import FIRST, separating_states
@@ -65,7 +65,7 @@ class Diagnosis:
     precision    of the program, to which its error is explained; None: it answered no numbers
     wrong        quantities with an error, as want: quantity; follows: those of them that follow from other answers
     terms        wrong terms that a sparse fit finds; None: not looked for
-    gaps         wants with answers that are no numbers, which are left out of all else
+    missing      quantities, as want: quantity, some of whose numbers are missing in answers; they are left out
     failed       what the table says FAILED and the diagnosis did not compare
     hindrance    why wrong terms were not looked for
     """
@@ -77,7 +77,7 @@ class Diagnosis:
     wrong: tuple[str, ...] = ()
     follows: tuple[str, ...] = ()
     terms: TermSearchResult | None = None
-    gaps: tuple[Gap, ...] = ()
+    missing: tuple[str, ...] = ()
     failed: tuple[str, ...] = ()
     hindrance: str = ""
 
@@ -149,14 +149,16 @@ class Diagnoser:
         """The diagnosis of a program by its answers to `requests`, without wrong terms."""
         numbers = self.whole.fill(answers)
         numbers[~np.isfinite(numbers)] = np.nan
-        gaps = self.whole.gaps(numbers, answers)
-        if not np.isfinite(numbers).any():
-            return Diagnosis("unnamed", unexplained=1.0, gaps=gaps)
+        there = np.isfinite(numbers)
+        answered = {request.id for request in self.requests if answers(request)}
+        missing = self.whole.words_of(self.whole.places(answered) & ~there)
+        if not there.any():
+            return Diagnosis("unnamed", unexplained=1.0, missing=missing)
         precision = Precision.of(numbers, self._tolerance)
         evidence = _Evidence(self.whole, self._first, numbers, precision)
         wrong = self.whole.words_of(evidence.wrong)
         if not wrong:
-            return Diagnosis("unnamed" if gaps else "none", precision=precision, gaps=gaps)
+            return Diagnosis("unnamed" if missing else "none", precision=precision, missing=missing)
         right = evidence.right_beside(self.whole.of_model(self._following(answers)))
         follows = tuple(x for x in wrong if x in right)
         named, near = self._by_reading(evidence, wrong)
@@ -165,7 +167,7 @@ class Diagnoser:
             near = min(near, near_numbers, key=lambda each: each[0])
         left, causes = (0.0, named) if named else near
         verdict: Verdict = "named" if named else "approximate" if left < NEAR else "unnamed"
-        return Diagnosis(verdict, causes, left, precision, wrong, follows, gaps=gaps)
+        return Diagnosis(verdict, causes, left, precision, wrong, follows, missing=missing)
 
     def _following(self, answers: Answers) -> Model:
         """Quantities by other answers of the program: q_ddot by V_dot, Z0 by Z."""

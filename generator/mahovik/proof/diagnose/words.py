@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict
 from typing import Any
 
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
@@ -20,14 +19,14 @@ TERM_KEYS = ("want", "component", "term", "factor", "expected", "coefficient", "
 
 def sentences(diagnosis: Diagnosis) -> list[str]:
     """Lines with the cause of the error, or what comes nearest; before, numbers that the program leaves out."""
-    lines = [gap.words for gap in diagnosis.gaps]
+    lines = [f"numbers are missing in {_join(diagnosis.missing)}: they are left out"] if diagnosis.missing else []
     result, precision = diagnosis.terms, diagnosis.precision
     rounding = "what is accepted" if precision is None else f"rounding ({precision.name})"
     if not diagnosis.wrong:
         if precision is not None or diagnosis.verdict == "none":
-            right = "the numbers that it answers differ by no" if diagnosis.gaps else "no fault: nothing differs by"
+            right = "the numbers that it answers differ by no" if diagnosis.missing else "no fault: nothing differs by"
             lines.append(f"{right} more than {rounding} at the states of the diagnosis")
-        elif not diagnosis.gaps:
+        elif not diagnosis.missing:
             lines.append("no diagnosis: the program answered nothing that can be compared")
     elif diagnosis.by_terms and result is not None:
         lines += _term_lines(result, diagnosis.not_looked_at)
@@ -67,7 +66,7 @@ def as_object(diagnosis: Diagnosis) -> dict[str, Any]:
         "unexplained": diagnosis.unexplained,
         "precision": None if precision is None else {"name": precision.name, "accepted": precision.accepted},
         "found": causes,
-        "gaps": [asdict(gap) for gap in diagnosis.gaps],
+        "missing": list(diagnosis.missing),
         "wrong": list(diagnosis.wrong),
         "words": sentences(diagnosis),
     }

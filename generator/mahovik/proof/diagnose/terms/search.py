@@ -214,7 +214,8 @@ class TermSearch:
         """The wrong terms of a program by its answers to `requests`. Raises CheckError: it answers too few states."""
         terms, fits, besides = list[WrongTerm](), list[Fit](), list[str]()
         unexplained = {want for want, _ in self._wrong}
-        for want in self.wants:
+        whole = [want for want in self.wants if any(self._whole(want, x, answers) for x in self._requests[want])]
+        for want in whole or self.wants:
             parts = [self._terms(equations, terms) for equations in self._equations(want, answers)]
             if want in BESIDES and fits and not all(fit.exact for _, of_part in parts for fit in of_part):
                 besides.append(want)
@@ -226,7 +227,7 @@ class TermSearch:
         left, exact = max((fit.left for fit in fits), default=0.0), all(fit.exact for fit in fits)
         looked_at = tuple(
             f"{want}: {name}"
-            for want in sorted(set(self.wants) - set(besides) - unexplained)
+            for want in sorted(set(whole) - set(besides) - unexplained)
             for name in sorted({*self._names(want, answers), *ANSWERS[want]})  # V_dot of a hold is S u_dot
         )
         words = frame_in_words(self._stand)
@@ -249,14 +250,9 @@ class TermSearch:
 
     def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
         """Rows of the states with finite answers, and these (n, ...) by quantity. Raises CheckError: too few."""
-        N, m = len(self._stand.flywheels), len(self._stand.hold.freedoms) if self._stand.hold else 0
-        sizes = {"tau": N, "phi_ddot": N, "mount_wrench": 6 * N, "u_dot": m}
-        names, rows = self._names(want, answers), dict[int, list[Array]]()
-        for i, request in enumerate(self._requests[want]):
-            numbers = [numbers_at(answers(request), (name,)) for name in names]
-            there = [x.ravel() for x in numbers if x is not None and np.isfinite(x).all()]
-            if [x.size for x in there] == [sizes.get(name, 6) for name in names]:
-                rows[i] = there
+        names = self._names(want, answers)
+        found = {i: self._whole(want, request, answers) for i, request in enumerate(self._requests[want])}
+        rows = {i: numbers for i, numbers in found.items() if numbers}
         least = count(self._stand) if want != "mounts" else 1
         if len(rows) < least:
             raise CheckError(
@@ -264,6 +260,15 @@ class TermSearch:
                 "as there are products whose factors are looked for"
             )
         return list(rows), {name: np.array(x) for name, x in zip(names, zip(*rows.values(), strict=True), strict=True)}
+
+    def _whole(self, want: str, request: Request, answers: Answers) -> list[Array]:
+        """Numbers of the quantities of a want in the answer to a request; none unless they are all there."""
+        N, m = len(self._stand.flywheels), len(self._stand.hold.freedoms) if self._stand.hold else 0
+        sizes = {"tau": N, "phi_ddot": N, "mount_wrench": 6 * N, "u_dot": m}
+        names = self._names(want, answers)
+        numbers = [numbers_at(answers(request), (name,)) for name in names]
+        there = [x.ravel() for x in numbers if x is not None and np.isfinite(x).all()]
+        return there if [x.size for x in there] == [sizes.get(name, 6) for name in names] else []
 
     def _equations(self, want: str, answers: Answers) -> Iterator[_Equations]:
         """Equations of a want at the motion that the program answers.
