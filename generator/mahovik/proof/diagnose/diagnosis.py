@@ -149,11 +149,9 @@ class Diagnoser:
         """The diagnosis of a program by its answers to `requests`, without wrong terms."""
         numbers = self.whole.fill(answers)
         numbers[~np.isfinite(numbers)] = np.nan
-        there = np.isfinite(numbers)
-        answered = {request.id for request in self.requests if answers(request)}
-        missing = self.whole.words_of(self.whole.places(answered) & ~there)
-        if not there.any():
-            return Diagnosis("unnamed", unexplained=1.0, missing=missing)
+        if not np.isfinite(numbers).any():
+            return Diagnosis("unnamed", unexplained=1.0)
+        missing = self._missing(numbers, answers)
         precision = Precision.of(numbers, self._tolerance)
         evidence = _Evidence(self.whole, self._first, numbers, precision)
         wrong = self.whole.words_of(evidence.wrong)
@@ -168,6 +166,14 @@ class Diagnoser:
         left, causes = (0.0, named) if named else near
         verdict: Verdict = "named" if named else "approximate" if left < NEAR else "unnamed"
         return Diagnosis(verdict, causes, left, precision, wrong, follows, missing=missing)
+
+    def _missing(self, numbers: Array, answers: Answers) -> tuple[str, ...]:
+        """Quantities with numbers that are missing; not of states that the program refused, nor what it never has."""
+        offered = {f"{request.want[0]}: {key}" for request in self.requests for key in answers(request)}
+        parts = zip(self.requests, self.whole.parts, strict=True)
+        answered = {x.id for x, of in parts if any(path[0] in answers(x) for path, *_ in of)}
+        lost = self.whole.words_of(self.whole.places(answered) & ~np.isfinite(numbers))
+        return tuple(name for name in lost if name.partition(".")[0] in offered)
 
     def _following(self, answers: Answers) -> Model:
         """Quantities by other answers of the program: q_ddot by V_dot, Z0 by Z."""

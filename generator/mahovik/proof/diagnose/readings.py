@@ -176,7 +176,7 @@ def moment_of(P: Array, point: Sequence[float] | Array) -> Array:
     return np.concatenate([P[:3], P[3:] + np.cross(point, P[:3])])
 
 
-def across(at: At, v: Sequence[float]) -> Array:
+def transport(at: At, v: Sequence[float]) -> Array:
     """(omega x v, 0) (6)."""
     return np.concatenate([np.cross(at.s.V[3:], v), np.zeros(3)])
 
@@ -247,7 +247,7 @@ TWIST: Mapping[str, Change] = {
     "omega taken in the axes of E0, v in E1": lambda V, at: rotate(V, at.C.T, [1]),
     "omega in degrees a second": lambda V, at: rotate(V, DEGREE * E, [1]),
     "omega of the opposite sense": lambda V, at: rotate(V, -E, [1]),
-    "v taken at the carrier's centre of mass": lambda V, at: V - across(at, at.stand.carrier.center_of_mass),
+    "v taken at the carrier's centre of mass": lambda V, at: V - transport(at, at.stand.carrier.center_of_mass),
 }
 WRENCH: Mapping[str, Change] = {
     "force of a run-time wrench acting at the centre of mass": lambda P, at: moment_of(P, at.body.center_of_mass),
@@ -284,7 +284,7 @@ MOUNTING: Mapping[str, Change] = {
 MATRICES = {"added mass": "added_mass", **{f"{x} matrix": x for x in ("linear", "quadratic", "stiffness", "damping")}}
 OF_MATRICES: Mapping[str, Change] = dict([SIGN, ("transposed", lambda M, at: M.T), FIRST])
 ANSWERED: Mapping[str, tuple[str, Change]] = {
-    "V_dot answered as the acceleration of O1, with omega x v": ("V_dot", lambda A, at: A + across(at, at.s.V[:3])),
+    "V_dot answered as the acceleration of O1, with omega x v": ("V_dot", lambda A, at: A + transport(at, at.s.V[:3])),
     "Z0 answered about O1": ("Z0", lambda _, at: rotate(at.beside["Z"], at.C)),
     "reaction answered about the pivot": ("reaction", lambda R, at: (
         moment_of(R, -np.array(at.stand.hold.pivot)) if at.stand.hold else R)),
@@ -320,7 +320,7 @@ READINGS: tuple[Reading, ...] = (
     *(Reading(f"{keys.replace(' ', ' and ')} {words}", "state", keys, x)
       for words, x in SIXES.items() for keys in ("V", "V_dot", "V V_dot")),
     *(Reading(words, "state", "V", x) for words, x in TWIST.items()),
-    Reading("V_dot read as the acceleration of O1", "state", "V_dot", lambda A, at: A - across(at, at.s.V[:3])),
+    Reading("V_dot read as the acceleration of O1", "state", "V_dot", lambda A, at: A - transport(at, at.s.V[:3])),
     *(Reading(f"run-time wrenches {words}", "wrench", "", x) for words, x in SIXES.items()),
     *(Reading(words, "wrench", "", x) for words, x in WRENCH.items()),
     *(Reading(f"{name} {words}", "state", keys, x, "flywheels")

@@ -21,12 +21,14 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
     """Lines with the cause of the error, or what comes nearest; before, numbers that the program leaves out."""
     lines = [f"numbers are missing in {_join(diagnosis.missing)}: they are left out"] if diagnosis.missing else []
     result, precision = diagnosis.terms, diagnosis.precision
-    rounding = "what is accepted" if precision is None else f"rounding ({precision.name})"
+    rounding = "" if precision is None else f"rounding ({precision.name})"
     if not diagnosis.wrong:
-        if precision is not None or diagnosis.verdict == "none":
+        if diagnosis.verdict == "none" and precision is None:
+            lines.append("no fault: nothing differs by more than is accepted")
+        elif precision is not None:
             right = "the numbers that it answers differ by no" if diagnosis.missing else "no fault: nothing differs by"
             lines.append(f"{right} more than {rounding} at the states of the diagnosis")
-        elif not diagnosis.missing:
+        else:
             lines.append("no diagnosis: the program answered nothing that can be compared")
     elif diagnosis.by_terms and result is not None:
         lines += _term_lines(result, diagnosis.not_looked_at)
