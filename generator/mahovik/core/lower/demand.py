@@ -1,175 +1,194 @@
 """What (12) asks of the flywheels at a state, scaled: shared by inverse and inverse_fast.
 
 K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = Theta_ff. The singular values of W are
-those of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes.
+those of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes. Of a held carrier these are its
+rows along the freedoms: S^T K S, S^T I and S^T b.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
 from typing import Any
 
-from mahovik.core.formula.derived import accumulate as derived_rows
-from mahovik.core.formula.derived import carrier as derived_carrier
-from mahovik.core.lower.flywheels import columns_of, let_turn, places_of
+from mahovik.core.formula.derived import carrier as derived
+from mahovik.core.lower.flywheels import column_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
-    Scene,
     check_inputs,
     external_wrench,
     relative_rate,
     scene,
     sum_up,
 )
+from mahovik.core.lower.freedoms import columns, place_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import fill
 from mahovik.core.lower.solve import carrier_binding
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Place, and_, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
-
-
-def factor(lib: Library) -> Function:
-    """Cholesky factor of K."""
-    work = Argument(
-        "work", lib.layout.inverse_work, (), "inout", purpose="in: G holds K; out: lower triangle G, K = G G^T"
-    )
-    G = work.place.G
-    body = Body()
-    with body.loop("j", 6) as j:
-        pivot = body.local("pivot")
-        body.set(pivot, G[j][j])
-        with body.loop("k", j) as k:
-            body.add(pivot, -(G[j][k] * G[j][k]))
-        lib.guard(body, Not(pivot > 0), "NOT_POSITIVE_DEFINITE")
-        root = body.let("root", lib["sqrt"](pivot))
-        body.set(G[j][j], root)
-        with body.loop("i", 6, start=j + 1) as i:
-            rest = body.local("rest")
-            body.set(rest, G[i][j])
-            with body.loop("k", j) as k:
-                body.add(rest, -(G[i][k] * G[j][k]))
-            body.set(G[i][j], rest / root)
-    return body.checked_function(
-        "factor",
-        "Cholesky factor of the mass matrix, in place: K = G G^T.",
-        (work,),
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
-
-
-@dataclass(frozen=True)
-class Beginning:
-    """How a demand begins: its arguments, and what is known once the right-hand side F of K V* + I phi'' = F is."""
-
-    arguments: tuple[Argument, ...]
-    table: Place
-    work: Place
-    seen: Scene
-    moving: Place
-    F: Place
-
-
-def begin_demand(lib: Library, body: Body) -> Beginning:
-    """Sums over the flywheels, and F, for a wanted V*."""
-    table, x = lib.table_argument(), lib.state_argument()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="wanted")
-    turns, wrench = lib.turn_arguments(), lib.wrench_arguments()
-    work = Argument("work", lib.layout.inverse_work, (), "out")
-    seen = scene(lib, body, table.place, x.place, turns=places_of(turns))
-    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    sum_up(lib, body, table.place, x.place, seen, None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of K V* + I phi'' = F")
-    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    return Beginning((table, x, *turns, V_dot, *wrench, work), table.place, work.place, seen, moving, F)
-
-
-def demand(lib: Library) -> Function:
-    """Everything of (12) at a state: K factored, I, b, W, r."""
-    layout, body = lib.layout, Body()
-    begun = begin_demand(lib, body)
-    table, w, seen, moving, F = begun.table, begun.work, begun.seen, begun.moving, begun.F
-    K_rows: dict[str, Any] = carrier_binding(lib, table, seen.sums)
-    fill(body, w.G, derived_carrier.mass_matrix(layout.added_mass), K_rows)
-    body.note("b = F - K V*: the wrench demanded of the flywheels")
-    with body.loop("i", 6) as i:
-        total: Expr = F[i]
-        for j in range(6):
-            total = total - w.G[i][j] * moving[j]
-        demanded = body.let("demanded", total)
-        body.set(w.b[i], demanded)
-        body.set(w.r[i], demanded)
-    lib.check(body, "factor", w)
-    if layout.flywheels:
-        with body.loop("s", layout.count) as s:
-            turn = let_turn(body, seen.turns, s)
-            row = table.flywheel[s]
-            scale = body.let("scale", table.flywheel[s].spin_root_inv)
-            body.set(w.scale[s], scale)
-            assign(body, [w.I[i][s] for i in range(6)], derived_rows.columns().I, turn | columns_of(row))
-            with body.loop("i", 6) as i:
-                body.set(w.W[i][s], w.I[i][s] * scale)
-    substitute(lib, body, w)
-    return body.checked_function(
-        "demand",
-        "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r.",
-        begun.arguments,
-        equation="(12)",
-        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
-    )
-
-
-def substitute(lib: Library, body: Body, w: Place) -> None:
-    """W = G^-1 W, r = G^-1 r by forward substitution."""
-    layout = lib.layout
-    body.note("W = G^-1 I D^-1, r = G^-1 b: forward substitution" if layout.flywheels else "r = G^-1 b")
-    with body.loop("i", 6) as i:
-        inverse = body.let("inverse", 1 / w.G[i][i])
-        rest = body.local("rest")
-        if layout.flywheels:
-            with body.loop("s", layout.count) as s:
-                body.set(rest, w.W[i][s])
-                with body.loop("k", i) as k:
-                    body.add(rest, -(w.G[i][k] * w.W[k][s]))
-                body.set(w.W[i][s], rest * inverse)
-        body.set(rest, w.r[i])
-        with body.loop("k", i) as k:
-            body.add(rest, -(w.G[i][k] * w.r[k]))
-        body.set(w.r[i], rest * inverse)
-
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import (
+    BAD_ARGUMENT,
+    NOT_POSITIVE_DEFINITE,
+    OK,
+    RANGE,
+    Reals,
+    argument,
+    body,
+    check_as,
+    inline,
+    reals,
+)
+from mahovik.core.program.vector import dot
 
 ANSWER_NOTE = "RANGE also where the answer is no finite number."
 
 
-def check_answer(lib: Library, body: Body, values: Place, count: Operand) -> None:
+def add_factor(lib: Library, rows: int = 6) -> None:
+    """Cholesky factor of K, or of S^T K S."""
+    sqrt = lib["sqrt"]
+
+    @lib.kernel(statuses=("OK", "NOT_POSITIVE_DEFINITE"))
+    def factor(
+        work: Any = argument(
+            "in: G holds K; out: lower triangle G, K = G G^T", struct=lib.layout.inverse_work, direction="inout"
+        ),
+    ) -> Status:
+        """Cholesky factor of the mass matrix, in place: K = G G^T."""
+        G = work.G
+        for j in range(rows):
+            pivot: float = G[j][j]
+            for k in range(j):
+                pivot -= G[j][k] * G[j][k]
+            if not pivot > 0:
+                return NOT_POSITIVE_DEFINITE
+            root = sqrt(pivot)
+            G[j][j] = root
+            for i in range(j + 1, rows):
+                rest: float = G[i][j]
+                for k in range(j):
+                    rest -= G[i][k] * G[j][k]
+                G[i][j] = rest / root
+        return OK
+
+
+@inline
+def right_side(lib: Any, table: Any, x: Any, turns: Any, wrench: Any, name: str, V_dot: Any = None) -> Any:
+    """What is seen at a state; F of K V_r* + I phi'' = F, by `name` in its comment; V_r* of a wanted V*."""
+    seen = scene(lib, table, x, turns=turns)
+    moving = None if V_dot is None else relative_rate(x, V_dot, seen.stream)
+    sum_up(lib, table, x, seen, None)
+    F = body().local("F", (6,), comment=f"wrench (7); then {name}")
+    external_wrench(lib, table, x, seen, wrench, F)
+    lib["subtract_rates"](table, seen.sums, seen.V, F)
+    return seen, F, moving
+
+
+def less(first: Any, *products: Iterable[Any]) -> Any:
+    """first - a[0] b[0] - a[1] b[1] - ..."""
+    for a, b in zip(*products, strict=False):
+        first = first - a * b
+    return first
+
+
+@inline
+def substitute(lib: Any, work: Any, rows: int) -> None:
+    """W = G^-1 W, r = G^-1 r by forward substitution."""
+    G, r = work.G, work.r
+    body().note("W = G^-1 I D^-1, r = G^-1 b: forward substitution" if lib.layout.flywheels else "r = G^-1 b")
+    for i in range(rows):
+        inverse = 1 / G[i][i]
+        rest = reals()
+        if lib.layout.flywheels:
+            for s in range(lib.layout.count):
+                rest = work.W[i][s]
+                for k in range(i):
+                    rest -= G[i][k] * work.W[k][s]
+                work.W[i][s] = rest * inverse
+        rest = r[i]
+        for k in range(i):
+            rest -= G[i][k] * r[k]
+        r[i] = rest * inverse
+
+
+def add_demand(lib: Library) -> None:
+    """Everything of (12) at a state: K factored, I, b, W, r."""
+    layout, held, rows = lib.layout, lib.layout.held, lib.layout.inverse_rows
+    purpose = "Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r."
+    if held:
+        purpose = "Matrix and right-hand side of (12) along the freedoms: S^T I, S^T b, and both scaled to W, r."
+
+    @lib.kernel(equation="(12)", purpose=purpose, statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"))
+    def demand(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = lib.sine,
+        cosine: Any = lib.cosine,
+        V_dot: Reals = argument("wanted", 6, unit="m/s2, rad/s2"),
+        wrench: Any = lib.wrench,
+        work: Any = argument(struct=layout.inverse_work, direction="out"),
+    ) -> Status:
+        """Matrix and right-hand side of (12)."""
+        name = "the right-hand side of K V* + I phi'' = F"
+        seen, F, moving = right_side(lib, table, x, (sine, cosine) if layout.flywheels else (), wrench, name, V_dot)
+        S = columns(layout.ways, table) if held else ()
+        if held:
+            missing = reals(6)  # K V* - F: what flywheels and hold must give
+            lib["react"](table, seen.sums, moving, F, missing)
+            P = reals(place_of(rows, 0))  # S^T K S
+            lib["project_mass"](table, seen.sums, P)
+            for k, along in enumerate(S):
+                work.b[k] = -dot(along, missing)
+                work.r[k] = work.b[k]
+                for j in [*range(k + 1)]:
+                    work.G[k][j] = P[place_of(k, j)]
+        else:
+            fill(body(), work.G, derived.mass_matrix(layout.added_mass), carrier_binding(lib, table, seen.sums))
+            # b = F - K V*: the wrench demanded of the flywheels
+            for i in range(6):
+                demanded = less(F[i], work.G[i], moving)
+                work.b[i] = demanded
+                work.r[i] = demanded
+        lib["factor"](work)
+        if layout.flywheels:
+            for s in range(layout.count):
+                s_phi = sine[s]
+                c_phi = cosine[s]
+                scale = table.flywheel[s].spin_root_inv
+                work.scale[s] = scale
+                if held:
+                    coupling = reals(6)  # column of I
+                    coupling[:] = column_of(table.flywheel[s], s_phi, c_phi)
+                    for k, along in enumerate(S):
+                        work.I[k][s] = dot(along, coupling)
+                else:
+                    work.I[:, s] = column_of(table.flywheel[s], s_phi, c_phi)
+                for i in range(rows):
+                    work.W[i][s] = work.I[i][s] * scale
+        substitute(lib, work, rows)
+        return OK
+
+
+@inline
+def check_answer(lib: Any, values: Reals, count: Any) -> None:
     """RANGE where a result is not finite: near singular states extreme demands need more than the largest number."""
-    lib.check_as(body, "RANGE", "within", values, count, lib.limits["LARGEST"].expression)
+    check_as(RANGE, lib["within"](values, count, lib.largest))
 
 
+@inline
 def check_demand(
-    lib: Library,
-    body: Body,
-    table: Argument,
-    x: Argument,
-    V_dot: Argument,
-    options: Place,
-    shares: tuple[str, ...],
-    wrench: tuple[Argument, ...],
-    turns: tuple[Argument, ...] = (),
-) -> None:
-    """Inputs of both variants, and of the options the weights and `shares`, numbers of 0 to 1."""
-    check_inputs(lib, body, table, x, (), wrench, turns)
-    lib.check(body, "within", V_dot.place, len(V_dot.place), lib.limits["MAX_ACCELERATION"].expression)
-    lib.check(body, "within", options.weight, lib.layout.count, lib.limits["MAX_WEIGHT"].expression)
-    given = body.local("shares", (len(shares),))
-    for k, name in enumerate(shares):
-        body.set(given[k], options.member(name))
-    lib.check(body, "within", given, len(shares), lib.limits["LARGEST"].expression)
-    for share in given:
-        lib.guard(body, Not(and_(share >= 0, share <= 1)), "BAD_ARGUMENT")
-    with body.loop("s", lib.layout.count) as s:
-        lib.guard(body, Not(options.weight[s] >= real(lib.thresholds.weight)), "RANGE")
+    lib: Any, table: Any, x: Any, demanded: Reals, options: Any, wrench: Any, turns: Any, names: Any
+) -> Any:
+    """Inputs of both variants, and of the options the weights and those of `names`, numbers of 0 to 1."""
+    check_inputs(lib, table, x, None, wrench, turns)
+    within = lib["within"]
+    within(demanded, len(demanded), lib.limit("MAX_ACCELERATION"))
+    within(options.weight, lib.layout.count, lib.limit("MAX_WEIGHT"))
+    shares = reals(len(names))
+    for k, name in enumerate(names):
+        shares[k] = options.member(name)
+    within(shares, len(names), lib.largest)
+    for share in [*shares]:
+        if not (share >= 0 and share <= 1):
+            return BAD_ARGUMENT
+    for s in range(lib.layout.count):
+        if not options.weight[s] >= lib.thresholds.weight:
+            return RANGE

@@ -1,68 +1,205 @@
 """inverse_fast (12): the same answer by normal equations, without diagnostics, for fast loops.
 
-W y = r of `demand`, Omega the weights: six rows, or one for each freedom of a held carrier. With as many flywheels and
-more y = Omega^-1 W^T z, (W Omega^-1 W^T) z = r; with fewer (W^T W) y = W^T r, where weights have no say.
+W y = r of `demand` or of a task, Omega the weights. With as many flywheels as demanded rows and more
+y = Omega^-1 W^T z, (W Omega^-1 W^T) z = r; with fewer (W^T W) y = W^T r, where weights have no say.
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand
 from mahovik.core.lower.excess import SPIN_UP_NOTE, spin_up_excess
 from mahovik.core.lower.forward import STATE_STATUSES, all_turns
+from mahovik.core.lower.inverse import wanted_argument
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.normal_equations import Scaling, tall_answer, wide_answer
-from mahovik.core.program.build import Body
+from mahovik.core.lower.task import FREE_NOTE, Rows, base_demand, demanded_rows, project_rows, turn_all
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Convert
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import (
+    NOT_POSITIVE_DEFINITE,
+    Reals,
+    argument,
+    inline,
+    reals,
+    record,
+    status_of,
+)
 
 
-def inverse_fast(lib: Library) -> Function:
-    """phi'' for a wanted V*, of a held carrier S u*, by the normal equations: for fast loops away from singularity."""
-    layout = lib.layout
-    rows = layout.freedoms if layout.held else 6
-    table, x = lib.table_argument(), lib.state_argument()
-    wanted = "wanted, S u_dot" if layout.held else "wanted derivative of the components of V"
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose=wanted)
-    options = Argument(
-        "options", layout.inverse_options, purpose="weights and damping; `near_singular` and `limit` are ignored"
+@inline
+def solve_definite(lib: Any, gram: Reals, z: Reals) -> Any:
+    """z = gram^-1 z by gram = L D L^T, in place and without a square root.
+
+    The lower triangle is given; then L D is on and below the diagonal, L^T above it. Pivots divide: where they are
+    tiny their inverses overflow, their quotients do not.
+    """
+    size = len(z)
+    for j in range(size):
+        pivot: float = gram[j][j]
+        least = lib.thresholds.gram_pivot * pivot  # a pivot below this is rounding error
+        rest: float = z[j]
+        for k in range(j):
+            pivot -= gram[j][k] * gram[k][j]
+            rest -= gram[k][j] * z[k]
+        z[j] = rest
+        if not pivot > least:
+            return NOT_POSITIVE_DEFINITE
+        gram[j][j] = pivot
+        for i in range(j + 1, size):
+            below: float = gram[i][j]
+            for k in range(j):
+                below -= gram[i][k] * gram[k][j]
+            gram[i][j] = below
+            gram[j][i] = below / pivot
+    for t in range(size):
+        i = (size - 1) - t
+        rest = reals()
+        rest = z[i] / gram[i][i]
+        for k in range(i + 1, size):
+            rest -= gram[i][k] * z[k]
+        z[i] = rest
+
+
+@inline
+def wide_answer(
+    lib: Any, work: Any, options: Any, rows: int, answer: Reals, use: Any = None, table: Any = None
+) -> None:
+    """phi'' = D^-1 Omega^-1 W^T z, (W Omega^-1 W^T + lambda^2 E) z = r: not more rows than flywheels.
+
+    A row that is free, by `use`, is zero and its z is 0. With `table` W and r lack the norms of spin inertias, of the
+    table, and of rows, G. I has had its use: W Omega^-1 takes its place.
+    """
+    # normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is there
+    for s in range(lib.layout.count):
+        give = table.flywheel[s].spin_inv / options.weight[s] if table is not None else 1 / options.weight[s]
+        for i in range(rows):
+            work.I[i][s] = work.W[i][s] * give
+    gram = reals(rows, rows)
+    z = reals(rows)
+    trace: float = 0.0
+    for i in range(rows):
+        for j in range(i + 1):
+            total: float = 0.0
+            for s in range(lib.layout.count):
+                total += work.I[i][s] * work.W[j][s]
+            gram[i][j] = total
+        trace += gram[i][i] * work.sigma[i] if table is not None else gram[i][i]
+        z[i] = work.r[i]
+    lambda2 = options.damping * options.damping * trace  # square of the damping
+    for i in range(rows):
+        gram[i][i] += (lambda2 * work.G[i][i] if table is not None else lambda2) if use is None or use[i] > 0 else 1.0
+    solve_definite(lib, gram, z)
+    for s in range(lib.layout.count):
+        y: float = 0.0
+        for i in range(rows):
+            y += work.I[i][s] * z[i]
+        answer[s] = y if table is not None else y * work.scale[s]
+
+
+@inline
+def tall_answer(lib: Any, work: Any, options: Any, rows: int, answer: Reals) -> None:
+    """phi'' = D^-1 y, (W^T W + lambda^2 E) y = W^T r: more rows than flywheels."""
+    # normal equations: W^T W y = W^T r
+    gram = reals(lib.layout.count, lib.layout.count)
+    z = reals(lib.layout.count)
+    trace: float = 0.0
+    for s in range(lib.layout.count):
+        for t in range(s + 1):
+            total: float = 0.0
+            for i in range(rows):
+                total += work.W[i][s] * work.W[i][t]
+            gram[s][t] = total
+        trace += gram[s][s]
+        side: float = 0.0
+        for i in range(rows):
+            side += work.W[i][s] * work.r[i]
+        z[s] = side
+    lambda2 = options.damping * options.damping * trace  # square of the damping
+    for s in range(lib.layout.count):
+        gram[s][s] += lambda2
+    solve_definite(lib, gram, z)
+    for s in range(lib.layout.count):
+        answer[s] = z[s] * work.scale[s]
+
+
+def add_inverse_fast(lib: Library, task: Rows | None = None) -> None:
+    """phi'' for a wanted V* of a free or held carrier, or a task, by normal equations: away from singularity."""
+    layout, N, held = lib.layout, lib.layout.count, lib.layout.held
+    rows = len(task) if task else layout.inverse_rows
+    name = f"inverse_fast_{task.name}" if task else "inverse_fast"
+    accurate = f"inverse_{task.name}" if task else "inverse"
+    motion = (
+        f"the task {task.name}"
+        if task
+        else "wanted rates of the freedoms"
+        if held
+        else "a wanted motion of the carrier"
     )
-    given, wrench = lib.given_turns(), lib.wrench_arguments()
-    phi_ddot = Argument("phi_ddot", Kind.REAL, (layout.count,), "out", "rad/s2", "flywheel accelerations")
-    p = options.place
-    body = Body()
-    check_demand(lib, body, table, x, V_dot, p, ("damping",), wrench, given)
-    work = body.local("work", (), layout.inverse_work)
-    inputs = [w.place for w in wrench]
-    turns = all_turns(lib, body, x.place, given)
-    lib.check(body, "demand", table.place, x.place, *turns, V_dot.place, *inputs, work)
-    answer = body.local("answer", (layout.count,))
-    if int(layout.count) >= rows:
-        by = Scaling(lambda s: 1 / p.weight[s], lambda s: work.scale[s])
-        wide_answer(lib, body, work, p, rows, answer, by)
-    else:
-        tall_answer(lib, body, work, p, rows, answer)
-    check_answer(lib, body, answer, layout.count)
-    flags = spin_up_excess(lib, body, (table.place, x.place, p), answer)
-    with body.loop("s", layout.count) as s:
-        body.set(phi_ddot.place[s], answer[s])
-    body.ret(Convert(flags, Kind.STATUS))
-    motion = "wanted rates of the freedoms" if layout.held else "a wanted motion of the carrier"
-    return Function(
-        "inverse_fast",
-        f"Flywheel accelerations for {motion}, without diagnostics: normal equations.",
-        (table, x, *given, V_dot, options, *wrench, phi_ddot),
-        body.statements,
-        equation="(12)",
-        returns=Kind.STATUS,
+    purpose = (
+        "weights, limits, damping, rows; default_options holds those of the stand file"
+        if task
+        else ("weights and damping; `near_singular` and `limit` are ignored")
+    )
+    direct = task is not None and task.whole_turning and int(N) >= 3
+    sine, cosine = lib.given_turns() or (None, None)
+
+    @lib.kernel(
+        name,
+        equation="" if task else "(12)",
+        purpose=f"Flywheel accelerations for {motion}, without diagnostics: normal equations.",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE", "BAD_ARGUMENT", "EXCESSIVE"),
         notes=(
-            "Squares the condition number: as accurate as inverse if singular values differ by a factor of at most "
+            f"Squares the condition number: as accurate as {accurate} if singular values differ by a factor of at most "
             "some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.",
             "Damping is relative to the norm of W.",
             SPIN_UP_NOTE,
+            *([FREE_NOTE] if task else []),
             ANSWER_NOTE,
         ),
         public=True,
     )
+    def inverse_fast(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        sine: Any = sine,
+        cosine: Any = cosine,
+        demand: Any = wanted_argument(lib, task),
+        options: Any = Argument("options", layout.inverse_options, purpose=purpose),
+        wrench: Any = lib.wrench,
+        phi_ddot: Reals = argument("flywheel accelerations", N, direction="out", unit="rad/s2"),
+    ) -> Status:
+        """Flywheel accelerations for a wanted motion, without diagnostics."""
+        turns = () if sine is None else (sine, cosine)
+        check_demand(lib, table, x, demand, options, wrench, turns, ("damping",))
+        work = record(layout.inverse_work)
+        turned = all_turns(lib, x, turns)
+        if task:
+            base_demand(lib, task, table, x, turned, wrench, work, not direct)
+        else:
+            lib["demand"](table, x, *turned, demand, wrench, work)
+        if task:
+            demanded = demanded_rows(task.use(options))
+        else:
+            demanded = rows
+        answer = reals(N)
+        if task and direct:
+            if demanded > 2:
+                turn_all(task, table, demand, work)
+                wide_answer(lib, work, options, 3, answer, table=table)
+            else:
+                lib["scale_turning"](table, work)
+                project_rows(lib, task, table, x, demand, options, work)
+                wide_answer(lib, work, options, rows, answer, task.use(options))
+        else:
+            if task:
+                project_rows(lib, task, table, x, demand, options, work)
+            if rows > int(N) and demanded > int(N):
+                tall_answer(lib, work, options, rows, answer)
+            else:
+                wide_answer(lib, work, options, rows, answer, task.use(options) if task else None)
+        check_answer(lib, answer, N)
+        flags = spin_up_excess(lib, table, x, options, answer)
+        for s in range(N):
+            phi_ddot[s] = answer[s]
+        return status_of(flags)

@@ -219,9 +219,14 @@ class Layout(Tables):
             fields = tuple(f for f in fields if f.name in ("G", "b", "r"))
         return Struct("inverse_work", "Scratch of inverse.", fields)
 
+    @property
+    def inverse_rows(self) -> int:
+        """Rows of (12): six, or those of the freedoms of a held carrier."""
+        return self.freedoms if self.held else 6
+
     @cached_property
     def inverse_result(self) -> Struct:
-        rows = self.freedoms if self.held else 6
+        rows = self.inverse_rows
         least = min(rows, int(self.count))
         left, matrix = "F - K V* - M V - J phi' - I phi''", "K^-1/2 I Theta_ff^-1/2"
         if self.held:

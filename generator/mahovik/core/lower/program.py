@@ -21,7 +21,6 @@ from mahovik.core.lower import (
     forward,
     generalized,
     held_coordinates,
-    held_inverse,
     held_jacobian,
     hold,
     identify_step,
@@ -42,11 +41,12 @@ from mahovik.core.lower import (
     step,
     step_carried,
     stream,
+    task,
+    task_torque,
     wrenches,
 )
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.task.functions import add_tasks
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.idle_calls import without_idle_calls
 from mahovik.core.program.prune import prune
@@ -55,6 +55,7 @@ from mahovik.core.program.short_loops import loops_of_no_turn, without_short_loo
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable
+from mahovik.core.routines.jacobi import name_for_rows
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 
@@ -108,10 +109,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         lib.add(phases.accumulate(lib))
     if layout.freedoms or not layout.held:
         _add_jacobians(lib)
-    if not layout.held:
+    if not layout.held or (layout.freedoms and layout.flywheels):
         _add_inverse(lib)
-    elif layout.freedoms and layout.flywheels:
-        held_inverse.add_inverse(lib)
     if layout.sensors:
         lib.add(points.sense(lib))
         lib.add(points.points(lib))
@@ -138,24 +137,33 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
 
 
 def _add_inverse(lib: Library) -> None:
-    """(12), and the tasks."""
-    layout, precision = lib.layout, lib.layout.precision
-    if layout.flywheels:
-        square_root = lib["sqrt"]
-        lib.add(routines.orthogonalise(layout.inverse_work, layout.count, square_root, precision.name))
-        lib.add(demand.factor(lib))
-        lib.add(demand.demand(lib))
-        lib.add(allocate.solve_gram(lib))
-        lib.add(allocate.allocate(lib))
-        lib.add(excess.motor_lacks(lib))
-        lib.add(excess.excessive(lib))
-        lib.add(inverse.inverse(lib))
-        lib.add(inverse_fast.inverse_fast(lib))
-        add_tasks(lib)
-    else:
-        lib.add(demand.factor(lib))
-        lib.add(demand.demand(lib))
-        lib.add(inverse.inverse_alone(lib))
+    """(12), of the carrier and of each task."""
+    layout, tasks = lib.layout, [task.Rows(lib.layout, one) for one in lib.layout.structure.tasks]
+    if not layout.flywheels:
+        demand.add_factor(lib)
+        demand.add_demand(lib)
+        inverse.add_inverse_alone(lib)
+        return
+    for rows in (None, *tasks):
+        m = len(rows) if rows else layout.inverse_rows
+        new = name_for_rows("allocate", m) not in lib
+        if new:
+            lib.add(routines.orthogonalise(layout.inverse_work, layout.count, lib["sqrt"], layout.precision.name, m))
+        if not rows:
+            demand.add_factor(lib, m)
+            demand.add_demand(lib)
+        if new:
+            lib.add(allocate.solve_gram(lib, m))
+            lib.add(allocate.allocate(lib, m))
+        if rows:
+            task.add_demand(lib, rows)
+        else:
+            excess.add_motor_lacks(lib)
+            excess.add_excessive(lib)
+        inverse.add_inverse(lib, rows)
+        inverse_fast.add_inverse_fast(lib, rows)
+        if rows:
+            task_torque.add_torque(lib, rows)
 
 
 def lower_numbers(layout: Layout) -> Program:
@@ -288,8 +296,8 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         layout.inverse_work,
         *((layout.inverse_options,) if layout.flywheels else ()),
         layout.inverse_result,
-        *(layout.task_result(task) for task in layout.structure.tasks),
-        *(layout.torque_for_result(task) for task in layout.structure.tasks),
+        *map(layout.task_result, layout.structure.tasks),
+        *map(layout.torque_for_result, layout.structure.tasks),
         *((layout.coupled_jacobian_result,) if layout.flywheels and (layout.freedoms or not layout.held) else ()),
         *((layout.forward_jacobian_result,) if layout.freedoms or not layout.held else ()),
         *((layout.regressor_result,) if "regressor" in lib else ()),

@@ -180,6 +180,11 @@ def check_as(status: Status, call: Any) -> None:
     _body("check_as").check(call, status.name)
 
 
+def status_of(bits: int) -> Status:
+    """The status of bits."""
+    return cast(Status, Convert(cast(Expr, bits), Kind.STATUS))
+
+
 def body() -> Body:
     """The statements so far, for functions that add to them."""
     return _body("body")
@@ -237,7 +242,9 @@ def kernel(
             if a is not None
         }
         status = Kind.STATUS if statuses else None  # of `Any`
-        returns = {"None": None, "float": Kind.REAL, "Status": Kind.STATUS, "Any": status}[text.returns]
+        returns = {"None": None, "float": Kind.REAL, "int": Kind.INT, "Status": Kind.STATUS, "Any": status}[
+            text.returns
+        ]
         absent = {parameter: None for parameter, a in arguments.items() if a is None}
         compilation = _Compilation(text, body, places | absent)
         compilation.block(text.statements)

@@ -196,7 +196,7 @@ def advance(low: Reals, high: Reals, y: Reals, held: Ints, goal: Reals) -> int:
     length = 1
     stopped = -1
     for s in range(len(y)):
-        if held[s] == 0:  # noqa: SIM102
+        if held[s] == 0:
             if goal[s] > high[s] or goal[s] < low[s]:
                 room = high[s] - y[s] if goal[s] > high[s] else low[s] - y[s]
                 part = room / (goal[s] - y[s])
