@@ -22,7 +22,7 @@ from mahovik.core.lower.forward import (
 )
 from mahovik.core.lower.freedoms import columns, place_of
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.matrices import fill
+from mahovik.core.lower.matrices import mass_matrix
 from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import (
@@ -141,7 +141,7 @@ def add_demand(lib: Library) -> None:
                 for j in [*range(k + 1)]:
                     work.G[k][j] = P[place_of(k, j)]
         else:
-            fill(body(), work.G, derived.mass_matrix(layout.added_mass), carrier_binding(lib, table, seen.sums))
+            work.G[:] = mass_matrix(lib, table, seen.sums)
             # b = F - K V*: the wrench demanded of the flywheels
             for i in range(6):
                 demanded = less(F[i], work.G[i], moving)

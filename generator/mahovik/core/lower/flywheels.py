@@ -49,14 +49,6 @@ def let_weights(body: Body, given: dict[str, Expr], names: Sequence[str]) -> dic
     return bound
 
 
-def sine_and_cosine(lib: Library, body: Body, phase: Expr, suffix: str = "") -> dict[str, Expr]:
-    """Local s, c (with a suffix) of a phase."""
-    s = body.local(f"s{suffix}")
-    c = body.local(f"c{suffix}")
-    body.call(lib["sincos"], phase, s, c)
-    return {"s": s, "c": c}
-
-
 Turns = tuple[Place, ...]
 """Sines and cosines of all phases, two arrays; empty where there are no flywheels."""
 

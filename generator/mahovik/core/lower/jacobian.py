@@ -7,7 +7,6 @@ from typing import Any
 
 from mahovik.core.derive.order import WEIGHTS
 from mahovik.core.formula.derived import accumulate as derived_rows
-from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.formula.derived import drive as derived_drive
 from mahovik.core.formula.derived import sensitivity as derived
 from mahovik.core.lower.drive import check_drive, solve_free, without_drives
@@ -29,8 +28,8 @@ from mahovik.core.lower.forward import (
     sum_up,
 )
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.matrices import fill
-from mahovik.core.lower.solve import carrier_binding, parts_of_twist
+from mahovik.core.lower.matrices import mass_matrix, mass_matrix_rate
+from mahovik.core.lower.solve import parts_of_twist
 from mahovik.core.lower.symbolic import assign, translate
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
@@ -45,9 +44,8 @@ def twist_slopes(
     """Derivative of the remainder by V, and of the own axial moments."""
     layout = lib.layout
     m = body.local("m", (), layout.matrices)
-    binding = carrier_binding(lib, table, seen.sums)
-    fill(body, m.K, derived_carrier.mass_matrix(layout.added_mass), binding)
-    fill(body, m.K_dot, derived_carrier.mass_matrix_rate(), binding)
+    body.set(m.K, mass_matrix(lib, table, seen.sums))
+    body.set(m.K_dot, mass_matrix_rate(seen.sums))
     body.call(lib["velocity_matrix"], seen.V, m)
     slope = body.local("slope", (36,), comment="derivative by V, row by row")
     axial = body.local(

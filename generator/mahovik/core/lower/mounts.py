@@ -5,170 +5,147 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.contract.laws import part
-from mahovik.core.formula.derived import drive as derived
-from mahovik.core.formula.derived import wrench as derived_wrench
-from mahovik.core.lower.flywheels import turn_of
-from mahovik.core.lower.forward import (
-    STATE_STATUSES,
-    check_inputs,
-    relative_rate,
-    scene,
-)
+from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, relative_rate, scene
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.solve import parts_of_twist
-from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.wrenches import flywheel_wrenches
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, integer, real
+from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.kernel import OK, Reals, argument, body, changed, inline, kernel, reals, result
+from mahovik.core.program.vector import cross, symmetric
 
 
-def carry_twist(lib: Library) -> Function:
-    """L0^T of a twist or its rate: of the carrier, in mounting axes at Os."""
-    mount = Argument("mount", lib.layout.mount)
-    V = Argument("V", Kind.REAL, (6,))
-    U = Argument("U", Kind.REAL, (6,), "out", purpose="in mounting axes at Os")
-    body = Body()
-    velocity = body.local("velocity", (3,), comment="velocity of Os")
-    assign(body, list(velocity), derived_wrench.twist_at(), parts_of_twist(V.place) | {"O": mount.place.origin})
-    back = derived_wrench.rotated_back()
-    assign(body, list(U.place)[:3], back, {"C": mount.place.axes, "a": velocity})
-    assign(body, list(U.place)[3:], back, {"C": mount.place.axes, "a": list(V.place)[3:]})
-    return body.function("carry_twist", "L^T V: a twist carried to Os, in mounting axes.", (mount, V, U))
+def turned_twist(U: Any, c: Any, s: Any) -> list[Any]:
+    """[C1]^T of six numbers: from the axes at phi = 0 to those of the flywheel, which turn."""
+    return [x for a, b, d in (U[0:3], U[3:6]) for x in (a, b * c + d * s, d * c - b * s)]
 
 
-def mount_wrench(lib: Library) -> Function:
-    """Wrench of the mount on one flywheel."""
-    layout = lib.layout
-    mount = Argument("mount", layout.mount)
-    s = Argument("s", Kind.REAL, purpose="sin phi")
-    c = Argument("c", Kind.REAL, purpose="cos phi")
-    phi_dot = Argument("phi_dot", Kind.REAL, unit="rad/s")
-    phi_ddot = Argument("phi_ddot", Kind.REAL, unit="rad/s2")
-    V = Argument("V", Kind.REAL, (6,))
-    V_dot = Argument("V_dot", Kind.REAL, (6,))
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    W = Argument(
-        "W",
-        Kind.REAL,
-        (6,),
-        "inout",
-        "N, N m",
-        "in: -P_s, its own external wrench, in Es; out: wrench of the mount, in mounting axes about Os",
-    )
-    body = Body()
-    m = mount.place
-    U = body.local("U", (6,), comment="twist of the mount at Os")
-    turned = body.local("turned", (6,), comment="in Es")
-    turned_dot = body.local("turned_dot", (6,))
-    V_s = body.local("V_s", (6,), comment="twist of the flywheel, in Es")
-    V_s_dot = body.local("V_s_dot", (6,))
-    Z_s = body.local("Z_s", (6,), comment="its momentum screw")
-    phase: dict[str, Any] = {"s": s.place, "c": c.place}
-    body.call(lib["carry_twist"], m, V.place, U)
-    assign(body, list(turned), derived.turned_twist(), phase | {"U": U})
-    body.call(lib["carry_twist"], m, V_dot.place, U)
-    assign(body, list(turned_dot), derived.turned_twist(), phase | {"U": U})
-    for i in range(6):
-        body.set(V_s[i], turned[i] + phi_dot.place if i == 3 else turned[i])
-    rates = {"turned": turned, "turned_dot": turned_dot, "phi_dot": phi_dot.place, "phi_ddot": phi_ddot.place}
-    assign(body, list(V_s_dot), derived.own_twist_rate(), rates)
-    bound = {"m": m.mass, "b": m.first_moment, "J": m.inertia, "V_s": V_s, "V_s_dot": V_s_dot, "Z_s": Z_s}
-    assign(body, list(Z_s), derived.own_momentum(), bound)
-    assign(body, list(W.place), derived.own_rate(), bound, add=True)
-    if layout.weight:
-        _subtract_weight(lib, body, m, phase, g.place, W.place)
-    own = body.local("own", (6,), comment="in Es")
-    body.copy_array(own, W.place)
-    assign(body, list(W.place), derived.turned_forward(), phase | {"W": own})
-    return body.function(
-        "mount_wrench",
-        "Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s).",
-        (mount, s, c, phi_dot, phi_ddot, V, V_dot, g, W),
-    )
-
-
-def _subtract_weight(lib: Library, body: Body, m: Place, phase: dict[str, Any], g: Place, W: Place) -> None:
+@inline
+def subtract_weight(lib: Library, mount: Any, s: Any, c: Any, g: Any, W: Any) -> None:
     """Weight and Archimedes force of the flywheel in Es: (m g, b x g) less the displaced fluid's."""
-    gm = body.local("g_mounting", (3,), comment="gravity in mounting axes")
-    gs = body.local("g_s", (3,), comment="gravity in Es")
-    assign(body, list(gm), derived_wrench.rotated_back(), {"C": m.axes, "a": g})
-    six: list[Expr] = [*gm, real(0), real(0), real(0)]
-    assign(body, list(gs), derived.turned_twist()[:3, :], phase | {"U": six})
-    buoyant = lib.layout.flywheel_displaces
-    bound: dict[str, Any] = {"g": gs, "m": m.mass, "mu": m.first_moment}
-    if buoyant:
-        bound |= {"weight_mass": m.mass - m.displaced_mass, "displaced_moment": m.displaced_moment}
-    part("weight", "lower").subtract_weight(body, buoyant, bound, W)
+    g_mounting = reals(3)  # gravity in mounting axes
+    g_s = reals(3)  # gravity in Es
+    g_mounting[:] = mount.axes.T @ g
+    g_s[:] = turned_twist([*g_mounting, *g_mounting], c, s)[0:3]
+    numbers = {"g": g_s, "m": mount.mass, "mu": mount.first_moment}
+    if lib.layout.flywheel_displaces:
+        displaced = {"weight_mass": mount.mass - mount.displaced_mass, "displaced_moment": mount.displaced_moment}
+        numbers = numbers | displaced
+    part("weight", "lower").subtract_weight(body(), lib.layout.flywheel_displaces, numbers, W)
 
 
-def mounts(lib: Library) -> Function:
-    """Wrenches of the mounts on all flywheels."""
+def add_mounts(lib: Library) -> None:
+    """Adds the wrench of the mount on one flywheel, and those on all."""
     layout = lib.layout
-    table, x = lib.table_argument(), lib.state_argument()
-    mounting = Argument("mounting", layout.mount_table, purpose="made once by prepare_mounts")
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.flywheel_wrench_arguments()
+
+    @lib.kernel()
+    def carry_twist(
+        mount: Any = argument(struct=layout.mount),
+        V: Reals = argument("", 6),
+        U: Reals = result("in mounting axes at Os", 6),
+    ) -> None:
+        """L^T V: a twist carried to Os, in mounting axes."""
+        velocity = reals(3)  # velocity of Os
+        velocity[:] = -cross(mount.origin, V[3:6]) + V[0:3]
+        U[0:3] = mount.axes.T @ velocity
+        U[3:6] = mount.axes.T @ V[3:6]
+
+    @lib.kernel()
+    def mount_wrench(
+        mount: Any = argument(struct=layout.mount),
+        s: float = argument("sin phi"),
+        c: float = argument("cos phi"),
+        phi_dot: float = argument(unit="rad/s"),
+        phi_ddot: float = argument(unit="rad/s2"),
+        V: Reals = argument("", 6),
+        V_dot: Reals = argument("", 6),
+        g: Reals = argument("gravity in E1", 3, unit="m/s2"),
+        W: Reals = changed(
+            "in: -P_s, its own external wrench, in Es; out: wrench of the mount, in mounting axes about Os",
+            6,
+            unit="N, N m",
+        ),
+    ) -> None:
+        """Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s)."""
+        m, b, J = mount.mass, mount.first_moment, mount.inertia
+        U = reals(6)  # twist of the mount at Os
+        turned = reals(6)  # in Es
+        turned_dot = reals(6)
+        V_s = reals(6)  # twist of the flywheel, in Es
+        V_s_dot = reals(6)
+        Z_s = reals(6)  # its momentum screw
+        carry_twist(mount, V, U)
+        turned[:] = turned_twist(U, c, s)
+        carry_twist(mount, V_dot, U)
+        turned_dot[:] = turned_twist(U, c, s)
+        V_s[:] = [*turned[0:3], turned[3] + phi_dot, *turned[4:6]]
+        V_s_dot[0] = turned_dot[0]
+        V_s_dot[1] = phi_dot * turned[2] + turned_dot[1]
+        V_s_dot[2] = turned_dot[2] - phi_dot * turned[1]
+        V_s_dot[3] = phi_ddot + turned_dot[3]
+        V_s_dot[4] = phi_dot * turned[5] + turned_dot[4]
+        V_s_dot[5] = turned_dot[5] - phi_dot * turned[4]
+        v, omega, v_dot, omega_dot, p, h = V_s[0:3], V_s[3:6], V_s_dot[0:3], V_s_dot[3:6], Z_s[0:3], Z_s[3:6]
+        Z_s[0:3] = v * m + cross(omega, b)
+        Z_s[3:6] = symmetric(J) @ omega - cross(v, b)
+        W[0:3] += cross(omega, p) + v_dot * m + cross(omega_dot, b)
+        W[3:6] += symmetric(J) @ omega_dot + cross(v, p) + cross(omega, h) - cross(v_dot, b)
+        if layout.weight:
+            subtract_weight(lib, mount, s, c, g, W)
+        own: Reals = W  # in Es
+        W[:] = [x for a, b, d in (own[0:3], own[3:6]) for x in (a, b * c - d * s, b * s + d * c)]
+
     purpose = (
         "of the mount on each flywheel, six numbers each, about Os in the axes of Es at phi = 0; the fourth is tau"
     )
-    out = Argument("mount_wrench", Kind.REAL, (6 * int(layout.count),), "out", "N, N m", purpose)
-    body = Body()
-    check_inputs(lib, body, table, x, phi_ddot, wrench)
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    seen = scene(lib, body, table.place, x.place)
-    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    flywheel_wrenches(lib, body, table.place, x.place, seen, wrench)
-    W = body.local("W", (6,))
-    with body.loop("s", layout.count) as s:
-        for k in range(6):
-            body.set(W[k], real(0) if seen.own is None else -seen.own[s * integer(6) + k])
-        turn = turn_of(seen.turns, s)
-        named: dict[str, Any] = {
-            "mount": mounting.place.flywheel[s],
-            **turn,
-            "phi_dot": x.place.phi_dot[s],
-            "V": seen.V,
-            "W": W,
-        }
-        named |= {"phi_ddot": phi_ddot[0].place[s], "V_dot": moving, "g": seen.g}
-        body.call(lib["mount_wrench"], *lib.arguments_of("mount_wrench", **named))
-        with body.loop("j", 6) as j:
-            body.set(out.place[s * integer(6) + j], W[j])
-    return body.checked_function(
-        "mounts",
-        "Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.",
-        (table, mounting, x, V_dot, *phi_ddot, *wrench, out),
-        statuses=STATE_STATUSES,
-        public=True,
-    )
+
+    @lib.kernel(statuses=STATE_STATUSES, public=True)
+    def mounts(
+        table: Any = lib.table,
+        mounting: Any = argument("made once by prepare_mounts", struct=layout.mount_table),
+        x: Any = lib.x,
+        V_dot: Reals = argument("derivative of the components of V", 6, unit="m/s2, rad/s2"),
+        phi_ddot: Reals = lib.phi_ddot,
+        wrench: Any = lib.flywheel_wrench,
+        mount_wrench: Any = result(purpose, 6 * int(layout.count), unit="N, N m"),
+    ) -> Status:
+        """Wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure."""
+        check_inputs(lib, table, x, phi_ddot, wrench)
+        lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
+        seen = scene(lib, table, x)
+        moving = relative_rate(x, V_dot, seen.stream)
+        flywheel_wrenches(lib, table, x, seen, wrench)
+        W = reals(6)
+        sine, cosine = seen.turns
+        for s in range(layout.count):
+            W[:] = [0 if seen.own is None else -seen.own[s * 6 + k] for k in range(6)]
+            lib["mount_wrench"](
+                mounting.flywheel[s], sine[s], cosine[s], x.phi_dot[s], phi_ddot[s], seen.V, moving, seen.g, W
+            )
+            for j in range(6):
+                mount_wrench[s * 6 + j] = W[j]
+        return OK
 
 
 def prepare_mounts(lib: Library) -> Function:
     """The table of mounts."""
     layout = lib.layout
-    parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
-    mounting = Argument("mounting", layout.mount_table, (), "out", purpose="table for the function mounts")
-    p, body = parameters.place, Body()
-    lib.check(body, "check_parameters", p)
-    with body.loop("s", layout.count) as s:
-        w, m = p.flywheel[s], mounting.place.flywheel[s]
-        body.set(m.mass, w.body.mass)
-        for i in range(3):
-            body.set(m.first_moment[i], w.body.mass * w.body.center_of_mass[i])
-        body.copy_array(m.inertia, w.body.inertia)
-        named = {"parameters": p, "w": w, "O": m.origin, "R": m.axes}
-        body.call(lib["place_flywheel"], *lib.arguments_of("place_flywheel", **named))
-        if layout.flywheel_displaces:
-            body.set(m.displaced_mass, w.body.displaced_mass)
-            for i in range(3):
-                body.set(m.displaced_moment[i], w.body.displaced_mass * w.body.displaced_center[i])
-    return body.checked_function(
-        "prepare_mounts",
-        "Makes the second table, which the function mounts needs.",
-        (parameters, mounting),
-        statuses=lib["check_parameters"].statuses,
-        public=True,
-    )
+
+    @kernel(statuses=lib["check_parameters"].statuses, public=True)
+    def prepare_mounts(
+        parameters: Any = argument("masses, inertias, mountings", struct=layout.parameters),
+        mounting: Any = result("table for the function mounts", struct=layout.mount_table),
+    ) -> Status:
+        """Makes the second table, which the function mounts needs."""
+        lib["check_parameters"](parameters)
+        for s in range(layout.count):
+            w, m = parameters.flywheel[s], mounting.flywheel[s]
+            m.mass = w.body.mass
+            m.first_moment[:] = w.body.mass * w.body.center_of_mass
+            m.inertia[:] = w.body.inertia
+            body().do(lib["place_flywheel"](parameters, w, m.origin, m.axes))  # its inputs have been checked
+            if layout.flywheel_displaces:
+                m.displaced_mass = w.body.displaced_mass
+                m.displaced_moment[:] = w.body.displaced_mass * w.body.displaced_center
+        return OK
+
+    return prepare_mounts

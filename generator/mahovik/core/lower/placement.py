@@ -2,97 +2,81 @@
 
 from __future__ import annotations
 
-from mahovik.core.formula.derived import wrench as derived_wrench
+from typing import Any
+
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, and_, integer, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import BAD_ARGUMENT, OK, RANGE, Reals, argument, inline, let, reals, result
+from mahovik.core.program.types import Struct
+from mahovik.core.program.vector import cross, dot
 
 
-def frame_of_axes(lib: Library) -> Function:
-    """Axes from two directions: e1 along `axis`, e2 along the component of `zero` perpendicular to it, e3 = e1 x e2."""
-    axis = Argument("axis", Kind.REAL, (3,), purpose="any length")
-    zero = Argument("zero", Kind.REAL, (3,), purpose="any length, not along axis")
-    R = Argument("R", Kind.REAL, (9,), "out", purpose="columns are the axes, row by row")
-    body = Body()
-    bound = lib.limits["MAX_PARAMETER"].expression
-    check_vector.put_into(body, lib, axis.place, bound)
-    check_vector.put_into(body, lib, zero.place, bound)
-    e1 = body.local("e1", (3,))
-    e2 = body.local("e2", (3,))
-    least = real(lib.thresholds.small_square)
-    _unit(lib, body, axis.place, e1, "axis2", least)
-    a, b = e1, zero.place
-    length = body.let("zero2", b[0] * b[0] + b[1] * b[1] + b[2] * b[2])
-    lib.guard(body, Not(length > least), "RANGE")
-    along = body.let("along", a[0] * b[0] + a[1] * b[1] + a[2] * b[2], "of zero along the axis")
-    across = body.local("across", (3,))
-    for i in range(3):
-        body.set(across[i], b[i] - along * a[i])
-    _unit(lib, body, across, e2, "across2", real(lib.thresholds.parallel**2) * length)
-    third = (e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0])
-    for i in range(3):
-        body.set(R.place[3 * i], e1[i])
-        body.set(R.place[3 * i + 1], e2[i])
-        body.set(R.place[3 * i + 2], third[i])
-    return body.checked_function(
-        "frame_of_axes",
-        "Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it.",
-        (axis, zero, R),
-    )
+def add_frame_of_axes(lib: Library) -> None:
+    """Adds axes from two directions: e1 along `axis`, e2 along the part of `zero` across it, e3 = e1 x e2."""
+    bound, least = lib.limit("MAX_PARAMETER"), lib.thresholds.small_square
+
+    @inline
+    def unit(a: Reals, out: Reals, name: str, least: Any) -> Any:
+        """out = a / |a|; RANGE where a has no direction: its square is not above `least`."""
+        square = let(name, dot(a, a))
+        if not (square > least):
+            return RANGE
+        inverse = let(f"{name}_root", 1 / lib["sqrt"](square))
+        out[:] = a * inverse
+        return None
+
+    @lib.kernel()
+    def frame_of_axes(
+        axis: Reals = argument("any length", 3),
+        zero: Reals = argument("any length, not along axis", 3),
+        R: Reals = result("columns are the axes, row by row", 9),
+    ) -> Status:
+        """Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it."""
+        check_vector(lib, axis, bound)
+        check_vector(lib, zero, bound)
+        e1 = reals(3)
+        e2 = reals(3)
+        unit(axis, e1, "axis2", least)
+        zero2 = dot(zero, zero)
+        if not (zero2 > least):
+            return RANGE
+        along = dot(e1, zero)  # of zero along the axis
+        across = reals(3)
+        across[:] = zero - along * e1
+        unit(across, e2, "across2", lib.thresholds.parallel**2 * zero2)
+        for i in list(range(3)):
+            R[3 * i : 3 * i + 3] = [e1[i], e2[i], cross(e1, e2)[i]]
+        return OK
 
 
-def _unit(lib: Library, body: Body, a: Place, out: Place, name: str, least: Expr) -> None:
-    """out = a / |a|; RANGE where a has no direction: its square is not above `least`."""
-    square = body.let(name, a[0] * a[0] + a[1] * a[1] + a[2] * a[2])
-    lib.guard(body, Not(square > least), "RANGE")
-    inverse = body.let(f"{name}_root", 1 / lib["sqrt"](square))
-    for i in range(3):
-        body.set(out[i], a[i] * inverse)
-
-
-def place_flywheel(lib: Library) -> Function:
-    """Origin and mounting axes of a flywheel in E1, through the instrument that carries it."""
-    return _placement_function(
-        lib, "place_flywheel", lib.layout.flywheel_parameters, "Origin and axes (at phi = 0) of a flywheel in E1."
-    )
-
-
-def place_point(lib: Library) -> Function:
-    """Origin and axes of a point in E1, through the instrument that carries it."""
-    return _placement_function(lib, "place_point", lib.layout.point_parameters, "Origin and axes of a point in E1.")
-
-
-def _placement_function(lib: Library, name: str, struct: Struct, purpose: str) -> Function:
-    p = Argument("parameters", lib.layout.parameters)
-    w = Argument("w", struct)
-    O = Argument("O", Kind.REAL, (3,), "out", "m", "Os in E1")
-    R = Argument("R", Kind.REAL, (9,), "out", purpose="its axes in E1")
-    body = Body()
-    check_vector.put_into(body, lib, w.place.position, lib.limits["MAX_PARAMETER"].expression)
-    lib.check(body, "frame_of_axes", w.place.axis, w.place.zero, R.place)
-    body.copy_array(O.place, w.place.position)
+def add_placement(lib: Library, name: str, struct: Struct, purpose: str) -> None:
+    """Adds origin and axes of a flywheel or point in E1, through the instrument that carries it."""
     count = lib.layout.instruments
-    if count:
-        mount = w.place.mount
-        lib.guard(body, Not(and_(mount >= -1, mount < integer(count))), "BAD_ARGUMENT")
-        with body.when(mount >= 0):
-            body.note("Ls = Lp L_s in p")
-            q = p.place.instrument[mount]
-            Rp = body.local("Rp", (9,), comment="axes of the instrument in E1")
-            Rs = body.local("Rs", (9,), comment="own axes in the instrument")
-            at = body.local("at", (3,))
-            lib.check(body, "frame_of_axes", q.axis, q.zero, Rp)
-            body.copy_array(Rs, R.place)
-            for i in range(3):
-                for j in range(3):
-                    product = Rp[3 * i] * Rs[j] + Rp[3 * i + 1] * Rs[3 + j] + Rp[3 * i + 2] * Rs[6 + j]
-                    body.set(R.place[3 * i + j], product)
-            assign(body, list(at), derived_wrench.rotated(), {"C": Rp, "a": w.place.position})
-            for i in range(3):
-                body.set(O.place[i], q.position[i] + at[i])
-    return body.checked_function(name, purpose, (p, w, O, R), statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"))
+
+    @lib.kernel(name, statuses=("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"), purpose=purpose)
+    def place(
+        parameters: Any = argument(struct=lib.layout.parameters),
+        w: Any = argument(struct=struct),
+        O: Reals = result("Os in E1", 3, unit="m"),
+        R: Reals = result("its axes in E1", 9),
+    ) -> Status:
+        """Origin and axes."""
+        check_vector(lib, w.position, lib.limit("MAX_PARAMETER"))
+        lib["frame_of_axes"](w.axis, w.zero, R)
+        O[:] = w.position
+        if count:
+            if not (w.mount >= -1 and w.mount < count):
+                return BAD_ARGUMENT
+            if w.mount >= 0:
+                # Ls = Lp L_s in p
+                p = parameters.instrument[w.mount]
+                Rp = reals(9)  # axes of the instrument in E1
+                Rs = reals(9)  # own axes in the instrument
+                at = reals(3)
+                lib["frame_of_axes"](p.axis, p.zero, Rp)
+                Rs[:] = R
+                R[:] = (Rp.square @ Rs.square).flat
+                at[:] = Rp @ w.position
+                O[:] = p.position + at
+        return OK

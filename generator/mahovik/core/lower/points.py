@@ -2,82 +2,61 @@
 
 from __future__ import annotations
 
-from mahovik.core.formula.derived import point as derived
-from mahovik.core.formula.derived import wrench as derived_wrench
+from typing import Any
+
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.solve import parts_of_twist
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import OK, Reals, argument, reals, result
+from mahovik.core.program.vector import cross
 
 
-def sense(lib: Library) -> Function:
-    """One sensor's reading from checked inputs."""
+def add_points(lib: Library) -> None:
+    """Adds the reading of one sensor from checked inputs, and those of all instruments and points."""
     layout = lib.layout
-    sensor = Argument("sensor", layout.sensor)
-    position = Argument("r", Kind.REAL, (3,), unit="m", purpose="of O1")
-    V = Argument("V", Kind.REAL, (6,))
-    V_dot = Argument("V_dot", Kind.REAL, (6,))
-    C = Argument("C", Kind.REAL, (9,), purpose="attitude of the carrier")
-    g = Argument("g", Kind.REAL, (3,), unit="m/s2", purpose="gravity in E1")
-    out = Argument("out", layout.points_result, (), "out")
-    body = Body()
-    six, rates = parts_of_twist(V.place), list(V_dot.place)
-    O, R = sensor.place.origin, sensor.place.axes
-    velocity = body.local("velocity", (3,), comment="in E1")
-    force = body.local("force", (3,), comment="acceleration minus gravity, in E1")
-    bound = six | {"O": O, "velocity": velocity, "v_dot": rates[:3], "omega_dot": rates[3:], "g": g.place}
-    assign(body, list(velocity), derived_wrench.twist_at(), bound)
-    assign(body, list(force), derived.specific_force(layout.weight), bound)
-    assign(body, list(out.place.position), derived.position_in_E0(), {"r": position.place, "C": C.place, "O": O})
-    product = derived.attitude_in_E0()
-    for i in range(3):
-        assign(body, list(out.place.C[i]), product[i, :], {"C": C.place, "R": R})
-    back = derived_wrench.rotated_back()
-    own = list(out.place.twist)
-    assign(body, own[:3], back, {"C": R, "a": velocity})
-    assign(body, own[3:], back, {"C": R, "a": six["omega"]})
-    assign(body, list(out.place.specific_force), back, {"C": R, "a": force})
-    assign(body, list(out.place.angular_acceleration), back, {"C": R, "a": rates[3:]})
-    return body.function(
-        "sense",
-        "Reading of an accelerometer and a gyro at one instrument or point.",
-        (sensor, position, V, V_dot, C, g, out),
-    )
 
+    @lib.kernel()
+    def sense(
+        sensor: Any = argument(struct=layout.sensor),
+        r: Reals = argument("of O1", 3, unit="m"),
+        V: Reals = argument("", 6),
+        V_dot: Reals = argument("", 6),
+        C: Reals = argument("attitude of the carrier", 9),
+        g: Reals = argument("gravity in E1", 3, unit="m/s2"),
+        out: Any = result(struct=layout.points_result),
+    ) -> None:
+        """Reading of an accelerometer and a gyro at one instrument or point."""
+        O, R, omega, omega_dot = sensor.origin, sensor.axes, V[3:6], V_dot[3:6]
+        velocity = reals(3)  # in E1
+        force = reals(3)  # acceleration minus gravity, in E1
+        velocity[:] = -cross(O, omega) + V[0:3]
+        weight = g if layout.weight else [0, 0, 0]
+        force[:] = -cross(O, omega_dot) - weight + cross(omega, velocity) + V_dot[0:3]
+        out.position[:] = C @ O + r
+        out.C[:] = C.square @ R.square
+        out.twist[0:3] = R.T @ velocity
+        out.twist[3:6] = R.T @ omega
+        out.specific_force[:] = R.T @ force
+        out.angular_acceleration[:] = R.T @ omega_dot
 
-def points(lib: Library) -> Function:
-    """Readings of all instruments and points."""
-    layout = lib.layout
-    table, x = lib.table_argument(), lib.state_argument()
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose="derivative of the components of V")
-    out = Argument(
-        "out",
-        layout.points_result,
-        (layout.sensor_count,),
-        "out",
-        purpose="one reading for each instrument, then for each point",
-    )
-    body = Body()
-    check_inputs(lib, body, table, x)
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    C = body.local("C", (9,), comment="attitude")
-    body.call(lib["rotation"], x.place.attitude, C)
-    named = {"r": x.place.position, "V": x.place.V, "V_dot": V_dot.place, "C": C, "g": None}
-    if layout.weight:
-        g = body.local("g", (3,), comment="gravity in E1")
-        body.call(lib["rotate_back"], C, table.place.gravity, g)
-        named["g"] = g
-    with body.loop("k", layout.sensor_count) as k:
-        here = {"sensor": table.place.sensor[k], "out": out.place[k]}
-        body.call(lib["sense"], *lib.arguments_of("sense", **named, **here))
-    return body.checked_function(
-        "points",
-        "Readings of an accelerometer and a gyro at each instrument and point.",
-        (table, x, V_dot, out),
-        statuses=STATE_STATUSES,
-        public=True,
-    )
+    @lib.kernel(statuses=STATE_STATUSES, public=True)
+    def points(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        V_dot: Reals = argument("derivative of the components of V", 6, unit="m/s2, rad/s2"),
+        out: Any = result(
+            "one reading for each instrument, then for each point", layout.sensor_count, struct=layout.points_result
+        ),
+    ) -> Status:
+        """Readings of an accelerometer and a gyro at each instrument and point."""
+        check_inputs(lib, table, x)
+        lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
+        C = reals(9)  # attitude
+        lib["rotation"](x.attitude, C)
+        g = None
+        if layout.weight:
+            g = reals(3)  # gravity in E1
+            lib["rotate_back"](C, table.gravity, g)
+        for k in range(layout.sensor_count):
+            sense(table.sensor[k], x.position, x.V, V_dot, C, g, out[k])
+        return OK

@@ -19,7 +19,6 @@ from mahovik.core.lower import (
     excess,
     flywheels,
     forward,
-    generalized,
     held_coordinates,
     held_jacobian,
     hold,
@@ -92,9 +91,8 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     if layout.held:
         hold.add_hold(lib)
     forward.add_forward(lib)
-    lib.add(matrices.velocity_matrix(lib))
-    lib.add(matrices.matrices(lib))
-    lib.add(matrices.momentum(lib))
+    matrices.add_matrices(lib)
+    matrices.add_momentum(lib)
     if layout.flywheels:
         lib.add(flywheels.couple(lib))
         solve.add_elimination(lib)
@@ -112,20 +110,16 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     if not layout.held or (layout.freedoms and layout.flywheels):
         _add_inverse(lib)
     if layout.sensors:
-        lib.add(points.sense(lib))
-        lib.add(points.points(lib))
-    lib.add(generalized.quaternion(lib))
+        points.add_points(lib)
+    lib.add(coordinates.quaternion(lib))
     if not layout.held:
-        lib.add(coordinates.state_from_coordinates(lib))
-        lib.add(generalized.products(lib))
-        lib.add(generalized.generalized(lib))
+        coordinates.add_state_from_coordinates(lib)
+        coordinates.add_generalized(lib)
     elif layout.coordinates:
         held_coordinates.add_all(lib)
     _add_prepare(lib)
     if layout.flywheels:
-        lib.add(mounts.carry_twist(lib))
-        lib.add(mounts.mount_wrench(lib))
-        lib.add(mounts.mounts(lib))
+        mounts.add_mounts(lib)
         lib.add(mounts.prepare_mounts(lib))
     step_carried.add_all(lib)
     _add_others(lib)
@@ -172,7 +166,7 @@ def lower_numbers(layout: Layout) -> Program:
     lib.add(routines.sincos(layout.precision))
     lib.add(routines.square_root(layout.precision))
     lib.add(checks.within(lib))
-    lib.add(generalized.quaternion(lib))
+    lib.add(coordinates.quaternion(lib))
     _add_prepare(lib)
     if layout.flywheels:
         lib.add(mounts.prepare_mounts(lib))
@@ -205,7 +199,7 @@ def _program(lib: Library) -> Program:
 def _add_prepare(lib: Library) -> None:
     """`prepare`, and what it needs."""
     layout = lib.layout
-    lib.add(placement.frame_of_axes(lib))
+    placement.add_frame_of_axes(lib)
     lib.add(prepare.carry(lib))
     if layout.along:
         if "project_mass" not in lib:
@@ -216,9 +210,10 @@ def _add_prepare(lib: Library) -> None:
     if layout.flywheels and layout.flywheel_body is not layout.body:
         lib.add(parameters.check_body(lib, layout.flywheel_body))
     if layout.flywheels:
-        lib.add(placement.place_flywheel(lib))
+        purpose = "Origin and axes (at phi = 0) of a flywheel in E1."
+        placement.add_placement(lib, "place_flywheel", layout.flywheel_parameters, purpose)
     if layout.structure.points:
-        lib.add(placement.place_point(lib))
+        placement.add_placement(lib, "place_point", layout.point_parameters, "Origin and axes of a point in E1.")
     if layout.added_mass:
         lib.add(parameters.check_added_mass(lib))
         lib.add(parameters.translation_block(lib))

@@ -2,40 +2,43 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, relative_rate, scene, sum_up
 from mahovik.core.lower.library import Library
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
+from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.kernel import OK, Reals, argument, body, kernel, reals, result
 
 
 def reaction(lib: Library) -> Function:
     """R = K V_r* - (F - M V_r - I phi'' - J phi') of a motion."""
-    table, x = lib.table_argument(), lib.state_argument()
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    purpose = "derivative of the components of V, as forward or coupled gives it"
-    V_dot = Argument("V_dot", Kind.REAL, (6,), unit="m/s2, rad/s2", purpose=purpose)
     purpose = "wrench of the hold on the carrier, in E1 about O1; may overlap any input"
-    found = Argument("reaction", Kind.REAL, (6,), "out", "N, N m", purpose)
-    body = Body()
-    check_inputs(lib, body, table, x, phi_ddot, wrench)
-    lib.check(body, "within", V_dot.place, 6, lib.limits["MAX_ACCELERATION"].expression)
-    seen = scene(lib, body, table.place, x.place, turns=turns_of(lib, body, x.place))
-    sum_up(lib, body, table.place, x.place, seen, phi_ddot[0].place if phi_ddot else None)
-    F = body.local("F", (6,), comment="wrench (7); then the right-hand side of (8)")
-    external_wrench(lib, body, table.place, x.place, seen, wrench, F)
-    body.call(lib["subtract_rates"], table.place, seen.sums, seen.V, F)
-    moving = relative_rate(body, x.place, V_dot.place, seen.stream)
-    result = body.local("result", (6,))
-    body.call(lib["react"], table.place, seen.sums, moving, F, result)
-    body.copy_array(found.place, result)
-    return body.checked_function(
-        "reaction",
-        "Wrench of the hold on the carrier for a motion: R = K V* - (F - M V - sum(I phi'' + J phi')).",
-        (table, x, V_dot, *phi_ddot, *wrench, found),
-        equation="(8)",
-        statuses=STATE_STATUSES,
-        public=True,
-    )
+
+    @kernel(equation="(8)", statuses=STATE_STATUSES, public=True)
+    def reaction(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        V_dot: Reals = argument(
+            "derivative of the components of V, as forward or coupled gives it", 6, unit="m/s2, rad/s2"
+        ),
+        phi_ddot: Any = lib.phi_ddot,
+        wrench: Any = lib.wrench,
+        reaction: Reals = result(purpose, 6, unit="N, N m"),
+    ) -> Status:
+        """Wrench of the hold on the carrier for a motion: R = K V* - (F - M V - sum(I phi'' + J phi'))."""
+        check_inputs(lib, table, x, phi_ddot, wrench)
+        lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
+        seen = scene(lib, table, x, turns=turns_of(lib, x))
+        sum_up(lib, table, x, seen, phi_ddot)
+        F = reals(6)  # wrench (7); then the right-hand side of (8)
+        external_wrench(lib, table, x, seen, wrench, F)
+        lib["subtract_rates"](table, seen.sums, seen.V, F)
+        moving = relative_rate(x, V_dot, seen.stream)
+        written = body().local("result", (6,))
+        lib["react"](table, seen.sums, moving, F, written)
+        reaction[:] = written
+        return OK
+
+    return reaction

@@ -41,7 +41,7 @@ def mass_times(lib: Library, table: Any, sums: Any, six: Any, p: Any = (0, 0, 0)
         B = lower_left(lib, table, mu)
         force, moment = symmetric(table.A) @ v + B.T @ omega, B @ v + symmetric(sums.J) @ omega + h
     else:
-        force, moment = v.__rmul__(table.mass) - cross(mu, omega), symmetric(sums.J) @ omega + h + cross(mu, v)
+        force, moment = table.mass * v - cross(mu, omega), symmetric(sums.J) @ omega + h + cross(mu, v)
     return Vector([*(force + p), *moment])
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import Expr, Missing, Operand, Place, as_expr
@@ -40,7 +40,7 @@ class Function:
     def __call__(self, *arguments: Any) -> Any:
         """A Call: an expression, if the function returns a real or a status. Arguments: operands, of results places.
 
-        There may be one for each of its parameters, and none for those that may be missing.
+        There may be one for each of its parameters, and none, or None, for those that may be missing.
         """
         if len(arguments) == len(self.parameters):
             taken = [a.name for a in self.arguments]
@@ -52,11 +52,11 @@ class Function:
             raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))
 
-    def _checked_argument(self, value: Operand, parameter: Argument) -> Expr:
+    def _checked_argument(self, value: Operand | None, parameter: Argument) -> Expr:
         """`value` as what `parameter` takes: kinds, structs and lengths are checked here, once, for every call."""
         where = f"{self.name}, argument {parameter.name}"
-        if isinstance(value, Missing):
-            return value
+        if isinstance(value, Missing) or (value is None and parameter.optional == "missing"):
+            return Missing()
         if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
             if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
                 raise TypeError(f"{where}: {value!r} does not fit")
@@ -66,7 +66,7 @@ class Function:
                     raise TypeError(f"{where}: {value!r} has {int(have)} elements, expected {int(want)}")
             return value
         assert isinstance(parameter.type, Kind)
-        expr = as_expr(value, parameter.type)
+        expr = as_expr(cast(Operand, value), parameter.type)
         if expr.kind is not parameter.type:
             raise TypeError(f"{where}: {expr.kind.value} given, {parameter.type.value} expected")
         return expr
