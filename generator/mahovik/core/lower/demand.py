@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from mahovik.core.formula.derived import carrier as derived
 from mahovik.core.lower.flywheels import column_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
@@ -23,7 +22,6 @@ from mahovik.core.lower.forward import (
 from mahovik.core.lower.freedoms import columns, place_of
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.matrices import mass_matrix
-from mahovik.core.lower.solve import carrier_binding
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,

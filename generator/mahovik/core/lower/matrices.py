@@ -8,17 +8,9 @@ from mahovik.core.lower.flywheels import column_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, scene, sum_up
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import lower_left
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.expression import Place, Status
+from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, Reals, argument, changed, inline, reals, result
 from mahovik.core.program.vector import Matrix, Vector, cross, dot, skew, symmetric
-
-
-def fill(body: Body, target: Place, values: Any, binding: dict[str, Any]) -> None:
-    """A matrix of formulas into a place of two indices, row by row."""
-    for i in range(len(target)):
-        assign(body, list(target[i]), values[i, :], binding)
 
 
 def mass_matrix(lib: Library, table: Any, sums: Any) -> Matrix:
