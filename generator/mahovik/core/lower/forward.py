@@ -10,7 +10,7 @@ from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.library import Library
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Given, Status
-from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, body, inline, reals, record, result
+from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, body, inline, local, reals, record, result
 from mahovik.core.program.vector import cross
 
 STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
@@ -271,7 +271,7 @@ def add_forward(lib: Library) -> None:
         given = () if sine is None else (sine, cosine)
         check_inputs(lib, table, x, phi_ddot, wrench, given)
         at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
-        written = V_dot if at_once else body().local("result", (6,))
+        written = V_dot if at_once else local("result", 6)
         u_dot_result = None
         if layout.freedoms:
             u_dot_result = reals(layout.freedoms)

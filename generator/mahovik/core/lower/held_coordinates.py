@@ -7,11 +7,10 @@ coordinates, but for what slides while its direction turns: w* = R u, R = C0^T C
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from mahovik.core.formula.derived import hold as derived
-from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedom_coordinates import (
     in_words,
@@ -21,23 +20,12 @@ from mahovik.core.lower.freedom_coordinates import (
     turns_slides,
 )
 from mahovik.core.lower.freedoms import TURNS, columns, speeds
-from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, real
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
-from mahovik.core.program.vector import Matrix
+from mahovik.core.lower.library import Library, unit_square
+from mahovik.core.lower.symbolic import formula
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import OK, RANGE, Reals, argument, body, changed, inline, let, local, reals, result
+from mahovik.core.program.vector import Matrix, Vector, cross, dot
 from mahovik.core.stand.hold import FREEDOMS
-
-REAL = Kind.REAL
-
-
-def add_all(lib: Library) -> None:
-    """Adds both functions."""
-    lib.add(state_from_coordinates(lib))
-    lib.add(generalized(lib))
 
 
 @dataclass(frozen=True)
@@ -60,253 +48,231 @@ class Ways:
         """Place in q."""
         return own_coordinates(self.ways).index(self.ways[k])
 
-    def direction(self, k: int, S: Place) -> list[Expr | int]:
+    def direction(self, k: int, S: Any) -> Vector:
         """Three numbers, in E1: 0 and 1 of a named freedom."""
         way = self.ways[k]
         if way in FREEDOMS:
-            return [int(x) for x in FREEDOMS[way].direction]
-        first = 0 if way == "slide" else 3
-        return [S[first + i][k] for i in range(3)]
+            return Vector(int(x) for x in FREEDOMS[way].direction)
+        return S[0:3, k] if way == "slide" else S[3:6, k]
+
+    def spread(self, S: Any, values: Any) -> list[Any]:
+        """The sum of what slides times its direction; named directions, each given once."""
+        along = [(self.direction(k, S), values[k]) for k in self.slides]
+        return [next((value for one, value in along if one[i] == 1), 0) for i in range(3)]
 
 
 @dataclass(frozen=True)
 class Target:
     """Where coordinates are written: q, and the quaternion of all three turns."""
 
-    q: Place
-    orientation: Place
+    q: Any
+    orientation: Any
 
 
-def _along(direction: list[Expr | int], values: Sequence[Expr]) -> Expr:
-    """direction . values."""
-    terms = [x if one == 1 else one * x for one, x in zip(direction, values, strict=True) if one != 0]
-    total: Expr = terms[0]
-    for term in terms[1:]:
-        total = total + term
-    return total
+def add_held_coordinates(lib: Library) -> None:
+    """Adds both functions."""
+    layout, freedoms, m, ways = lib.layout, Ways(lib.layout.ways), lib.layout.freedoms, lib.layout.ways
+    count = len(own_coordinates(ways))
+    rates: Any = argument(rates_in_words(ways), m, unit="m/s, rad/s")
 
+    @lib.kernel(equation="(10)", statuses=STATE_STATUSES, public=True)
+    def state_from_coordinates(
+        table: Any = lib.table,
+        q: Any = argument(in_words(ways), count, unit="m, rad") if count else None,
+        orientation: Any = argument("attitude from the home pose: unit quaternion, w first", 4)
+        if turns_about_point(ways)
+        else None,
+        q_dot: Reals = rates,
+        q_ddot: Reals = argument("rates of q_dot", m, unit="m/s2, rad/s2"),
+        x: Any = changed("its position, attitude and V are written; phases and speeds are kept", struct=layout.state),
+        V_dot: Reals = result("derivative of the components of V, as inverse takes it", 6, unit="m/s2, rad/s2"),
+    ) -> Status:
+        """State and V* of coordinates of the freedoms of the hold and their rates: V = S u, V* = S u*."""
+        check_coordinates(lib, freedoms, q, orientation)
+        lib["within"](q_dot, m, lib.limit("MAX_SPEED"))
+        lib["within"](q_ddot, m, lib.limit("MAX_ACCELERATION"))
+        attitude = reals(4)
+        turn = reals(4)  # from the home attitude, as a quaternion
+        write_turn(lib, freedoms, table, q, orientation, turn)
+        attitude[:] = formula(derived.turned_home(), home=table.home_attitude, q=turn)
+        position = write_position(lib, freedoms, table, q, attitude)
+        u = reals(m)
+        u_dot = reals(m)
+        u[:] = q_dot
+        u_dot[:] = q_ddot
+        if turns_slides(ways):
+            turn_rates_back(lib, freedoms, table, turn, u, u_dot)
+        V = reals(6)
+        rate = reals(6)
+        S = Matrix(columns(ways, table)).T
+        V[:] = S @ u
+        rate[:] = S @ u_dot
+        lib["within"](position, 3, lib.limit("MAX_POSITION"))
+        lib["within"](V, 6, lib.limit("MAX_SPEED"))
+        lib["within"](V, 3, lib.limit("MAX_VELOCITY"))
+        x.position[:] = position
+        x.attitude[:] = attitude
+        x.V[:] = V
+        V_dot[:] = rate
+        return OK
 
-def _spread(body: Body, target: Place, found: Ways, S: Place, values: list[Expr]) -> None:
-    """target (3) = sum of what slides times its direction; named directions, each given once."""
-    for i in range(3):
-        whole: Expr = real(0)
-        for k, value in zip(found.slides, values, strict=True):
-            if found.direction(k, S)[i] == 1:
-                whole = value
-        body.set(target[i], whole)
-
-
-def generalized(lib: Library) -> Function:
-    """Coordinates, their rates, and the rates of these for given phi''."""
-    layout, found = lib.layout, Ways(lib.layout.ways)
-    table, x = lib.table_argument(), lib.state_argument()
-    phi_ddot, wrench = lib.phi_ddot_arguments(), lib.wrench_arguments()
-    out = Argument("out", layout.generalized, (), "out", purpose="coordinates of the freedoms, q_dot, q_ddot")
-    body, m = Body(), layout.freedoms
-    V_dot = body.local("V_dot", (6,))
-    u_dot = body.local("u_dot", (m,))
-    given = (*(a.place for a in phi_ddot), *(a.place for a in wrench))
-    lib.check(body, "forward", table.place, x.place, *given, V_dot, u_dot)
-    u = body.local("u", (m,), comment="speeds of the freedoms")
-    for k, speed in enumerate(speeds(layout.ways, columns(layout.ways, table.place), x.place.V)):
-        body.set(u[k], speed)
-    if found.turns:
-        turn = read_turn(lib, body, found, table.place, x.place, out.place)
-    if found.slides:
-        read_slides(lib, body, found, table.place, x.place, out.place)
-    for name, values in (("q_dot", u), ("q_ddot", u_dot)):
-        body.copy_array(out.place.member(name), values)
-    if turns_slides(layout.ways):
-        body.note("what slides goes along axes that turn: w* = R u, w** = R (u* + omega x u)")
-        R = body.local("R", (9,), comment="turn from the home pose")
-        a, b = (body.local(name, (3,), comment=text) for name, text in (("a", "u in E1"), ("b", "u* in E1")))
-        body.call(lib["rotation"], turn, R)
-        _spread(body, a, found, table.place.S, [u[k] for k in found.slides])
-        _spread(body, b, found, table.place.S, [u_dot[k] for k in found.slides])
-        whole = body.local("whole", (3,), comment="u* + omega x u")
-        assign(body, list(whole), derived.turning_rate(), {"a": a, "b": b, "omega": list(x.place.V)[3:]})
-        for name, own in (("q_dot", a), ("q_ddot", whole)):
-            rate = body.local(f"{name}_home", (3,), comment="in the axes of the home pose")
-            assign(body, list(rate), derived_wrench.rotated(), {"C": R, "a": own})
-            for k in found.slides:
-                body.set(out.place.member(name)[k], _along(found.direction(k, table.place.S), list(rate)))
-    return body.checked_function(
-        "generalized",
-        "Coordinates of the freedoms of the hold at a state, with their rates, for given phi''.",
-        (table, x, *phi_ddot, *wrench, out),
+    @lib.kernel(
         equation="(10), (11)",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         notes=("What position and attitude are off the hold is left out.",),
         public=True,
     )
+    def generalized(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        phi_ddot: Any = lib.phi_ddot,
+        wrench: Any = lib.wrench,
+        out: Any = result("coordinates of the freedoms, q_dot, q_ddot", struct=layout.generalized),
+    ) -> Status:
+        """Coordinates of the freedoms of the hold at a state, with their rates, for given phi''."""
+        V_dot = reals(6)
+        u_dot = reals(m)
+        lib["forward"](table, x, None, None, phi_ddot, wrench, V_dot, u_dot)
+        u = reals(m)  # speeds of the freedoms
+        u[:] = speeds(ways, columns(ways, table), x.V)
+        turn = read_turn(lib, freedoms, table, x, out) if freedoms.turns else None
+        if freedoms.slides:
+            read_slides(lib, freedoms, table, x, out)
+        out.q_dot[:] = u
+        out.q_ddot[:] = u_dot
+        if turns_slides(ways):
+            # what slides goes along axes that turn: w* = R u, w** = R (u* + omega x u)
+            R = reals(9)  # turn from the home pose
+            a = reals(3)  # u in E1
+            b = reals(3)  # u* in E1
+            lib["rotation"](turn, R)
+            a[:] = freedoms.spread(table.S, u)
+            b[:] = freedoms.spread(table.S, u_dot)
+            whole = reals(3)  # u* + omega x u
+            whole[:] = -cross(a, x.V[3:6]) + b
+            for name, own in (("q_dot", a), ("q_ddot", whole)):
+                turn_rates(freedoms, table, R, own, name, out)
+        return OK
 
 
-def read_turn(lib: Library, body: Body, found: Ways, table: Place, x: Place, out: Place | Target) -> Place:
+@inline
+def turn_rates(freedoms: Ways, table: Any, R: Any, own: Any, name: str, out: Any) -> None:
+    """Rates of what slides from the axes of E1 to those of the home pose."""
+    rate = local(f"{name}_home", 3, comment="in the axes of the home pose")
+    rate[:] = R @ own
+    for k in freedoms.slides:
+        out.member(name)[k] = dot(freedoms.direction(k, table.S), rate)
+
+
+@inline
+def read_turn(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> Any:
     """Writes the angle or the quaternion; gives the turn from the home pose as a quaternion of any length."""
-    turn = body.local("turn", (4,), comment="from the home attitude, quaternion with w >= 0")
-    assign(body, list(turn), derived.from_home(), {"home": table.home_attitude, "q": x.attitude})
-    with body.when(turn[0] < 0):
-        for i in range(4):
-            body.set(turn[i], -turn[i])
-    if turns_about_point(found.ways):
-        body.copy_array(out.orientation, turn)
+    turn = reals(4)  # from the home attitude, quaternion with w >= 0
+    turn[:] = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)
+    if turn[0] < 0:
+        turn[:] = -turn
+    if turns_about_point(freedoms.ways):
+        out.orientation[:] = turn
         return turn
-    (k,) = found.turns
-    axis = found.direction(k, table.S)
-    half = body.let("half", _along(axis, list(turn)[1:]), "about the axis: sine of half the angle, times a factor")
-    body.set(out.q[found.number(k)], real(2) * lib["atan2"](half, turn[0]))
-    if turns_slides(found.ways):
-        with body.when(Not(turn[0] * turn[0] + half * half > 0), comment="half a turn about another axis"):
-            body.set(turn[0], real(1))
-        for i in range(3):
-            body.set(turn[i + 1], half if axis[i] == 1 else real(0))
+    k = freedoms.turns[0]
+    axis = freedoms.direction(k, table.S)
+    half = let("half", dot(axis, turn[1:4]), "about the axis: sine of half the angle, times a factor")
+    out.q[freedoms.number(k)] = 2 * lib["atan2"](half, turn[0])
+    if turns_slides(freedoms.ways):
+        if not (turn[0] * turn[0] + half * half > 0):  # half a turn about another axis
+            turn[0] = 1
+        turn[1:4] = axis * half
     return turn
 
 
-def read_slides(lib: Library, body: Body, found: Ways, table: Place, x: Place, out: Place | Target) -> None:
+@inline
+def read_slides(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> None:
     """w = C0^T (O1 + C pivot - O1_home) - pivot, along each direction."""
-    C0, C = (body.local(name, (9,), comment=text) for name, text in (("C0", "home attitude"), ("C", "attitude")))
-    body.call(lib["rotation"], table.home_attitude, C0)
-    body.call(lib["rotation"], x.attitude, C)
-    arm = body.local("arm", (3,), comment="from O1 to the pivot, in E0")
-    gone = body.local("gone", (3,), comment="to the pivot from the home place of O1, in E0")
-    own = body.local("own", (3,), comment="in the axes of the home pose")
-    assign(body, list(arm), derived_wrench.rotated(), {"C": C, "a": table.pivot})
-    for i in range(3):
-        body.set(gone[i], x.position[i] - table.home_position[i] + arm[i])
-    body.call(lib["rotate_back"], C0, gone, own)
-    w: list[Expr] = [own[i] - table.pivot[i] for i in range(3)]
-    for k in found.slides:
-        body.set(out.q[found.number(k)], _along(found.direction(k, table.S), w))
+    C0 = reals(9)  # home attitude
+    C = reals(9)  # attitude
+    lib["rotation"](table.home_attitude, C0)
+    lib["rotation"](x.attitude, C)
+    arm = reals(3)  # from O1 to the pivot, in E0
+    gone = reals(3)  # to the pivot from the home place of O1, in E0
+    own = reals(3)  # in the axes of the home pose
+    arm[:] = C @ table.pivot
+    for i in list(range(3)):
+        gone[i] = x.position[i] - table.home_position[i] + arm[i]
+    lib["rotate_back"](C0, gone, own)
+    for k in freedoms.slides:
+        out.q[freedoms.number(k)] = dot(freedoms.direction(k, table.S), own - table.pivot)
 
 
-def _inputs(lib: Library) -> list[Argument]:
-    """q, orientation, q_dot, q_ddot: those that the freedoms have."""
-    ways, arguments = lib.layout.ways, []
-    if own := own_coordinates(ways):
-        arguments.append(Argument("q", REAL, (len(own),), unit="m, rad", purpose=in_words(ways)))
-    if turns_about_point(ways):
-        purpose = "attitude from the home pose: unit quaternion, w first"
-        arguments.append(Argument("orientation", REAL, (4,), purpose=purpose))
-    rates = Argument("q_dot", REAL, (len(ways),), unit="m/s, rad/s", purpose=rates_in_words(ways))
-    return [*arguments, rates, Argument("q_ddot", REAL, (len(ways),), unit="m/s2, rad/s2", purpose="rates of q_dot")]
-
-
-def state_from_coordinates(lib: Library) -> Function:
-    """Position, attitude, V and V* of coordinates and their rates."""
-    layout, found, m = lib.layout, Ways(lib.layout.ways), lib.layout.freedoms
-    table, arguments = lib.table_argument(), _inputs(lib)
-    given = {a.name: a.place for a in arguments}
-    purpose = "its position, attitude and V are written; phases and speeds are kept"
-    x = Argument("x", layout.state, (), "inout", purpose=purpose)
-    V_dot = Argument(
-        "V_dot", REAL, (6,), "out", "m/s2, rad/s2", "derivative of the components of V, as inverse takes it"
-    )
-    body = Body()
-    _check_coordinates(lib, body, found, given)
-    T = table.place
-    attitude = body.local("attitude", (4,))
-    turn = body.local("turn", (4,), comment="from the home attitude, as a quaternion")
-    _write_turn(lib, body, found, T, given, turn)
-    assign(body, list(attitude), derived.turned_home(), {"home": T.home_attitude, "q": turn})
-    position = _write_position(lib, body, found, T, given, attitude)
-    u, u_dot = (body.local(name, (m,)) for name in ("u", "u_dot"))
-    body.copy_array(u, given["q_dot"])
-    body.copy_array(u_dot, given["q_ddot"])
-    if turns_slides(layout.ways):
-        _turn_rates_back(lib, body, found, T, turn, u, u_dot)
-    V, rate = (body.local(name, (6,)) for name in ("V", "rate"))
-    for target, values in ((V, u), (rate, u_dot)):
-        body.set(target, Matrix(columns(layout.ways, T)).T @ values)
-    lib.check(body, "within", position, 3, lib.limits["MAX_POSITION"].expression)
-    lib.check(body, "within", V, 6, lib.limits["MAX_SPEED"].expression)
-    lib.check(body, "within", V, 3, lib.limits["MAX_VELOCITY"].expression)
-    for target, values in ((x.place.position, position), (x.place.attitude, attitude), (x.place.V, V)):
-        body.copy_array(target, values)
-    body.copy_array(V_dot.place, rate)
-    return body.checked_function(
-        "state_from_coordinates",
-        "State and V* of coordinates of the freedoms of the hold and their rates: V = S u, V* = S u*.",
-        (table, *arguments, x, V_dot),
-        equation="(10)",
-        statuses=STATE_STATUSES,
-        public=True,
-    )
-
-
-def _check_coordinates(lib: Library, body: Body, found: Ways, given: dict[str, Place]) -> None:
+@inline
+def check_coordinates(lib: Library, freedoms: Ways, q: Any, orientation: Any) -> Any:
     """Ranges: of coordinates those of positions, in float of an angle that of phases, a quaternion of unit length."""
-    limit = {name: each.expression for name, each in lib.limits.items()}
     angle = "MAX_PHASE" if lib.layout.precision.name == "float" else "MAX_POSITION"  # the narrower of both
-    for k in range(len(found.ways)):
-        if found.ways[k] in own_coordinates(found.ways):
-            most = limit["MAX_POSITION" if k in found.slides else angle]
-            lib.check_number(body, given["q"][found.number(k)], most)
-    if "orientation" in given:
-        q = given["orientation"]
-        lib.check(body, "within", q, 4, real(2))
-        lib.check_unit(body, body.let("norm2", q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
-    lib.check(body, "within", given["q_dot"], len(found.ways), limit["MAX_SPEED"])
-    lib.check(body, "within", given["q_ddot"], len(found.ways), limit["MAX_ACCELERATION"])
+    for way in own_coordinates(freedoms.ways):
+        k = freedoms.ways.index(way)
+        lib.check_number(body(), q[freedoms.number(k)], lib.limit("MAX_POSITION" if k in freedoms.slides else angle))
+    if orientation is not None:
+        lib["within"](orientation, 4, 2)
+        norm2 = dot(orientation, orientation)
+        if not unit_square(norm2):
+            return RANGE
+    return None
 
 
-def _write_turn(lib: Library, body: Body, found: Ways, table: Place, given: dict[str, Place], turn: Place) -> None:
+@inline
+def write_turn(lib: Library, freedoms: Ways, table: Any, q: Any, orientation: Any, turn: Any) -> None:
     """The turn from the home attitude."""
-    if "orientation" in given:
-        body.copy_array(turn, given["orientation"])
-        return
-    for i, value in enumerate((1, 0, 0, 0)):
-        body.set(turn[i], real(value))
-    for k in found.turns:
-        s, c = body.local("s", comment="sine of half the angle"), body.local("c")
-        body.call(lib["sincos"], real(0.5) * given["q"][found.number(k)], s, c)
-        body.set(turn[0], c)
-        for i, one in enumerate(found.direction(k, table.S)):
-            if one != 0:
-                body.set(turn[i + 1], s if one == 1 else s * one)
+    if orientation is not None:
+        turn[:] = orientation
+    else:
+        turn[:] = [1, 0, 0, 0]
+        for k in freedoms.turns:
+            s = reals()  # sine of half the angle
+            c = reals()
+            lib["sincos"](0.5 * q[freedoms.number(k)], s, c)
+            turn[0] = c
+            for i, one in enumerate(freedoms.direction(k, table.S)):
+                if isinstance(one, int) and one:
+                    turn[i + 1] = s
+                elif not isinstance(one, int):
+                    turn[i + 1] = s * one
 
 
-def _write_position(
-    lib: Library, body: Body, found: Ways, table: Place, given: dict[str, Place], attitude: Place
-) -> Place:
+@inline
+def write_position(lib: Library, freedoms: Ways, table: Any, q: Any, attitude: Any) -> Any:
     """O1 = O1_home + C0 (w + pivot) - C pivot."""
-    C0, C = (body.local(name, (9,), comment=text) for name, text in (("C0", "home attitude"), ("C", "attitude")))
-    body.call(lib["rotation"], table.home_attitude, C0)
-    body.call(lib["rotation"], attitude, C)
-    place = body.local("place", (3,), comment="of the pivot from the home place of O1, in the axes of the home pose")
-    for i in range(3):
-        whole: Expr = table.pivot[i]
-        for k in found.slides:
-            one = found.direction(k, table.S)[i]
-            if one != 0:
-                way = given["q"][found.number(k)]
-                whole = whole + (way if one == 1 else way * one)
-        body.set(place[i], whole)
-    gone, arm = (body.local(name, (3,), comment="in E0") for name in ("gone", "arm"))
-    assign(body, list(gone), derived_wrench.rotated(), {"C": C0, "a": place})
-    assign(body, list(arm), derived_wrench.rotated(), {"C": C, "a": table.pivot})
-    position = body.local("position", (3,))
-    for i in range(3):
-        body.set(position[i], table.home_position[i] + (gone[i] - arm[i]))
+    C0 = reals(9)  # home attitude
+    C = reals(9)  # attitude
+    lib["rotation"](table.home_attitude, C0)
+    lib["rotation"](attitude, C)
+    place = reals(3)  # of the pivot from the home place of O1, in the axes of the home pose
+    slid = (q[freedoms.number(k)] * freedoms.direction(k, table.S) for k in freedoms.slides)
+    place[:] = sum(slid, Vector(table.pivot))
+    gone = reals(3)  # in E0
+    arm = reals(3)  # in E0
+    gone[:] = C0 @ place
+    arm[:] = C @ table.pivot
+    position = reals(3)
+    for i in list(range(3)):
+        position[i] = table.home_position[i] + (gone[i] - arm[i])
     return position
 
 
-def _turn_rates_back(lib: Library, body: Body, found: Ways, table: Place, turn: Place, u: Place, u_dot: Place) -> None:
+@inline
+def turn_rates_back(lib: Library, freedoms: Ways, table: Any, turn: Any, u: Any, u_dot: Any) -> None:
     """u = R^T w*, u* = R^T w** - omega x u of what slides, in place."""
-    R = body.local("R", (9,), comment="turn from the home pose")
-    body.call(lib["rotation"], turn, R)
-    omega = body.local("omega", (3,), comment="angular velocity")
-    for i in range(3):
-        turning = [k for k in found.turns if found.direction(k, table.S)[i] == 1]
-        body.set(omega[i], u[turning[0]] if turning else real(0))
-    a, b = (body.local(name, (3,), comment="in E1") for name in ("a", "b"))
-    home = body.local("home", (3,), comment="in the axes of the home pose")
-    for values, target in ((u, a), (u_dot, b)):
-        _spread(body, home, found, table.S, [values[k] for k in found.slides])
-        body.call(lib["rotate_back"], R, home, target)
-    rate = body.local("rate_along", (3,), comment="u* of what slides, in E1")
-    assign(body, list(rate), derived.rate_before_turning(), {"a": a, "b": b, "omega": omega})
-    for k in found.slides:
-        direction = found.direction(k, table.S)
-        body.set(u[k], _along(direction, list(a)))
-        body.set(u_dot[k], _along(direction, list(rate)))
+    R = reals(9)  # turn from the home pose
+    lib["rotation"](turn, R)
+    omega = reals(3)  # angular velocity
+    turning = [(freedoms.direction(k, table.S), u[k]) for k in freedoms.turns]
+    omega[:] = [next((value for one, value in turning if one[i] == 1), 0) for i in range(3)]
+    a = reals(3)  # in E1
+    b = reals(3)  # in E1
+    home = reals(3)  # in the axes of the home pose
+    for values, turned in ((u, a), (u_dot, b)):
+        home[:] = freedoms.spread(table.S, values)
+        lib["rotate_back"](R, home, turned)
+    rate_along = reals(3)  # u* of what slides, in E1
+    rate_along[:] = cross(a, omega) + b
+    for k in freedoms.slides:
+        u[k] = dot(freedoms.direction(k, table.S), a)
+        u_dot[k] = dot(freedoms.direction(k, table.S), rate_along)

@@ -116,7 +116,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         coordinates.add_state_from_coordinates(lib)
         coordinates.add_generalized(lib)
     elif layout.coordinates:
-        held_coordinates.add_all(lib)
+        held_coordinates.add_held_coordinates(lib)
     _add_prepare(lib)
     if layout.flywheels:
         mounts.add_mounts(lib)

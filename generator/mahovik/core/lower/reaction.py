@@ -9,7 +9,7 @@ from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wr
 from mahovik.core.lower.library import Library
 from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
-from mahovik.core.program.kernel import OK, Reals, argument, body, kernel, reals, result
+from mahovik.core.program.kernel import OK, Reals, argument, kernel, local, reals, result
 
 
 def reaction(lib: Library) -> Function:
@@ -36,7 +36,7 @@ def reaction(lib: Library) -> Function:
         external_wrench(lib, table, x, seen, wrench, F)
         lib["subtract_rates"](table, seen.sums, seen.V, F)
         moving = relative_rate(x, V_dot, seen.stream)
-        written = body().local("result", (6,))
+        written = local("result", 6)
         lib["react"](table, seen.sums, moving, F, written)
         reaction[:] = written
         return OK

@@ -170,6 +170,11 @@ def let(name: str, value: float, comment: str = "") -> float:
     return cast(float, _body("let").let(name, as_expr(cast(Operand, value), Kind.REAL), comment))
 
 
+def local(name: str, *shape: int | NamedCount, comment: str = "") -> Any:
+    """A local array whose name is computed."""
+    return _body("local").local(name, shape, comment=comment)
+
+
 def shortcut() -> AbstractContextManager[None]:
     """`with shortcut():` a quick way to return what the statements after it would return as well."""
     return _body("shortcut").shortcut()
