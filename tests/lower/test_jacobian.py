@@ -25,7 +25,6 @@ from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.value import jacobian_checks
-from mahovik.proof.verify.harness import free_only_rows
 from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
 from verify.holds import DRY, PENDULUM, WET, random_held_stand
@@ -143,9 +142,7 @@ def test_not_a_number_is_refused(function: str) -> None:
     assert np.all(np.array(out["out"]["V_dot_V"]) == 3.5)
 
 
-def test_a_clamped_carrier_has_none_and_verify_says_so() -> None:
+def test_a_clamped_carrier_has_none() -> None:
     stand = random_held_stand("clamped", 3)
     names = {f.name for f in generate_all(stand).program.functions}
     assert names.isdisjoint(FUNCTIONS)
-    assert set(FUNCTIONS) <= {row.judged for row in free_only_rows(stand)}
-    assert set(FUNCTIONS).isdisjoint(row.judged for row in free_only_rows(random_held_stand("hinge", 3)))

@@ -16,7 +16,6 @@ from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof import reference
 from mahovik.proof.second import Second
-from mahovik.proof.verify import harness
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
@@ -27,7 +26,7 @@ from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.judges import PROGRAMS, verify_judges
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
-from verify.holds import PENDULUM, random_held_stand
+from verify.holds import random_held_stand
 
 STILL = """
 schema = 1
@@ -81,14 +80,6 @@ def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
     states = ordinary(draw(stand, 1, 3), (), 2)
     rows = checks_of(Case(stand, backend, states, DOUBLE, Second(stand), Scales(stand), 1), "inverse_fast")
     assert {row.verdict for row in rows if row.states} == {"ok"}
-
-
-def test_what_a_held_carrier_does_not_have_is_a_row_with_the_reason() -> None:
-    assert not harness.free_only_rows(loads(PENDULUM))
-    assert "generalized" in {row.judged for row in harness.free_only_rows(random_held_stand("knife edge", 3))}
-    clamped = harness.free_only_rows(loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]")))
-    assert {"inverse", "inverse_fast"} <= {row.judged for row in clamped}
-    assert all(row.verdict == "not compared" and "held carrier" in row.words for row in clamped)
 
 
 @pytest.mark.parametrize("quantity", ["u_dot", "V_dot", "reaction"])

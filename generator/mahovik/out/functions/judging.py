@@ -197,7 +197,7 @@ def _diagnosis(
     Raises CheckError, UsageError.
     """
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.diagnose.states import spread_rows, telling_rows
+    from mahovik.proof.diagnose.states import spread_rows
     from mahovik.proof.diagnose.terms.products import count
     from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
 
@@ -206,7 +206,7 @@ def _diagnosis(
     offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
         return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
-    rows = None if states is None else telling_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
+    rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     document = Stand.of(stand).to_dict()
     diagnoser = Diagnoser(stand, document, seed=seed, wants=offered, states=rows, tolerance=tolerance, program=program)
     diagnosed = diagnoser.diagnose(answers(diagnoser.requests))

@@ -75,12 +75,3 @@ def separating_states(stand: Stand, seed: int = 1, program: Program | None = Non
 def spread_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
     """At most `count` rows of a log, spread evenly."""
     return [states[k] for k in np.linspace(0, len(states) - 1, min(count, len(states))).astype(int)]
-
-
-def telling_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:
-    """At most `count` rows of a log, spread evenly; the fullest motion first."""
-    rows = spread_rows(states, count)
-    motions = np.array([(*s.V, *s.V_dot, *s.phi_dot, *s.phi_ddot) for _, s in rows])
-    size = np.sqrt(np.mean(motions**2, axis=0))
-    fullest = np.minimum(np.abs(motions / np.where(size > 0.0, size, 1.0)), 1.0).sum(axis=1)
-    return [rows[i] for i in np.argsort(-fullest, kind="stable")]

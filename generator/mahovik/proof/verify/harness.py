@@ -9,8 +9,6 @@ from typing import Any
 
 from mahovik.contract.functions import TASK_WANTS
 from mahovik.contract.limits import DOUBLE, LIMITS, Limits
-from mahovik.core.lower.hold import OF_COORDINATES
-from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.process import side_by_side
@@ -113,7 +111,6 @@ def verify_c(
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
         rows += [Check(name, "not in the folder") for name in backend.left_out]  # nothing judges them
-        rows += free_only_rows(stand)
     rows.append(check_file(stand, document))
     if against is not None:
         rows.append(check_text(stand, backend.generated, against))
@@ -121,21 +118,6 @@ def verify_c(
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), limits.value, rows)
-
-
-def free_only_rows(stand: Stand) -> list[Check]:
-    """A row for each want and function of free carriers that a held one does not have."""
-    if stand.hold is None:
-        return []
-    words = "the C of a held carrier has no such function: its freedoms have none"
-    names: list[str] = []
-    if not has_coordinates(stand.hold):
-        names += sorted(OF_COORDINATES)
-    if not (stand.hold.freedoms and stand.flywheels):
-        names += ["inverse", *(["inverse_fast"] if stand.flywheels else [])]
-    if not stand.hold.freedoms:
-        names += [name for name in ("forward_jacobian", "coupled_jacobian") if stand.flywheels or name[0] == "f"]
-    return [Check(name, "not there", words=words) for name in names]
 
 
 def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: Path | None) -> Check:

@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import svd
-from scipy.optimize import linprog
 
 from mahovik.proof.reference.array import Array
 
@@ -39,9 +38,6 @@ SINGULAR = 1e-11
 
 INDEPENDENT = 1e-6
 """Part of a column that others do not explain, from which on it is one of its own."""
-
-SMALL = 400
-"""Columns up to which the answer with the least sum of magnitudes is looked for."""
 
 
 @dataclass(frozen=True)
@@ -162,16 +158,11 @@ class _Set:
         return self._svd[0][:, : self.rank]
 
     def candidates(self, error: Array, limit: float) -> Iterator[Places]:
-        """Few columns that may be the error: one after another, least squares over all, the least sum of magnitudes."""
+        """Few columns that may be the error: one after another, and least squares over all."""
         yield self.places[self._one_by_one(error, limit)]
-        if not self.places.size or np.linalg.norm(error - self.span @ (self.span.T @ error)) > limit:
-            return
-        left, singular, right = self._svd
-        equal, wanted = right[: self.rank], (left.T @ error)[: self.rank] / singular[: self.rank]
-        if self.rank == len(self.places):
-            yield self.places[np.abs(right.T @ wanted) > limit / singular[-1]]
-        elif len(self.places) <= SMALL:
-            yield self.places[_least_sum(equal, wanted)]
+        if self.places.size and self.rank == len(self.places):
+            left, singular, right = self._svd
+            yield self.places[np.abs(right.T @ (left.T @ error / singular)) > limit / singular[-1]]
 
     def _one_by_one(self, error: Array, limit: float) -> Places:
         """The column most like what is left, again and again; columns that later ones make needless are dropped."""
@@ -183,16 +174,6 @@ class _Set:
             c, _ = _solve(self.columns[:, kept], error)
             rest = error - self.columns[:, kept] @ c
         return np.sort(np.array(kept, dtype=np.int64)[np.abs(c) > 10 * limit])
-
-
-def _least_sum(equal: Array, wanted: Array) -> Places:
-    """Places of the c (m) with equal c = wanted and the least sum of magnitudes that are not zero."""
-    unit, m = float(np.abs(wanted).max()), equal.shape[1]
-    solved = linprog(np.ones(2 * m), A_eq=np.hstack([equal, -equal]), b_eq=wanted / unit, method="highs")
-    if solved.x is None:
-        return np.zeros(0, dtype=np.int64)
-    c = np.abs(solved.x[:m] - solved.x[m:])
-    return np.flatnonzero(c > 1e-6 * c.max())
 
 
 def _solve(columns: Array, error: Array) -> tuple[Array, float]:

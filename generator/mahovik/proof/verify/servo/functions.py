@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
@@ -78,21 +78,6 @@ def checks(case: ServoCase, function: str) -> Iterator[Check]:
     yield from law_checks(case.made, function, drawn, right, np.random.default_rng((case.seed, 2)))
     good = {"state": {}} if right is law.reset else drawn[0]  # a reset reads nothing
     yield refusal_check(case.made, function, good, _out_of_range(case))
-    if function == "servo_step":
-        yield neighbours_check(case, drawn)
-
-
-def neighbours_check(case: ServoCase, drawn: Iterable[Mapping[str, Any]]) -> Check:
-    """Flywheels with a good reading have the same bits beside flagged ones as beside good ones."""
-    row = Check("servo_step", "flywheels beside flagged ones")
-    for number, inputs in enumerate(drawn):
-        if inputs["invalid"] is not None:
-            good = inputs["invalid"] == 0
-            read = {name: np.where(good, inputs[name], inputs[f"{name}_ref"]) for name in ("phi", "phi_dot")}
-            found = [case.made.call("servo_step", {**inputs, **more})[1] for more in ({}, read | {"invalid": None})]
-            same = all(np.array_equal(*(x[k][good] for x in found)) for k in ("tau", "torque", "speed", "integral"))
-            row.demand(same, f"sample {number}", "other bits than beside good ones")
-    return row
 
 
 def _out_of_range(case: ServoCase) -> dict[str, tuple[float, ...]]:
