@@ -133,7 +133,7 @@ class Place(Expr):
 
     @property
     def operands(self) -> tuple[Expr, ...]:
-        return tuple(step for step in self.path if isinstance(step, Expr))
+        return tuple([step for step in self.path if isinstance(step, Expr)]) if self.path else ()
 
     @property
     def is_scalar(self) -> bool:

@@ -70,7 +70,8 @@ def inside(e: Expr) -> Iterator[Expr]:
     while waiting:
         outer = waiting.pop()
         yield outer
-        waiting.extend(reversed(outer.operands))
+        if parts := outer.operands:
+            waiting.extend(parts[::-1])
 
 
 def used_variables(body: Iterable[Statement]) -> set[int]:

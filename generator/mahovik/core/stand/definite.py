@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import cross, mount_of, placement, transfer
+from mahovik.core.stand.frames import blocks, cross, placement, transfer
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
 
@@ -31,17 +31,17 @@ def least_eigenvalue(stand: Stand) -> tuple[float, tuple[float, ...]]:
     Where a diagonal element nearly vanishes at some phase, scaling to unit diagonal there would hide it: the
     eigenvalue is taken with the diagonal's mean over the phases as well, and the lesser of the two is returned.
     """
-    constant, rotors = _fixed_inertia(stand), [_Rotor(stand, flywheel) for flywheel in stand.flywheels]
-    mean = constant + sum((rotor.mean for rotor in rotors), np.zeros((6, 6)))
+    constant, rotors = _fixed_inertia(stand), _Rotors(stand)
+    mean = constant + rotors.mean
     diagonal = np.diag(mean)
-    at_zero = (0.0,) * len(rotors)
+    at_zero = (0.0,) * len(stand.flywheels)
     if not (diagonal > 0).all() or not np.isfinite(mean).all():
         return -np.inf, at_zero
     scale = 1.0 / np.sqrt(diagonal)
-    candidates: list[Array] = [np.zeros(len(rotors))]
-    if rotors:
+    candidates: list[Array] = [np.zeros(len(stand.flywheels))]
+    if stand.flywheels:
         scaling = scale[:, None] * scale[None, :]
-        harmonics = np.array([rotor.schur for rotor in rotors]) * scaling
+        harmonics = rotors.schur * scaling
         if not np.isfinite(harmonics).all():
             return -np.inf, at_zero
         starts = _alternate(constant * scaling, harmonics)
@@ -57,8 +57,7 @@ def condition_of_twists(stand: Stand, S: Array) -> float:
     S (6xm): twists of O1 in E1. Whoever solves for a motion along them loses as many digits. What a far centre of mass
     couples is not counted: it is the stand's, whichever twists say the same motions.
     """
-    mean = _fixed_inertia(stand) + sum((_Rotor(stand, each).mean for each in stand.flywheels), np.zeros((6, 6)))
-    along = (S.T * np.diag(mean)) @ S
+    along = (S.T * np.diag(_fixed_inertia(stand) + _Rotors(stand).mean)) @ S
     diagonal = np.diag(along)
     if not (diagonal > 0).all() or not np.isfinite(along).all():
         return np.inf
@@ -84,13 +83,12 @@ def _alternate(constant: Array, harmonics: Array) -> Array:
     return np.asarray(phases[order[:_POLISH_COUNT]], dtype=np.float64)
 
 
-def _polish(constant: Array, rotors: list[_Rotor], scale: Array, phases: Array) -> Array:
+def _polish(constant: Array, rotors: _Rotors, scale: Array, phases: Array) -> Array:
     """Gauss-Newton on |W_s R^T(phi_s) L^T x|^2: where the least value is zero, alternation only creeps to it.
 
     The residuals are linear in x, so each step is again an eigenvector, of the sum projected off the phases' columns.
     """
-    W = np.array([rotor.root for rotor in rotors])
-    down = np.array([rotor.mount.T * scale[None, :] for rotor in rotors])
+    W, down = rotors.root, np.swapaxes(rotors.mount, 1, 2) * scale
     values, x = _lowest(constant, _residual(W, down, phases, 0))
     for _ in range(_STEPS):
         rows, slopes = _residual(W, down, phases, 0), _residual(W, down, phases, 1)
@@ -149,17 +147,14 @@ def _newton_step(q: Array, phases: Array) -> Array:
     return np.asarray(np.clip(step, -2 * np.pi / _GRID, 2 * np.pi / _GRID))
 
 
-def _eigenvalue(constant: Array, rotors: list[_Rotor], phases: Array, mean_scale: Array) -> float:
+def _eigenvalue(constant: Array, rotors: _Rotors, phases: Array, mean_scale: Array) -> float:
     """Least eigenvalue of the full matrix at these phases, at unit diagonal and at unit mean diagonal."""
-    full = np.zeros((6 + len(rotors), 6 + len(rotors)))
-    full[:6, :6] = constant
-    if rotors:
-        L = np.array([rotor.mount for rotor in rotors]) @ _turns(phases)
-        Theta = np.array([rotor.Theta for rotor in rotors])
-        full[:6, :6] += (L @ Theta @ np.swapaxes(L, -1, -2)).sum(axis=0)
-        full[:6, 6:] = (L @ Theta[:, :, 3:4])[:, :, 0].T
-        full[6:, :6] = full[:6, 6:].T
-        full[range(6, len(full)), range(6, len(full))] = Theta[:, 3, 3]
+    full = np.zeros((6 + len(phases), 6 + len(phases)))
+    L, Theta = rotors.mount @ _turns(phases), rotors.Theta
+    full[:6, :6] = constant + (L @ Theta @ np.swapaxes(L, -1, -2)).sum(axis=0)
+    full[:6, 6:] = (L @ Theta[:, :, 3:4])[:, :, 0].T
+    full[6:, :6] = full[:6, 6:].T
+    full[range(6, len(full)), range(6, len(full))] = Theta[:, 3, 3]
     diagonal = np.diag(full)
     if not (diagonal > 0).all() or not np.isfinite(full).all():
         return -np.inf
@@ -177,24 +172,26 @@ def _least(scaled: Array) -> float:
     return min(1.0, float(np.linalg.eigvalsh(small)[0]))
 
 
-class _Rotor:
-    """One flywheel: constant transfer from its frame at phi_s = 0 to E1, spatial inertia, harmonics."""
+class _Rotors:
+    """The N flywheels, along the first axis: transfer from the frame at phi_s = 0 to E1, spatial inertia, harmonics."""
 
-    def __init__(self, stand: Stand, flywheel: Flywheel) -> None:
-        mount = mount_of(stand, flywheel)
-        outer = np.eye(6) if mount is None else transfer(*placement(mount))
-        self.mount = outer @ transfer(*placement(flywheel))
-        self.Theta = _spatial(flywheel)
-        row = self.Theta[:, 3]
-        free = self.Theta - np.outer(row / self.Theta[3, 3], row)
-        size = np.sqrt(np.where(np.diag(self.Theta) > 0, np.diag(self.Theta), 1.0))
-        values, vectors = np.linalg.eigh(free / size[:, None] / size[None, :])
-        self.root = np.sqrt(np.maximum(values, 0.0))[:, None] * vectors.T * size[None, :]  # root^T root = free
-        L = self.mount @ _SAMPLES
+    def __init__(self, stand: Stand) -> None:
+        outer = {instrument.name: transfer(*placement(instrument)) for instrument in stand.instruments}
+        mounts = [outer.get(s.mount, np.eye(6)) @ transfer(*placement(s)) for s in stand.flywheels]
+        self.mount = np.array(mounts).reshape(-1, 6, 6)
+        self.Theta = np.array([_spatial(s) for s in stand.flywheels]).reshape(-1, 6, 6)
+        row, diagonal = self.Theta[:, 3], np.diagonal(self.Theta, axis1=1, axis2=2)
+        free = self.Theta - (row / row[:, 3:4])[:, :, None] * row[:, None, :]
+        size = np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+        values, vectors = np.linalg.eigh(free / size[:, :, None] / size[:, None, :])
+        # root^T root = free
+        self.root = np.sqrt(np.maximum(values, 0.0))[:, :, None] * np.swapaxes(vectors, 1, 2) * size[:, None, :]
+        L = self.mount[:, None] @ _SAMPLES
         down = np.swapaxes(L, -1, -2)
-        self.mean = np.asarray((L @ self.Theta @ down).mean(axis=0))
+        self.mean: Array = (L @ self.Theta[:, None] @ down).mean(axis=1).sum(axis=0)
         # five equidistant samples determine harmonics 0, 1, 2 exactly
-        self.schur = np.linalg.solve(_basis(_FIFTHS), (L @ free @ down).reshape(5, 36)).reshape(5, 6, 6)
+        sampled = (L @ free[:, None] @ down).reshape(-1, 5, 36)
+        self.schur = np.linalg.solve(_basis(_FIFTHS), sampled).reshape(-1, 5, 6, 6)
 
 
 _FIFTHS: Array = np.arange(5, dtype=np.float64) * (2 * np.pi / 5)
@@ -214,4 +211,4 @@ def _fixed_inertia(stand: Stand) -> Array:
 
 def _spatial(body: Carrier | Instrument | Flywheel) -> Array:
     first = body.mass * cross(np.array(body.center_of_mass))
-    return np.block([[body.mass * np.eye(3), -first], [first, inertia_about_origin(body)]])
+    return blocks(body.mass * np.eye(3), -first, first, inertia_about_origin(body))

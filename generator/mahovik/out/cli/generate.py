@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -20,6 +21,9 @@ from mahovik.out.cli.options import (
 )
 from mahovik.out.cli.output import print_paths
 from mahovik.out.cli.progress import progress
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
 
 
 @command()
@@ -42,21 +46,23 @@ def generate(
     is its physics hash; commands that read the folder, or a log of its C, find the name there. --check compares with
     the options that the folder was made with, unless others are given.
     """
-    stand = load_stand(stand_file)
+    folder = Path(output or prefix or load_stand(stand_file).name)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
     from mahovik.proof.verify.delivery import delivered_options, differences, stand_in
 
-    folder, chosen, added = Path(output or prefix or stand.name), only or (), additions or ()
+    stand: Stand | str = stand_file
+    chosen, added = only or (), additions or ()
     if check:  # as it was delivered, but for what is asked for here
+        stand = load_stand(stand_file)
         if prefix is None:
             stand = stand_in(folder, stand)
         if (options := delivered_options(folder)) is not None:
             real = real if is_given("real") else options.real
             chosen, added = chosen or options.only, tuple(dict.fromkeys((*added, *options.additions)))
-    with progress(f"generate {stand.name}") as stage:
+    with progress(f"generate {folder.name}") as stage:
         made = make(
-            stand if check else stand_file, None if check else folder, real=real, batch=batch, only=chosen,
+            stand, None if check else folder, real=real, batch=batch, only=chosen,
             additions=added, prefix=prefix, progress=stage.show,
         )  # fmt: skip
     if check:
