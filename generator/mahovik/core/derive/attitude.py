@@ -131,19 +131,3 @@ def _gather(k: sp.Symbol) -> sp.Lambda:
         return constant + k * sp.expand((x - constant) / k)
 
     return gather
-
-
-def rotation_product() -> sp.Matrix:
-    """C a."""
-    return matrix("C") * vector("a")
-
-
-def half_rotation() -> sp.Matrix:
-    """t = v x a of a quaternion (w, v) and a vector a, for `inverse_rotation`."""
-    return cross(vector("q", 4)[1:, 0]) * vector("a")
-
-
-def inverse_rotation() -> sp.Matrix:
-    """C^T a = a + k (v x t - w t) of a quaternion (w, v) of any length, t = v x a, k = 2 / (w^2 + v . v)."""
-    q, t = vector("q", 4), vector("t")
-    return vector("a") + sp.Symbol("k") * (cross(q[1:, 0]) * t - q[0] * t)

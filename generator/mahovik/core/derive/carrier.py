@@ -97,11 +97,6 @@ def inverse_of_symmetric() -> tuple[sp.Matrix, sp.Expr]:
     return six_of(adjugate), A[0, 0] * cofactors[0] + A[0, 1] * cofactors[3] + A[0, 2] * cofactors[4]
 
 
-def stream_moment() -> sp.Matrix:
-    """mu x u: angular momentum that a stream u gives the bodies."""
-    return cross(mu) * vector("u")
-
-
 def kinetic_energy() -> sp.Expr:
     """T = (V . Z + phi' . (I^T V + Theta_ff phi')) / 2 of all bodies: the flywheels' part by the sum `spin`."""
     return (V.dot(p.col_join(h)) + sp.Symbol("spin")) / 2

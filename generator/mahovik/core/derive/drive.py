@@ -67,31 +67,9 @@ def phase_derivatives() -> tuple[sp.Matrix, sp.Matrix]:
     return mu.diff(phi).subs(names), J.diff(phi).subs(names)
 
 
-def own_twist_rate() -> sp.Matrix:
-    """V_s* = [C1]^T U* - phi' [<e>] [C1]^T U + f phi''; the turned twists by the symbols turned, turned_dot."""
-    return vector("turned_dot", 6) - sp.Symbol("phi_dot") * e_bracket() * vector("turned", 6) + f * phi_ddot
-
-
 def turned_twist() -> sp.Matrix:
     """[C1]^T of six numbers `U`, with c, s of the phase."""
     return _to_turning_axes() * vector("U", 6)
-
-
-def own_momentum() -> sp.Matrix:
-    """Z_s = Theta V_s with the flywheel's m, b, J."""
-    return Theta(sp.Symbol("m"), vector("b"), symmetric("J")) * vector("V_s", 6)
-
-
-def own_rate() -> sp.Matrix:
-    """Theta V_s* + Phi(V_s) Z_s."""
-    return Theta(sp.Symbol("m"), vector("b"), symmetric("J")) * vector("V_s_dot", 6) + Phi(vector("V_s", 6)) * vector(
-        "Z_s", 6
-    )
-
-
-def turned_forward() -> sp.Matrix:
-    """diag(C1, C1) of six numbers `W`: to the axes at phi = 0, which do not turn."""
-    return _to_turning_axes().T * vector("W", 6)
 
 
 def _to_turning_axes() -> sp.Matrix:

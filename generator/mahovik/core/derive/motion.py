@@ -6,7 +6,6 @@ import sympy as sp
 
 from mahovik.core.derive.attitude import quaternion_product
 from mahovik.core.derive.symbols import matrix, vector
-from mahovik.core.derive.wrench import turning_velocity
 
 
 def position_rate() -> sp.Matrix:
@@ -17,8 +16,3 @@ def position_rate() -> sp.Matrix:
 def quaternion_rate() -> sp.Matrix:
     """q' = q (0, omega) / 2, omega in E1."""
     return quaternion_product(vector("q", 4), sp.Matrix([0]).col_join(vector("omega"))) / 2
-
-
-def linear_rate() -> sp.Matrix:
-    """v* = C^T r'' - omega x v, with C^T r'' by the symbol r, and v by O."""
-    return vector("r") - turning_velocity()

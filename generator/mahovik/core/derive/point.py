@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive.screw import cross
-from mahovik.core.derive.symbols import matrix, vector
+from mahovik.core.derive.symbols import vector
 
 
 def specific_force(weight: bool) -> sp.Matrix:
@@ -16,13 +16,3 @@ def specific_force(weight: bool) -> sp.Matrix:
     omega, omega_dot = vector("omega"), vector("omega_dot")
     found = vector("v_dot") + cross(omega) * vector("velocity") + cross(omega_dot) * vector("O")
     return found - vector("g") if weight else found
-
-
-def position_in_E0() -> sp.Matrix:
-    """r + C O."""
-    return vector("r") + matrix("C") * vector("O")
-
-
-def attitude_in_E0() -> sp.Matrix:
-    """C R: axes of the sensor in E0, 9 numbers."""
-    return matrix("C") * matrix("R")

@@ -82,25 +82,3 @@ def first_moment_columns() -> sp.Matrix:
     turn = cross(w) * e
     force = cross(a) * e + cross(w) * turn
     return force.col_join(cross(e) * d + cross(O) * force)
-
-
-def first_moment_force() -> sp.Matrix:
-    """The force of `first_moment_columns`."""
-    return first_moment_columns()[:3, :]
-
-
-def first_moment_moment() -> sp.Matrix:
-    """The moment of `first_moment_columns`, with the force by the symbols f."""
-    return cross(vector("e")) * d + cross(vector("O")) * vector("f")
-
-
-def spinning_velocity() -> sp.Matrix:
-    """omega + phi' axis: angular velocity of a flywheel, in E1."""
-    return vector("omega") + sp.Symbol("phi_dot") * vector("axis")
-
-
-def spinning_acceleration() -> sp.Matrix:
-    """omega* + phi'' axis + phi' omega x axis: angular acceleration of a flywheel, in E1."""
-    axis = vector("axis")
-    turned = cross(vector("omega")) * axis
-    return vector("omega_dot") + sp.Symbol("phi_ddot") * axis + sp.Symbol("phi_dot") * turned

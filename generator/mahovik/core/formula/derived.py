@@ -8,7 +8,7 @@ definition is found. `python tools/formulas.py` writes the file.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -106,24 +106,8 @@ else:
 
 __all__ = [
     "FILE", "MODULES", "Formula", "FormulaModule", "Matrix", "accumulate", "attitude", "carrier", "carrying", "drive",
-    "hold", "key", "motion", "names_of", "omitting", "point", "regressor", "rename_symbols", "sensitivity", "wrench",
+    "hold", "key", "motion", "omitting", "point", "regressor", "sensitivity", "wrench",
 ]  # fmt: skip
-
-
-def rename_symbols(formula: Formula, names: Mapping[str, str]) -> Formula:
-    """A copy of the formula with its symbols renamed."""
-    if isinstance(formula, str):
-        return names.get(formula, formula)
-    if isinstance(formula, list):
-        return [formula[0], *(rename_symbols(part, names) for part in formula[1:])]
-    return formula
-
-
-def names_of(formula: Formula) -> set[str]:
-    """The names in a formula."""
-    if isinstance(formula, str):
-        return {formula}
-    return set().union(*(names_of(part) for part in formula[1:])) if isinstance(formula, list) else set()
 
 
 def omitting(formula: Formula, name: str) -> Formula:

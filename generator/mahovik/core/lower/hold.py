@@ -389,15 +389,3 @@ class Freedoms:
         if self.count:
             self._body.set(rates[0], self.y)
         write_twist.put_into(self._body, self._lib, self._table, rates, V_dot)
-
-
-def room_for_projected(lib: Library, body: Body) -> Place | None:
-    """S^T I of all flywheels, m numbers each; none of a clamped carrier."""
-    if not lib.layout.freedoms:
-        return None
-    return body.local("projected", (lib.layout.count, lib.layout.freedoms), comment="S^T I, flywheel by flywheel")
-
-
-def of_flywheel(projected: Place | None, s: Expr) -> Place | None:
-    """S^T I of one flywheel."""
-    return None if projected is None else projected[s]

@@ -23,17 +23,6 @@ def parts_of_twist(V: Place) -> dict[str, list[Place]]:
     return {"v": six[:3], "omega": six[3:]}
 
 
-def carrier_binding(lib: Library, table: Place, sums: Place) -> dict[str, Any]:
-    """Constants and sums by the names of the derivation."""
-    binding: dict[str, Any] = {f.name: sums.member(f.name) for f in lib.layout.sums.fields}
-    binding["m"] = table.mass
-    if lib.layout.added_mass:
-        binding |= {"A": table.A, "A_inv": table.A_inv, "G": table.G}
-    else:
-        binding["m_inverse"] = table.mass_inverse
-    return binding
-
-
 def mass_times(lib: Library, table: Any, sums: Any, six: Any, p: Any = (0, 0, 0), h: Any = (0, 0, 0)) -> Any:
     """K times a twist or its rate (6), with p added to the force and h to the moment."""
     v, omega, mu = six[0:3], six[3:6], sums.mu

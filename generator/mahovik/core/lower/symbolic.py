@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from mahovik.core.formula.derived import Matrix, names_of, rename_symbols
+from mahovik.core.formula.derived import Matrix
 from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Negate, Place, real
 from mahovik.core.program.vector import Vector
@@ -59,19 +59,3 @@ def assign(body: Body, targets: Sequence[Place], values: Iterable[Any], binding:
             body.add(target, translated)
         else:
             body.set(target, translated)
-
-
-def add_each(body: Body, sums: Mapping[Place, Iterable[Any]], binding: Binding) -> None:
-    """sum[i] += values[i] for all i of vectors of one length, in a loop.
-
-    Raises ValueError where an element is not the first with another index.
-    """
-    firsts = {target: list(values) for target, values in sums.items()}
-    for values in firsts.values():
-        for k, value in enumerate(values):
-            if rename_symbols(value, {x: x.replace(f"[{k}]", "[0]") for x in names_of(value)}) != values[0]:
-                raise ValueError(f"{value} is not {values[0]} with another index")
-    with body.loop("i", len(next(iter(firsts.values())))) as i:
-        each = {name: [x[i]] if isinstance(x, Place) and x.shape else x for name, x in binding.items()}
-        for target, values in firsts.items():
-            body.add(target[i], translate(values[0], each))
