@@ -13,8 +13,12 @@ import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.lower.values import parameters_of
-from mahovik.core.stand.model import Body, Flywheel, MountingAngles, MountingAxes, Stand, Vec3, Vec6
+from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.numbers import StandNumbers
+from mahovik.core.stand.read import read
 from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.toml import parse
+from mahovik.core.stand.write import dumps
 from mahovik.errors import StandError, StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, vector
@@ -252,31 +256,16 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
 
     As physical as the stand: mass and inertia grow together, and centres of mass come nearer to the origin.
     """
-
-    def moved_by(x: tuple[float, ...], size: float) -> Any:
-        return tuple((np.array(x) + size * rng.uniform(-0.05, 0.05, len(x))).tolist())
-
-    def body(b: Any) -> Any:
-        more, less = rng.uniform(1.01, 1.05), rng.uniform(0.95, 0.99)
-        inertia = tuple(tuple(more * x for x in row) for row in b.inertia)
-        center = tuple(less * x for x in b.center_of_mass)
-        return replace(b, mass=more * b.mass, inertia=inertia, center_of_mass=center) if b.mass else b
-
-    def placed(b: Any) -> Any:
-        size = max(map(abs, b.position)) + 0.2
-        moved = replace(body(b) if isinstance(b, Body) else b, position=moved_by(b.position, size))
-        if not isinstance(b, Flywheel):
-            return replace(moved, angles=moved_by(b.angles, 1.0))
-        if isinstance(b.mounting, MountingAngles):
-            angles = moved_by((b.mounting.psi, b.mounting.theta, b.mounting.zero), 1.0)
-            return replace(moved, mounting=MountingAngles(*angles))
-        turn, axes = rng.uniform(-0.05, 0.05, 3), (np.array(b.mounting.axis), np.array(b.mounting.zero))
-        return replace(moved, mounting=MountingAxes(*(_vector(a + np.cross(turn, a)) for a in axes)))
-
-    return replace(
-        stand, carrier=body(stand.carrier), instruments=tuple(map(placed, stand.instruments)),
-        flywheels=tuple(map(placed, stand.flywheels)), points=tuple(map(placed, stand.points)),
-    )  # fmt: skip
+    file = StandNumbers(stand, parse(dumps(stand)))
+    grown = {body.name: rng.uniform(1.01, 1.05) for body in stand.bodies}
+    moved, values = {point.name for point in stand.points} | grown.keys() - {stand.carrier.name}, {}
+    for number in file:
+        key = number.path.removeprefix(f"{number.body}.").partition(".")[0].partition("[")[0]
+        if number.body in grown and key in ("mass", "inertia", "center_of_mass"):
+            values[number] = number.value * (grown[number.body] if key != "center_of_mass" else rng.uniform(0.95, 0.99))
+        elif number.body in moved and key in ("position", "angles", "axis", "zero"):
+            values[number] = number.value + rng.uniform(-0.05, 0.05)
+    return read(file.with_values(values), stand.name, physics=False)
 
 
 def mount_checks(case: Case, function: str) -> list[Check]:
