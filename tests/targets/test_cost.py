@@ -88,7 +88,7 @@ def test_figures_of_the_host_agree_with_one_another(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(measuring, "STATES", 1)
     progress = []
     found = measure(
-        load(DEMO3), [(target("host"), "double")], lambda *done: progress.append(done), ("step", "prepare_mounts")
+        load(DEMO3), [(target("host"), "double")], lambda *done: progress.append(done), ("step", "prepare_mounts"), True
     )
     (cost,), names = (
         found.targets,
