@@ -26,7 +26,8 @@ def prune(function: Function) -> Function:
         body = shorter
     used = {id(e.root) for e in expressions(body) if isinstance(e, Place)}
     kept = tuple(a for a in function.arguments if id(a.variable) in used)
-    return replace(function, arguments=kept, body=body)
+    names = function.parameters or tuple(a.name for a in function.arguments)
+    return replace(function, arguments=kept, body=body, parameters=names)
 
 
 def _used_places(body: Statements) -> Iterator[Place]:
