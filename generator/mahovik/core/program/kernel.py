@@ -313,11 +313,13 @@ _COMMENT = re.compile(r"""((?:[^#"']|"[^"]*"|'[^']*')*)#\s*(.*?)\s*$""")
 def _module(file: str) -> _Module:
     """The parsed text of a file."""
     lines = linecache.getlines(file)
-    functions = {
-        min((node.lineno, *(d.lineno for d in node.decorator_list))): node
-        for node in ast.walk(ast.parse("".join(lines)))
-        if isinstance(node, ast.FunctionDef)
-    }
+    functions = {}
+    waiting: list[Any] = [ast.parse("".join(lines))]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.FunctionDef):
+            functions[min((node.lineno, *(d.lineno for d in node.decorator_list)))] = node
+        waiting += [*getattr(node, "body", []), *getattr(node, "orelse", [])]
     beside: dict[int, str] = {}
     before: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
@@ -558,8 +560,7 @@ def _code(node: ast.expr) -> CodeType:
     if code is None:
         if isinstance(node, ast.Name | ast.Attribute | ast.Subscript):
             node.ctx = ast.Load()  # a target is a place as well
-        tree = ast.fix_missing_locations(ast.Expression(_Operators().visit(node)))
-        code = compile(tree, "<kernel>", "eval")
+        code = compile(ast.Expression(_Operators().visit(node)), "<kernel>", "eval")
         node._code = code  # type: ignore[attr-defined]
     return code
 
@@ -568,25 +569,26 @@ class _Operators(ast.NodeTransformer):
     """Calls of functions in the place of operators whose meaning a Python class cannot give."""
 
     def visit_IfExp(self, node: ast.IfExp) -> ast.expr:
-        return self._call("_select", node.test, node.body, node.orelse)
+        return self._call(node, "_select", node.test, node.body, node.orelse)
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:
-        return self._call("_and" if isinstance(node.op, ast.And) else "_or", *node.values)
+        return self._call(node, "_and" if isinstance(node.op, ast.And) else "_or", *node.values)
 
     def visit_UnaryOp(self, node: ast.UnaryOp) -> ast.AST:
-        return self._call("_not", node.operand) if isinstance(node.op, ast.Not) else self.generic_visit(node)
+        return self._call(node, "_not", node.operand) if isinstance(node.op, ast.Not) else self.generic_visit(node)
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         match node.ops:
             case [ast.Eq() | ast.NotEq() as operator]:
                 name = "_equal" if isinstance(operator, ast.Eq) else "_unequal"
-                return self._call(name, node.left, node.comparators[0])
+                return self._call(node, name, node.left, node.comparators[0])
         return self.generic_visit(node)
 
-    def _call(self, name: str, *parts: ast.expr) -> ast.expr:
+    def _call(self, node: ast.expr, name: str, *parts: ast.expr) -> ast.expr:
         """A call whose arguments are evaluated when they are needed: one of Python's truth values may decide."""
         nothing = ast.arguments([], [], None, [], [], None, [])
-        return ast.Call(ast.Name(name, ast.Load()), [ast.Lambda(nothing, self.visit(part)) for part in parts], [])
+        late: list[ast.expr] = [ast.copy_location(ast.Lambda(nothing, self.visit(part)), node) for part in parts]
+        return ast.copy_location(ast.Call(ast.copy_location(ast.Name(name, ast.Load()), node), late, []), node)
 
 
 Late = Callable[[], Any]
