@@ -125,7 +125,7 @@ class Reading:
             elif self.place == "stand":
                 stand = replace(stand, **{key: _tuples(self.change(getattr(stand, key), at))})
             elif self.place == "law":
-                stand = with_bodies(self._with_laws(stand), self._with_laws)
+                stand = with_bodies(self._with_laws(stand, at), lambda k: self._with_laws(k, at))
         return stand, s
 
     def _changed_body(self, body: Any, at: At) -> Any:
@@ -135,10 +135,11 @@ class Reading:
         numbers = getattr(body, self.keys, None)
         return body if numbers is None else replace(body, **{self.keys: _tuples(self.change(np.array(numbers), at))})
 
-    def _with_laws(self, bearer: Any) -> Any:
+    def _with_laws(self, bearer: Any, at: At) -> Any:
         if (M := getattr(bearer, self.keys, None)) is not None:
-            bearer = replace(bearer, **{self.keys: _tuples(self.change(np.array(M), None))})  # type: ignore[arg-type]
-        return replace(bearer, laws=tuple(map(self._with_laws, bearer.laws))) if hasattr(bearer, "laws") else bearer
+            bearer = replace(bearer, **{self.keys: _tuples(self.change(np.array(M), at))})
+        laws = getattr(bearer, "laws", None)
+        return bearer if laws is None else replace(bearer, laws=tuple(self._with_laws(law, at) for law in laws))
 
     def _names(self, stand: Stand) -> list[str]:
         fixed = (stand.carrier, *stand.instruments)
