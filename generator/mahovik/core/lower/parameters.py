@@ -12,209 +12,189 @@ which need no root and are backward stable where the matrix is definite (Higham 
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.core.derive.order import SYMMETRIC
-from mahovik.core.formula.derived import carrier as derived_carrier
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import translate
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Place, and_, magnitude, or_, real, select
+from mahovik.core.lower.solve import POSITIVE, invert_symmetric
+from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.kernel import (
+    NOT_POSITIVE_DEFINITE,
+    OK,
+    RANGE,
+    Reals,
+    argument,
+    kernel,
+    reals,
+    result,
+)
+from mahovik.core.program.types import Struct
+from mahovik.core.program.vector import dot
 
 
 def check_body(lib: Library, struct: Struct) -> Function:
     """Check of mass properties: can a body have them? `check_body` or `check_dry_body`, by the struct."""
-    b = Argument("body", struct)
-    body = Body()
-    bound = lib.limits["MAX_PARAMETER"].expression
-    members = [(getattr(b.place, field.name), bool(field.shape)) for field in struct.fields]
-    scalars = [place for place, is_array in members if not is_array]
-    arrays = [place for place, is_array in members if is_array]
-    masses = body.local("masses", (len(scalars),))
-    for target, value in zip(masses, scalars, strict=True):
-        body.set(target, value)
-    lib.check(body, "within", masses, len(scalars), bound)
-    for array in arrays:
-        lib.check(body, "within", array, len(array), bound)
-    for mass in scalars:
-        lib.guard(body, mass < 0, "RANGE")
-    body.ret(lib["check_inertia"](b.place.mass, b.place.center_of_mass, b.place.inertia))
-    return Function(
-        f"check_{struct.name}",
-        "Are the mass properties finite and physically possible?",
-        (b,),
-        body.statements,
-        returns=Kind.STATUS,
-        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"),
-    )
+    scalars = [field.name for field in struct.fields if not field.shape]
+    arrays = [field.name for field in struct.fields if field.shape]
+    bound = lib.limit("MAX_PARAMETER")
+
+    @kernel(f"check_{struct.name}", statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"))
+    def check_body(body: Any = argument(struct=struct)) -> Status:
+        """Are the mass properties finite and physically possible?"""
+        masses = reals(len(scalars))
+        masses[:] = [body.member(name) for name in scalars]
+        lib["within"](masses, len(scalars), bound)
+        for name in arrays:
+            lib["within"](body.member(name), len(body.member(name)), bound)
+        for name in scalars:
+            if body.member(name) < 0:
+                return RANGE
+        return lib["check_inertia"](body.mass, body.center_of_mass, body.inertia)
+
+    return check_body
 
 
-def check_inertia(lib: Library) -> Function:
-    """Second moments about the centre of mass, positive semidefinite."""
-    mass = Argument("mass", Kind.REAL, unit="kg", purpose="not negative")
-    center = Argument("c", Kind.REAL, (3,), unit="m", purpose="centre of mass")
-    inertia = Argument("J", Kind.REAL, (6,), unit="kg m2", purpose="about the origin: 11 22 33 12 13 23")
-    J, c = inertia.place, center.place
+def add_check_inertia(lib: Library) -> None:
+    """Adds the check that second moments about the centre of mass are positive semidefinite."""
     tolerance = lib.thresholds.unphysical
-    body = Body()
-    size = body.local("size", comment="largest element of J")
-    body.set(size, real(0))
-    with body.loop("k", 6) as element:
-        body.set(size, select(magnitude(J[element]) > size, magnitude(J[element]), size))
-    offset = [body.let(f"b{k + 1}", mass.place * c[k]) for k in range(3)]
-    body.note("P = tr(J)/2 E - J - m c c^T + t |J| E")
-    P: dict[tuple[int, int], Expr] = {}
-    for k, (i, j) in enumerate(SYMMETRIC):
-        about_origin = real(0.5) * (J[(i + 1) % 3] + J[(i + 2) % 3] - J[i]) if i == j else -J[k]
-        moment = about_origin - offset[i] * c[j]
-        P[j, i] = body.let(f"P{i + 1}{j + 1}", moment + real(tolerance) * size if i == j else moment)
-    body.note("a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows")
-    none = real(lib.layout.precision.smallest / tolerance)
-    largest = magnitude(offset[0] * c[0]) + magnitude(offset[1] * c[1]) + magnitude(offset[2] * c[2])
-    with body.when(size + largest > none):
-        lib.guard(body, Not(P[0, 0] > 0), "NOT_POSITIVE_DEFINITE")
-        l21 = body.let("l21", P[1, 0] / P[0, 0])
-        l31 = body.let("l31", P[2, 0] / P[0, 0])
-        d2 = body.let("d2", P[1, 1] - l21 * P[1, 0])
-        lib.guard(body, Not(d2 > 0), "NOT_POSITIVE_DEFINITE")
-        rest = body.let("p32", P[2, 1] - l31 * P[1, 0])
-        d3 = body.let("d3", P[2, 2] - l31 * P[2, 0] - rest / d2 * rest)
-        lib.guard(body, Not(d3 > 0), "NOT_POSITIVE_DEFINITE")
-    return body.checked_function(
-        "check_inertia",
-        "Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia.",
-        (mass, center, inertia),
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
+    none = lib.layout.precision.smallest / tolerance  # of a point mass, or of a body so small that t |J| underflows
+
+    @lib.kernel(statuses=POSITIVE)
+    def check_inertia(
+        mass: float = argument("not negative", unit="kg"),
+        c: Reals = argument("centre of mass", 3, unit="m"),
+        J: Reals = argument("about the origin: 11 22 33 12 13 23", 6, unit="kg m2"),
+    ) -> Status:
+        """Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia."""
+        size: float = 0.0  # largest element of J
+        for k in range(6):
+            size = abs(J[k]) if abs(J[k]) > size else size
+        b = mass * c
+        # P = tr(J)/2 E - J - m c c^T + t |J| E
+        P11 = 0.5 * (J[1] + J[2] - J[0]) - b[0] * c[0] + tolerance * size
+        P22 = 0.5 * (J[2] + J[0] - J[1]) - b[1] * c[1] + tolerance * size
+        P33 = 0.5 * (J[0] + J[1] - J[2]) - b[2] * c[2] + tolerance * size
+        P12 = -J[3] - b[0] * c[1]
+        P13 = -J[4] - b[0] * c[2]
+        P23 = -J[5] - b[1] * c[2]
+        # a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows
+        if size + (abs(b[0] * c[0]) + abs(b[1] * c[1]) + abs(b[2] * c[2])) > none:
+            if not (P11 > 0):
+                return NOT_POSITIVE_DEFINITE
+            l21 = P12 / P11
+            l31 = P13 / P11
+            d2 = P22 - l21 * P12
+            if not (d2 > 0):
+                return NOT_POSITIVE_DEFINITE
+            p32 = P23 - l31 * P12
+            d3 = P33 - l31 * P13 - p32 / d2 * p32
+            if not (d3 > 0):
+                return NOT_POSITIVE_DEFINITE
+        return OK
 
 
-def check_added_mass(lib: Library) -> Function:
-    """Added mass symmetric, and positive semidefinite."""
-    added = Argument("added_mass", Kind.REAL, (6, 6), purpose="of carrier and instruments, about O1 in E1")
-    m = added.place
-    body = Body()
-    factor = body.local("factor", (6, 6), comment="L below the diagonal, D on it")
-    with body.loop("i", 6) as i:
-        lib.check(body, "within", m[i], 6, lib.limits["MAX_PARAMETER"].expression)
-    with body.loop("i", 6) as i, body.loop("j", i) as j:
-        lib.guard(body, or_(m[i][j] < m[j][i], m[i][j] > m[j][i]), "NOT_POSITIVE_DEFINITE")
-    body.note("rows of zeros (directions without added mass) are left out")
-    with body.loop("i", 6) as i:
-        with body.loop("j", 6) as j:
-            touched = or_(m[i][j] < 0, m[i][j] > 0)
-            lib.guard(body, and_(touched, Not(m[i][i] > 0)), "NOT_POSITIVE_DEFINITE")
-        diagonal = body.local("diagonal")
-        body.set(diagonal, m[i][i] + real(lib.thresholds.unphysical) * m[i][i])
-        with body.loop("j", i) as j:
-            entry = body.local("entry", comment="L_ij D_j")
-            body.set(entry, m[i][j])
-            with body.loop("k", j) as k:
-                body.add(entry, -(factor[i][k] * factor[k][k] * factor[j][k]))
-            body.set(factor[i][j], entry / factor[j][j])
-            body.add(diagonal, -(factor[i][j] * entry))
-        with body.when(m[i][i] > 0):
-            lib.guard(body, Not(diagonal > 0), "NOT_POSITIVE_DEFINITE")
-        body.set(factor[i][i], select(m[i][i] > 0, diagonal, real(1)))
-    return body.checked_function(
-        "check_added_mass",
-        "Is the added mass finite, symmetric to the bit and positive semidefinite?",
-        (added,),
-        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"),
-    )
+def add_added_mass(lib: Library) -> None:
+    """Adds the check of added mass, and the constant block of K with its inverse."""
+    tolerance = lib.thresholds.unphysical
+
+    @lib.kernel(statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE"))
+    def check_added_mass(
+        added_mass: Reals = argument("of carrier and instruments, about O1 in E1", 6, 6),
+    ) -> Status:
+        """Is the added mass finite, symmetric to the bit and positive semidefinite?"""
+        m = added_mass
+        factor = reals(6, 6)  # L below the diagonal, D on it
+        for i in range(6):
+            lib["within"](m[i], 6, lib.limit("MAX_PARAMETER"))
+        for i in range(6):
+            for j in range(i):
+                if m[i][j] < m[j][i] or m[i][j] > m[j][i]:
+                    return NOT_POSITIVE_DEFINITE
+        # rows of zeros (directions without added mass) are left out
+        for i in range(6):
+            for j in range(6):
+                if (m[i][j] < 0 or m[i][j] > 0) and not (m[i][i] > 0):
+                    return NOT_POSITIVE_DEFINITE
+            diagonal: float = m[i][i] + tolerance * m[i][i]
+            for j in range(i):
+                entry: float = m[i][j]  # L_ij D_j
+                for k in range(j):
+                    entry -= factor[i][k] * factor[k][k] * factor[j][k]
+                factor[i][j] = entry / factor[j][j]
+                diagonal -= factor[i][j] * entry
+            if m[i][i] > 0:
+                if not (diagonal > 0):
+                    return NOT_POSITIVE_DEFINITE
+            factor[i][i] = diagonal if m[i][i] > 0 else 1.0
+        return OK
+
+    @lib.kernel(equation="(2)", statuses=POSITIVE)
+    def translation_block(
+        parameters: Any = argument(struct=lib.layout.parameters),
+        mass: float = argument(unit="kg"),
+        A: Reals = result("", 6, unit="kg"),
+        A_inv: Reals = result("", 6, unit="1/kg"),
+    ) -> Status:
+        """Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse."""
+        own = parameters.added_mass
+        A[:] = [mass + own[i][j] if i == j else own[i][j] for i, j in SYMMETRIC]
+        invert_symmetric(lib, A, A_inv)
+        return OK
 
 
-def translation_block(lib: Library) -> Function:
-    """A = m E + Lambda_11 and its inverse."""
-    p = Argument("parameters", lib.layout.parameters)
-    mass = Argument("mass", Kind.REAL, unit="kg")
-    A = Argument("A", Kind.REAL, (6,), "out", "kg")
-    inverse = Argument("A_inv", Kind.REAL, (6,), "out", "1/kg")
-    body = Body()
-    for k, (i, j) in enumerate(SYMMETRIC):
-        own = p.place.added_mass[i][j]
-        body.set(A.place[k], mass.place + own if i == j else own)
-    adjugate, determinant = derived_carrier.inverse_of_symmetric()
-    names = ("11", "22", "33", "12", "13", "23")
-    cofactor = [body.let(f"c{n}", translate(e, {"A": A.place})) for n, e in zip(names, adjugate, strict=True)]
-    d = body.let("det", translate(determinant, {"A": A.place, "cofactor": cofactor}))
-    whole = and_(d >= lib.layout.precision.smallest, d <= lib.limits["LARGEST"].expression)
-    positive = and_(and_(A.place[0] > 0, cofactor[2] > 0), whole)
-    lib.guard(body, Not(positive), "NOT_POSITIVE_DEFINITE")
-    r = body.let("r", 1 / d)
-    for k in range(6):
-        body.set(inverse.place[k], cofactor[k] * r)
-    return body.checked_function(
-        "translation_block",
-        "Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse.",
-        (p, mass, A, inverse),
-        equation="(2)",
-        statuses=("OK", "NOT_POSITIVE_DEFINITE"),
-    )
-
-
-def check_parameters(lib: Library) -> Function:
-    """Check of all parameters, before anything is written."""
-    layout = lib.layout
-    parameters = Argument("parameters", layout.parameters)
-    p = parameters.place
-    bound = lib.limits["MAX_PARAMETER"].expression
-    body = Body()
-    total = body.local("mass")
-    size = body.local(
-        "size", comment="largest moment of inertia that products in the equations can reach; it must not overflow"
-    )
+def add_check_parameters(lib: Library) -> None:
+    """Adds the check of all parameters, before anything is written."""
+    layout, bound, least = lib.layout, lib.limit("MAX_PARAMETER"), lib.thresholds.least
     points = len(layout.structure.points)
-    if layout.flywheels or points:
-        O = body.local("O", (3,))
-    if layout.instruments or layout.flywheels or points:
-        R = body.local("R", (9,))
-    lib.check(body, "check_body", p.carrier)
-    body.set(total, p.carrier.mass)
-    body.set(size, _trace(p.carrier.inertia))
-    if layout.instruments:
-        with body.loop("k", layout.instruments) as k:
-            q = p.instrument[k]
-            lib.check(body, "check_body", q.body)
-            check_vector.put_into(body, lib, q.position, bound)
-            lib.check(body, "frame_of_axes", q.axis, q.zero, R)
-            body.add(total, q.body.mass)
-            body.add(size, _trace(q.body.inertia) + q.body.mass * _square(q.position))
-    if layout.flywheels:
-        with body.loop("s", layout.count) as s:
-            w = p.flywheel[s]
-            lib.check(body, f"check_{layout.flywheel_body.name}", w.body)
-            lib.guard(body, Not(w.body.inertia[0] >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
-            named = {"parameters": p, "w": w, "O": O, "R": R}
-            lib.check(body, "place_flywheel", *lib.arguments_of("place_flywheel", **named))
-            body.add(total, w.body.mass)
-            body.add(size, _trace(w.body.inertia) + w.body.mass * _square(O))
-    if points:
-        with body.loop("k", points) as k:
-            named = {"parameters": p, "w": p.point[k], "O": O, "R": R}
-            lib.check(body, "place_point", *lib.arguments_of("place_point", **named))
-    lib.guard(body, Not(total >= real(lib.thresholds.least)), "NOT_POSITIVE_DEFINITE")
-    lib.guard(body, Not(size <= lib.thresholds.inertia), "RANGE")
-    if layout.added_mass:
-        A = body.local("A", (6,))
-        inverse = body.local("A_inv", (6,))
-        lib.check(body, "check_added_mass", p.added_mass)
-        lib.check(body, "translation_block", p, total, A, inverse)
     mounts = ("BAD_ARGUMENT",) if layout.instruments and (layout.flywheels or points) else ()
-    return body.checked_function(
-        "check_parameters",
-        "Are the parameters finite and in range, the axes nonzero, and the bodies physically possible?",
-        (parameters,),
-        statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts),
-    )
+
+    @lib.kernel(statuses=("OK", "NOT_FINITE", "RANGE", "NOT_POSITIVE_DEFINITE", *mounts))
+    def check_parameters(parameters: Any = argument(struct=layout.parameters)) -> Status:
+        """Are the parameters finite and in range, the axes nonzero, and the bodies physically possible?"""
+        p = parameters
+        mass = reals()
+        size = reals()  # largest moment of inertia that products in the equations can reach; it must not overflow
+        if layout.flywheels or points:
+            O = reals(3)
+        if layout.instruments or layout.flywheels or points:
+            R = reals(9)
+        lib["check_body"](p.carrier)
+        mass = p.carrier.mass
+        size = trace(p.carrier.inertia)
+        if layout.instruments:
+            for k in range(layout.instruments):
+                q = p.instrument[k]
+                lib["check_body"](q.body)
+                check_vector(lib, q.position, bound)
+                lib["frame_of_axes"](q.axis, q.zero, R)
+                mass += q.body.mass
+                size += trace(q.body.inertia) + q.body.mass * dot(q.position, q.position)
+        if layout.flywheels:
+            for s in range(layout.count):
+                w = p.flywheel[s]
+                lib[f"check_{layout.flywheel_body.name}"](w.body)
+                if not (w.body.inertia[0] >= least):
+                    return NOT_POSITIVE_DEFINITE
+                lib["place_flywheel"](p, w, O, R)
+                mass += w.body.mass
+                size += trace(w.body.inertia) + w.body.mass * dot(O, O)
+        if points:
+            for k in range(points):
+                lib["place_point"](p, p.point[k], O, R)
+        if not (mass >= least):
+            return NOT_POSITIVE_DEFINITE
+        if not (size <= lib.thresholds.inertia):
+            return RANGE
+        if layout.added_mass:
+            A = reals(6)
+            A_inv = reals(6)
+            lib["check_added_mass"](p.added_mass)
+            lib["translation_block"](p, mass, A, A_inv)
+        return OK
 
 
-def _trace(J: Place) -> Expr:
+def trace(J: Any) -> Any:
     """J11 + J22 + J33."""
     return J[0] + J[1] + J[2]
-
-
-def _square(a: Place) -> Expr:
-    """a . a."""
-    return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]

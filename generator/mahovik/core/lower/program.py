@@ -205,7 +205,7 @@ def _add_prepare(lib: Library) -> None:
         if "project_mass" not in lib:
             lib.add(hold.project_mass(lib))
         lib.add(hold.project_harmonic(lib))
-    lib.add(parameters.check_inertia(lib))
+    parameters.add_check_inertia(lib)
     lib.add(parameters.check_body(lib, layout.body))
     if layout.flywheels and layout.flywheel_body is not layout.body:
         lib.add(parameters.check_body(lib, layout.flywheel_body))
@@ -215,9 +215,8 @@ def _add_prepare(lib: Library) -> None:
     if layout.structure.points:
         placement.add_placement(lib, "place_point", layout.point_parameters, "Origin and axes of a point in E1.")
     if layout.added_mass:
-        lib.add(parameters.check_added_mass(lib))
-        lib.add(parameters.translation_block(lib))
-    lib.add(parameters.check_parameters(lib))
+        parameters.add_added_mass(lib)
+    parameters.add_check_parameters(lib)
     lib.add(prepare.prepare(lib))
 
 
