@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from cli.run import DEMO3, refused, run
-from mahovik.core.emit.generate import generate
+from mahovik.core.emit.delivery import delivery as delivered
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import require
@@ -56,18 +56,18 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
 @cache
 def generated_files(name: str, real: str) -> dict[str, str]:
     """The C of an example stand, made once."""
-    return generate(load(path(name)), real)
+    return delivered(load(path(name)), real)
 
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The C of demo3 with its manifest."""
 
-    def made(stand: Stand, real: str, only: tuple[str, ...] = ()) -> SimpleNamespace:
+    def made(stand: Stand, real: str, only: tuple[str, ...]) -> SimpleNamespace:
         return SimpleNamespace(files=generated_files(stand.name, real))
 
     monkeypatch.setattr(cost_page, "generate_all", made)
-    delivery.deliver(tmp_path / "out", load(DEMO3), "double", generated_files("demo3", "double"))
+    delivery.deliver(tmp_path / "out", load(DEMO3), generated_files("demo3", "double"))
     return tmp_path / "out"
 
 

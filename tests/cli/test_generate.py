@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
+from mahovik.contract.functions import DEFAULT
 from mahovik.core.emit import delivery
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
@@ -71,7 +72,9 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     found = identities(load(DEMO3))
     assert (manifest["stand"], manifest["real"]) == ("demo3", "double")
     assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
-    assert set(manifest) == {"format", "generator", "stand", "structure", "physics", "real", "files"}  # no date
+    assert set(manifest) == {"format", "generator", "stand", "structure", "physics", "real", "only", "files"}  # no date
+    assert manifest["only"] == [name for name in manifest["only"] if name in DEFAULT]
+    assert set(manifest["only"]) == set(DEFAULT) and "demo3_mounts(" not in (delivered / "demo3.h").read_text()
 
 
 def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from emit.stands import stand, write
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import ADDITIONS, delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
@@ -36,7 +37,7 @@ def test_the_example_compiles_and_prints_an_acceleration(name: str, real: str, t
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_it_names_every_function_status_identity_and_file(real: str) -> None:
     given = stand("bench8")
-    files = delivery(given, real, additions=tuple(ADDITIONS))
+    files = delivery(given, real, ALL, tuple(ADDITIONS))
     readme = files["README.md"]
     found = identities(given)
     for word in (found.structure, found.physics, f"`{real}`", "COST.md", "manifest.json"):

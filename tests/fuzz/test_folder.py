@@ -13,9 +13,8 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, read_or_refuse
-from mahovik.core.emit.generate import generate
+from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import load
 from mahovik.proof.cost.page import read_accepted_costs
 from mahovik.proof.verify.delivery import FIGURES, deliver, differences
@@ -30,33 +29,31 @@ pytestmark = READERS
 
 @cache
 def files() -> dict[str, str]:
-    return generate(DEMO3)
+    return delivery(DEMO3)
 
 
 MANIFESTS = st.deferred(
     lambda: st.one_of(
-        spoiled_json([json.loads(manifest(DEMO3, "double", files()))]).map(
-            lambda text: text.encode("utf-8", "surrogatepass")
-        ),
-        spoiled_bytes([manifest(DEMO3, "double", files()).encode()]),
+        spoiled_json([json.loads(files()[MANIFEST])]).map(lambda text: text.encode("utf-8", "surrogatepass")),
+        spoiled_bytes([files()[MANIFEST].encode()]),
     )
 )
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    deliver(tmp_path, DEMO3, "double", files())
+    deliver(tmp_path, DEMO3, files())
     return tmp_path
 
 
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
-    read_or_refuse(lambda: differences(folder, DEMO3, "double", files()))
+    read_or_refuse(lambda: differences(folder, DEMO3, files()))
     read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
-    read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
+    read_or_refuse(lambda: deliver(folder, DEMO3, files()))
     for name, text in files().items():
         there = folder / name
-        assert not there.is_file() or there.read_text(encoding="utf-8") == text
+        assert name == MANIFEST or not there.is_file() or there.read_text(encoding="utf-8") == text
 
 
 @fuzzed(80)
@@ -76,4 +73,4 @@ def test_the_example_is_accepted(folder: Path) -> None:
 def test_accepted_figures(text: str, folder: Path) -> None:
     (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
     read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
-    read_or_refuse(lambda: deliver(folder, DEMO3, "double", files()))
+    read_or_refuse(lambda: deliver(folder, DEMO3, files()))

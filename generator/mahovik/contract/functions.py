@@ -9,9 +9,10 @@ from mahovik.contract.chosen import CHOSEN
 from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES, SECTIONS, PublicFunction
 
 __all__ = [
-    "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "FUNCTIONS", "JUDGES", "NORMAL", "OF_TASKS",
-    "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "TURNS", "WANTS", "PublicFunction", "hold_fault",
-    "inverse_fault", "is_public", "row_of", "task_of", "want_fault", "wants_of", "wants_of_carrier",
+    "ALL", "ALL_WANTS", "ANY", "BATCH_FUNCTIONS", "BITS", "CHOSEN", "CONFLICTS", "DEFAULT", "FUNCTIONS", "JUDGES",
+    "NORMAL", "OF_TASKS", "REFEREES", "ROWS", "TASK_CONFLICTS", "TASK_TAKERS", "TASK_WANTS", "TURNS", "WANTS",
+    "PublicFunction", "hold_fault", "inverse_fault", "is_default", "is_public", "row_of", "task_of", "want_fault",
+    "wants_of", "wants_of_carrier",
 ]  # fmt: skip
 
 _STATE = ("table", "x")
@@ -348,6 +349,18 @@ def task_of(function: str) -> str:
         if function.startswith(f"{row.name}_"):
             return function.removeprefix(f"{row.name}_")
     return ""
+
+
+DEFAULT = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum", "step", "prepare")
+"""Functions that `generate` writes unless others are asked for."""
+
+ALL = ("all",)
+"""In place of names: every public function but those of CHOSEN."""
+
+
+def is_default(function: str) -> bool:
+    """Whether `generate` writes a public function unless others are asked for: of tasks their `inverse`."""
+    return function in DEFAULT or function == f"inverse_{task_of(function)}"
 
 
 def is_public(name: str) -> bool:

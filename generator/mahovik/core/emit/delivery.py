@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.eva import eva_files
 from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.readme import readme
 from mahovik.core.emit.recorder import recorder_files
@@ -47,11 +48,12 @@ def added_files(stand: Stand, generated: Generated, additions: tuple[str, ...]) 
 def delivery(
     stand: Stand, precision_name: str = "double", only: tuple[str, ...] = (), additions: tuple[str, ...] = ()
 ) -> dict[str, str]:
-    """All files of the folder except its manifest: header, source, README, and those of `additions`.
+    """All files of the folder: header, source, README, those of `additions`, manifest.
 
-    `only`: with these public functions alone.
+    `only`: as of `generate_all`; by default the default functions alone.
     Raises UsageError, StandError.
     """
     generated = generate_all(stand, precision_name, only)
     added = added_files(stand, generated, additions)
-    return {**generated.files, **added, "README.md": readme(stand, generated, additions)}
+    files = {**generated.files, **added, "README.md": readme(stand, generated, additions)}
+    return with_manifest(stand, generated, files)

@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik.core.emit.calls import address, call
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.generate import Generated
+from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
 from mahovik.core.lower.fmu.freedoms import has_angle
@@ -69,13 +69,16 @@ def fmu_sources(stand: Stand, generated: Generated, form: Form, version: str, to
     """All sources of an FMU; `token` ties the binary to its description."""
     printer = _Printer(stand, generated, form)
     name, compiled = stand.name, compiled_sources(stand, version)
-    files = dict(generated.files) | {
+    files = {
         f"{name}_pose.h": printer.pose("fmu/pose.h.j2"),
         f"{name}_pose.c": printer.pose("fmu/pose.c.j2"),
         f"{name}_model.h": printer.model("fmu/model.h.j2"),
         f"{name}_model.c": printer.model("fmu/model.c.j2"),
         compiled[-1]: printer.interface(version, token),
     }
+    text = "".join(files.values())
+    called = (f.name for f in generated.program.functions if f.public and f"{name}_{f.name}(" in text)
+    files = generate_all(stand, only=tuple(called)).files | files
     files |= {header: source_text(f"fmu/{header}") for header in HEADERS[version]}
     return Sources(files, compiled)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.contract.functions import CHOSEN, row_of
+from mahovik.contract.functions import ALL, CHOSEN, is_default, row_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrap_statement
 from mahovik.core.emit.log_format import RECORDED, RESERVED, table_bytes
@@ -36,18 +36,18 @@ _CONSTANTS = ("state", "parameters", "table")
 
 @dataclass(frozen=True)
 class Generated:
-    """A stand's program with its numbers and C text by file name; `only`: functions that were asked for, else all."""
+    """A stand's program with its numbers and C text by file name; `only`: names of its public functions, or ALL."""
 
     layout: Layout
     program: Program
     values: Values
     files: dict[str, str]
-    only: tuple[str, ...] = ()
+    only: tuple[str, ...] = ALL
 
     @property
     def part(self) -> Program | None:
         """The program where it has some of the public functions only."""
-        return self.program if self.only else None
+        return None if self.only == ALL else self.program
 
 
 def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
@@ -58,33 +58,38 @@ def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
 def generate_all(
     stand: Stand,
     precision_name: str = "double",
-    only: tuple[str, ...] = (),
+    only: tuple[str, ...] = ALL,
     chosen: tuple[str, ...] = (),
 ) -> Generated:
     """Return the files of `generate`, with the program and its numbers.
 
-    `only`: public functions to emit, with what they need; empty: all, and those of CHOSEN that `chosen` names.
+    `only`: public functions to emit, with what they need; empty: those that `is_default` names; ALL: all, and those of
+    CHOSEN that `chosen` names.
     """
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name])
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
     values = Values(stand, layout, program)
-    if only:
-        program = restrict_program(program, _public_names(program, only, stand.name), _CONSTANTS)
-    printer = _Printer(stand, layout, values, Code(program, identities(stand)), bool(only))
+    only = ALL if set(ALL) <= {*only} else _public_names(program, only, stand.name)
+    if only != ALL:
+        program = restrict_program(program, only, _CONSTANTS)
+    printer = _Printer(stand, layout, values, Code(program, identities(stand)), only != ALL)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
     return Generated(layout, program, values, files, only)
 
 
 def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[str, ...]:
-    """The names. Raises UsageError for one that is no public function of the program."""
-    public = [*(f.name for f in program.functions if f.public), *CHOSEN]
-    for each in only:
-        if each not in public:
-            raise UsageError(f"--only {each}: the C of {name} has no such function{suggestion(each, public)}")
-    mounted = any("mounting" in row_of(each).takes for each in only)
-    return (*only, *(("prepare_mounts",) if mounted else ()))  # which makes the table of mounts
+    """The names, or those of the default, in the order of the program. Raises UsageError for one that is not there."""
+    public = [f.name for f in program.functions if f.public]
+    for wanted in only:
+        if wanted not in public:
+            near = suggestion(wanted, [*public, *CHOSEN, *ALL])
+            raise UsageError(f"--only {wanted}: the C of {name} has no such function{near}")
+    names = {*only} or {function for function in public if is_default(function)}
+    if any("mounting" in row_of(function).takes for function in names):
+        names.add("prepare_mounts")  # which makes the table of mounts
+    return tuple(function for function in public if function in names)
 
 
 def header_structs(program: Program) -> tuple[Struct, ...]:

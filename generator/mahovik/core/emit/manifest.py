@@ -5,11 +5,15 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
+from mahovik.contract.functions import ALL
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+
+if TYPE_CHECKING:
+    from mahovik.core.emit.generate import Generated
 
 NAME = "manifest.json"
 """File name of the manifest."""
@@ -28,16 +32,21 @@ def manifest(
     real: str,
     files: Mapping[str, str],
     project: str = "",
-    only: Sequence[str] = (),
+    only: Sequence[str] = ALL,
 ) -> str:
     """Text of the manifest of files, name to content.
 
-    `project`: the target whose exported project they are; `only`: public functions that were asked for, else all.
+    `project`: the target whose exported project they are; `only`: public functions of the C, or ALL.
     The stand's name is the prefix of the C.
     """
-    more: dict[str, Any] = {"only": list(only)} if only else {}
+    more: dict[str, Any] = {"only": list(only)}
     more |= {"project": project} if project else {}
     return manifest_with(stand, real, files, more)
+
+
+def with_manifest(stand: Stand, generated: Generated, files: Mapping[str, str], project: str = "") -> dict[str, str]:
+    """The files of a folder, which have the C of `generated`, and their manifest at the end."""
+    return {**files, NAME: manifest(stand, generated.program.precision.name, files, project, generated.only)}
 
 
 def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from mahovik.contract.functions import is_default
 from mahovik.core.emit.calls import call
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import purpose_with_number
@@ -22,10 +23,10 @@ def readme(stand: Stand, generated: Generated, additions: tuple[str, ...] = ()) 
     given = {a.name: a.name for a in arguments} | {"table": f"&{names.function('default')}", "x": "&x"}
     given |= {a.name: "NULL" for a in arguments if a.optional == "missing"}
     zeroed = [a for a in arguments if a.direction == "in" and not isinstance(a.type, Struct) and not a.optional]
-    part = f" --only {','.join(generated.only)}" if generated.only else ""
+    usual = generated.only == tuple(f.name for f in code.public if is_default(f.name))
     return code.render(
         "delivery.md.j2",
-        part=part,
+        part="" if usual else f" --only {','.join(generated.only)}",
         bodies=describe_bodies(stand),
         additions=additions,
         flywheel=stand.flywheels[0].name if stand.flywheels else "",
@@ -38,7 +39,6 @@ def readme(stand: Stand, generated: Generated, additions: tuple[str, ...] = ()) 
         held=generated.layout.held,
         freedoms=generated.layout.freedoms,
         call=call(names, called[0], given) if called else "",
-        only=generated.only,
         functions=[
             (f.name, purpose_with_number(f).replace("|", "\\|"), cost(f, code.program.functions).total)
             for f in code.public

@@ -6,6 +6,7 @@ import shlex
 
 from mahovik.core.emit.fuzz import fuzz_harness
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
@@ -32,10 +33,11 @@ def fuzz_project(stand: Stand, real: str) -> dict[str, str]:
         "sources": " ".join(sources(name)),
         "functions": sum(f.public for f in generated.program.functions),
     }
-    return {
+    files = {
         **generated.files,
         **recorder_files(stand, generated),
         f"{name}_fuzz.c": fuzz_harness(generated.program, identities(stand)),
         "Makefile": template("fuzz.mk.j2").render(**words),
         "README.md": template("fuzz.md.j2").render(**words),
     }
+    return with_manifest(stand, generated, files, "fuzz")

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
+from mahovik.contract.functions import ALL
 from mahovik.core.program.arrays import ArrayFunction, Member, fill_record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
@@ -95,14 +96,14 @@ class CompiledLibrary:
 class Source:
     """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP.
 
-    `only`: functions that it has; empty: all but those that are chosen by name.
+    `only`: functions that it has; ALL: all but those that are chosen by name.
     """
 
     stand: Stand
     real: str
     command: tuple[str, ...]
     parallel: bool
-    only: tuple[str, ...] = ()
+    only: tuple[str, ...] = ALL
 
 
 def compile_library(
@@ -112,11 +113,11 @@ def compile_library(
     compiler: str | None,
     parallel: bool,
     kind: Literal["states", "batches"] = "batches",
-    only: tuple[str, ...] = (),
+    only: tuple[str, ...] = ALL,
 ) -> CompiledLibrary:
     """The library of a stand with its numbers; with "states" it takes state by state, and is compiled sooner.
 
-    `only`: functions that it has; empty: all but those that are chosen by name.
+    `only`: functions that it has; ALL: all but those that are chosen by name.
 
     Raises ToolchainError, UsageError, StandError.
     """
@@ -183,7 +184,7 @@ def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, di
 
     stand = source.stand
     generated = generate_all(stand, source.real, only=source.only)
-    if not source.only:
+    if source.only == ALL:
         _remember(structure(stand), source.real, (generated.layout, generated.program))
 
     def parts() -> Iterator[dict[str, str]]:

@@ -130,7 +130,7 @@ def target(
     with progress(f"generate {stand.name} for {name}"):
         files = project(stand, found, chosen, only or ())
     made_by = _made_by(stand_file)
-    done = deliver(folder, stand, chosen, files, found.name, only or (), replaceable=("main.c",), made_by=made_by)
+    done = deliver(folder, stand, files, replaceable=("main.c",), made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -151,7 +151,7 @@ def fuzz(
     with progress(f"generate {stand.name} for fuzzing"):
         files = fuzz_project(stand, real)
     made_by = _made_by(stand_file)
-    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, real, files, "fuzz", made_by=made_by)
+    done = deliver(Path(output or f"{stand.name}-fuzz"), stand, files, made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -262,11 +262,11 @@ def cmake(
     from mahovik.out.export.cmake import cmake_project
     from mahovik.proof.verify.delivery import deliver, with_prefix
 
-    stand, chosen = with_prefix(load_stand(stand_file), prefix), only or ()
+    stand = with_prefix(load_stand(stand_file), prefix)
     added = (*(additions or ()), *(["batch"] if batch else []))
-    files = cmake_project(stand, real, chosen, added)
+    files = cmake_project(stand, real, only or (), added)
     made_by = _made_by(stand_file)
-    done = deliver(Path(output or f"{stand.name}-cmake"), stand, real, files, "cmake", chosen, made_by=made_by)
+    done = deliver(Path(output or f"{stand.name}-cmake"), stand, files, made_by=made_by)
     print_paths(done.paths, done.notes)
 
 
@@ -316,5 +316,5 @@ def attitude(
     with progress(f"attitude loop of {stand.name} for {target_name}"):
         made = attitude_project(stand, found, options, chosen)
     made_by = _made_by(stand_file)
-    done = deliver(folder, stand, chosen, made.files, f"attitude-{target_name}", only=made.only, made_by=made_by)
+    done = deliver(folder, stand, made.files, made_by=made_by)
     print_paths(done.paths, (*done.notes, *made.design.lines))

@@ -19,7 +19,7 @@ from mahovik.out.cli.options import (
     is_given,
     load_stand,
 )
-from mahovik.out.cli.output import print_paths
+from mahovik.out.cli.output import print_paths, print_table
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
@@ -44,8 +44,11 @@ def generate(
     overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or would lose what
     short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of that name, and so
     is its physics hash; commands that read the folder, or a log of its C, find the name there. --check compares with
-    the options that the folder was made with, unless others are given.
+    the options that the folder was made with, unless others are given. --only list prints the functions of the stand.
     """
+    if only == ("list",):
+        _print_functions(load_stand(stand_file))
+        return
     folder = Path(output or prefix or load_stand(stand_file).name)
     from mahovik.errors import CheckError
     from mahovik.out.functions.evidence import generate as make
@@ -66,7 +69,7 @@ def generate(
             additions=added, prefix=prefix, progress=stage.show,
         )  # fmt: skip
     if check:
-        found = differences(folder, made.stand, real, made.files, chosen)
+        found = differences(folder, made.stand, made.files)
         if found:
             raise CheckError("\n".join(found))
         click.echo(f"{click.format_filename(folder)}   as the stand file gives it")
@@ -74,3 +77,17 @@ def generate(
     for name, lines in zip(made["file"], made["lines"], strict=True):
         click.echo(f"{click.format_filename(folder / name)}   {lines} lines")
     print_paths((), made.notes)
+
+
+def _print_functions(stand: Stand) -> None:
+    """The public functions of a stand, what each gives, and with which options it is written."""
+    from mahovik.contract.functions import CHOSEN, is_default
+    from mahovik.core.emit.generate import generate_all
+
+    functions = [f for f in generate_all(stand, chosen=tuple(CHOSEN)).program.functions if f.public]
+    written = {
+        f.name: "its name" if f.name in CHOSEN else "default" if is_default(f.name) else "all" for f in functions
+    }
+    rows = [(f.name, written[f.name], f.purpose.partition(". ")[0].partition(": ")[0].rstrip(".")) for f in functions]
+    rows.sort(key=lambda row: ("default", "all", "its name").index(row[1]))
+    print_table(("function", "written by", "gives"), rows)

@@ -19,8 +19,8 @@ def judge_log(
     log_file: str | None = needed_option("--log", "LOG", "Judge this output of the self-test on the board."),
     only: tuple[str, ...] | None = option(
         "--only",
-        "Judge the log of these functions, those that `generate --only` was given.",
-        metavar="NAME,NAME",
+        "Judge the log of these functions, or all, as `generate --only` was given; default: those of its default.",
+        metavar="NAME,NAME|all",
         parse=comma_list,
     ),
     as_json: bool = JSON,
@@ -29,8 +29,8 @@ def judge_log(
 
     Every function must report PASS. With the stand file, the identities must match it, no function may be missing, and
     the hashes of the sweep must be those of this machine. Text added by a serial terminal is ignored. The name of
-    `generate --prefix` is read from the log; a part of the functions needs --only, since a log that lost lines looks
-    like one.
+    `generate --prefix` is read from the log; functions other than those by default need --only, since a log that lost
+    lines looks like one.
     Exit status 0 only if every check passed.
     """
     from mahovik.core.stand.content import TABLE, content

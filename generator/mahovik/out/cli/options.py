@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mahovik.contract.functions import DEFAULT
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
 from mahovik.out.cli.output import note_json
@@ -158,7 +159,10 @@ STAND_FILE = argument("STAND.toml")
 STAND_FILE_OR_NONE = argument("[STAND.toml]", required=False)
 REAL = choice("--real", ["double", "float"], "Choose the element type of the C.", default="double")
 ONLY = option(
-    "--only", "Write these public functions alone, and what they need.", metavar="NAME,NAME", parse=comma_list
+    "--only",
+    f"Write these public functions alone, and what they need, or all; default {', '.join(DEFAULT)}.",
+    metavar="NAME,NAME|all",
+    parse=comma_list,
 )
 WITH = option(
     "--with",

@@ -209,7 +209,7 @@ class _Session:
             )
             if differs:
                 click.echo(f"error: step {self._last.step.count} differs: {self._last.difference}", err=True)
-                click.echo(f"error: {explain(self._machine, self._start)}", err=True)
+                click.echo(f"error: {explain(self._machine, self._stand, self._start)}", err=True)
         elif not self._damage:
             click.echo("no step in the log", err=as_json)
         if differs or any(not damage.end for damage in self._damage):

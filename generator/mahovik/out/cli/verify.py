@@ -87,9 +87,10 @@ def verify(
 
     folder = None if against is None else Path(against)
     if rigorous or targets is not None:
+        from mahovik.contract.functions import ALL
         from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
-        stand, delivered = load_stand(stand_file), Options(real)
+        stand, delivered = load_stand(stand_file), Options(real, ALL)
         if folder is not None:
             stand, delivered = stand_in(folder, stand), delivered_options(folder) or delivered
             real = real if is_given("real") else delivered.real

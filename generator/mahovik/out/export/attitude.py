@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from mahovik.core.emit.attitude import AttitudePrinter, AttitudeTables, needed_functions
-from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.stand.model import Stand
@@ -19,10 +20,10 @@ HOST = f"{VERIFICATION}board_host.c"
 
 @dataclass(frozen=True)
 class ExportedAttitude:
-    """Files of the project by name; public functions of the stand in it; settings, with their messages."""
+    """Files of the project by name; the C of the stand in it; settings, with their messages."""
 
     files: dict[str, str]
-    only: tuple[str, ...]
+    generated: Generated
     design: AttitudeDesign
 
 
@@ -30,8 +31,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
     """C of the stand, of the loop and of its example. UsageError: as `design_attitude`."""
     design = design_attitude(stand, options)
     tables = AttitudeTables(design.task, design.dumps, design.settings)
-    only = needed_functions(tables)
-    generated = generate_all(stand, real, only=only)
+    generated = generate_all(stand, real, needed_functions(tables))
     printer = AttitudePrinter(stand, generated.layout, tables)
     main = printer.render(
         "attitude_main.c.j2",
@@ -46,7 +46,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
         names=", ".join(f'"{wheel.name}"' for wheel in stand.flywheels),
         **design.samples,
     )
-    return ExportedAttitude({**generated.files, **printer.files(), "main.c": main}, only, design)
+    return ExportedAttitude({**generated.files, **printer.files(), "main.c": main}, generated, design)
 
 
 def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: str) -> ExportedAttitude:
@@ -80,7 +80,8 @@ def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: s
     }
     if host:
         files[HOST] = source_text("board/hosted/board.c")
-    return ExportedAttitude(files, made.only, made.design)
+    files = with_manifest(stand, made.generated, files, f"attitude-{target.name}")
+    return ExportedAttitude(files, made.generated, made.design)
 
 
 def _command(options: LoopOptions, task: str, target: str, real: str) -> str:

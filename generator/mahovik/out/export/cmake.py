@@ -5,6 +5,7 @@ from __future__ import annotations
 from mahovik.core.emit.cpp import cpp_example, cpp_header
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import describe_bodies, generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
@@ -21,9 +22,8 @@ def cmake_project(
     Raises StandError, UsageError.
     """
     generated = generate_all(stand, real, only)
-    example = not only or "forward" in only
     additions = (*(name for name in dict.fromkeys(additions) if name != "selftest"), "selftest")
-    name, found = stand.name, identities(stand)
+    name, found, example = stand.name, identities(stand), any(f.name == "forward" for f in generated.program.functions)
     files = {
         **generated.files,
         **cpp_header(stand, generated),
@@ -45,10 +45,10 @@ def cmake_project(
         "physics": found.physics,
         "headers": [file for file in files if file.endswith((".h", ".hpp")) and "/" not in file],
     }
-    return {
-        **files,
+    files |= {
         **(cpp_example(stand, generated) if example else {}),
         "CMakeLists.txt": template("cmake/CMakeLists.txt.j2").render(**words),
         f"{name}Config.cmake.in": template("cmake/Config.cmake.in.j2").render(**words),
         "README.md": template("cmake/README.md.j2").render(**words),
     }
+    return with_manifest(stand, generated, files, "cmake")

@@ -8,6 +8,7 @@ from pathlib import PurePosixPath
 
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
@@ -61,7 +62,7 @@ def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ())
         if target.mhz
         else "retired instructions",
     )
-    return files
+    return with_manifest(stand, made, files, target.name)
 
 
 def board_folder(target: Target) -> dict[str, str]:

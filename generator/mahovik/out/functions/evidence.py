@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.contract.functions import ALL
 from mahovik.core.stand import load as load_file
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand as CoreStand
@@ -176,7 +177,7 @@ def generate(
     """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
 
     real       "double" or "float"; batch: also functions for many states
-    only       these public functions alone, and what they need
+    only       these public functions and what they need; empty: the default ones; ["all"]
     additions  "selftest", "recorder", "eva": files that test, log or prove it
     prefix     the first word of every name in C, in place of the stand's name
 
@@ -195,10 +196,10 @@ def generate(
     if real == "float":
         _warn_of_float(own)
     _warn_of_tasks(own)
-    if not own.tasks and (not chosen or any(name.startswith("inverse") for name in chosen)):
+    if not own.tasks and (not chosen or any(name.startswith(("inverse", *ALL)) for name in chosen)):
         _warn_of_excess(own)
     text = content(Path(stand)) if isinstance(stand, str | Path) else None
-    done = deliver(Path(folder), own, real, files, only=chosen, made_by=provenance(text))
+    done = deliver(Path(folder), own, files, made_by=provenance(text))
     written = {path.relative_to(Path(folder)).as_posix(): path.read_text(encoding="utf-8") for path in done.paths}
     return Generated(own, written, Path(folder), done.notes)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.recorder import recorder_files
@@ -113,7 +114,7 @@ def measure(
     stand: Stand,
     pairs: Sequence[tuple[Target, str]],
     progress: Callable[[int, int], None] = lambda done, count: None,
-    only: tuple[str, ...] = (),
+    only: tuple[str, ...] = ALL,
     recorder: bool = False,
 ) -> Costs:
     """Builds and runs the measuring program on each target; `only`: of C that has these public functions alone.

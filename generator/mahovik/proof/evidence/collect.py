@@ -76,7 +76,7 @@ def collect(
         subject = Subject(stand, options.real, draft, Path(scratch), full, seconds, options.only)
         additions = tuple(dict.fromkeys((*options.additions, "selftest", "eva")))  # which the pieces run
         files = delivery(stand, options.real, options.only, additions)
-        deliver(subject.c, stand, options.real, files, only=options.only, made_by=provenance(text))
+        deliver(subject.c, stand, files, made_by=provenance(text))
         write(draft / subject.file, text)
         for piece in pieces:
             outcome = Outcome(Verdict.LEFT_OUT, "not run")

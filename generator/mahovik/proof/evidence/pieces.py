@@ -50,7 +50,7 @@ class Subject:
     scratch  for what is not kept
     full     everything, for as long as it takes; else a selection, minutes
     seconds  of fuzzing
-    only     public functions of the delivered C; empty: all
+    only     public functions of the delivered C, as `generate` takes them; empty: the default
     """
 
     stand: Stand
@@ -70,11 +70,6 @@ class Subject:
     def file(self) -> str:
         """Name of the copy of the stand file."""
         return f"{self.stand.name}.toml"
-
-    @property
-    def options(self) -> str:
-        """Options with which a command judges what is delivered: element type; the folder, of some functions only."""
-        return f"{'' if self.real == 'double' else f' --real {self.real}'}{' --against c' if self.only else ''}"
 
     @property
     def sources(self) -> list[str]:
@@ -250,7 +245,7 @@ PIECES: tuple[Piece, ...] = (
         title="The C is what the stand file gives",
         shows="Another process generated it again: `c/` is, byte for byte, of the stand file beside it.",
         limits="That masses, mountings and unbalances of the stand file are those of the real machine.",
-        command=lambda s: f"mahovik generate {s.file} -o c{s.options.removesuffix(' --against c')} --check",
+        command=lambda s: f"mahovik generate {s.file} -o c --check",
         figure=r"^c +(as the stand file gives it)$",
     ),
     Piece(
@@ -286,7 +281,7 @@ PIECES: tuple[Piece, ...] = (
             "a machine that bends, leaks or slips. Errors are relative to how much an answer moves with its inputs."
         ),
         command=lambda s: (
-            f"mahovik verify {s.file} --states {2000 if s.full else 200} --junit junit.xml --all{s.options}"
+            f"mahovik verify {s.file} --against c --states {2000 if s.full else 200} --junit junit.xml --all"
         ),
         kept=("junit.xml", "*-worst.jsonl"),
         needs=lambda _: (program("gcc"), *map(module, ("numpy", "casadi", "sympy"))),
@@ -296,7 +291,7 @@ PIECES: tuple[Piece, ...] = (
         title="Rounding, bounded",
         shows="Ball arithmetic encloses the exact answer at each state: the error of the C is known, not estimated.",
         limits="States that were not sampled: it is a measurement with a rigorous ruler, not a bound for all inputs.",
-        command=lambda s: f"mahovik verify {s.file} --rigorous --states {300 if s.full else 60}{s.options}",
+        command=lambda s: f"mahovik verify {s.file} --rigorous --states {300 if s.full else 60} --against c",
         needs=lambda _: (program("gcc"), module("flint", "python-flint", "rigorous")),
     ),
     Piece(
@@ -348,10 +343,11 @@ PIECES: tuple[Piece, ...] = (
             "that the header names, writes nothing on a refusal, else finite results, and the same bits twice."
         ),
         limits="Inputs that were not tried: it looks for counter-examples for some time, and proves nothing.",
-        command=lambda s: f"mahovik export fuzz {s.file} -o fuzz{s.options} && make -C fuzz run SECONDS={s.seconds}",
+        command=lambda s: (
+            f"mahovik export fuzz {s.file} -o fuzz --real {s.real} && make -C fuzz run SECONDS={s.seconds}"
+        ),
         figure=r"^Done (\d+ runs in \d+ second\S*)",
         kept=("fuzz/crash-*", "fuzz/leak-*", "fuzz/timeout-*", "fuzz/oom-*"),
-        idle=lambda s: "the harness calls all functions, and this C has some of them" if s.only else "",
         needs=lambda _: (
             program("clang"),
             Need("clang's runtime", "apt-get install libclang-rt-14-dev", _fuzzer_links),
@@ -362,9 +358,7 @@ PIECES: tuple[Piece, ...] = (
         title="The same bits on processors",
         shows="The self-test and a sweep give on each of these, on emulators, the bits that they give on the host.",
         limits="Real silicon: run the self-test on the board, and judge its log by `mahovik judge-log`.",
-        command=lambda s: (
-            f"mahovik verify {s.file} --targets {_targets(s)} --real {s.real}{' --against c' * bool(s.only)}"
-        ),
+        command=lambda s: f"mahovik verify {s.file} --targets {_targets(s)} --against c",
         needs=lambda s: _target_tools(_targets(s), s.real),
     ),
     Piece(

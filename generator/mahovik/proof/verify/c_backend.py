@@ -8,7 +8,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.functions import CHOSEN
+from mahovik.contract.functions import ALL, CHOSEN
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.reading import read_header
@@ -63,7 +63,7 @@ class CBackend(ProgramBackend):
             _check_folder(folder, stand, precision_name)
             chosen = tuple(name for name in CHOSEN if name in declared_functions(folder, stand.name))
         self.complete = self.generated = generated or generate_all(stand, precision_name, chosen=chosen)
-        if folder is not None and (only := _part(folder, stand, self.complete.program)):
+        if folder is not None and (only := _part(folder, stand, self.complete.program)) != ALL:
             self.generated = generate_all(stand, precision_name, only)
         # once loaded, the library needs its file no more
         with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
@@ -142,17 +142,17 @@ class CBackend(ProgramBackend):
 
 
 def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:
-    """The functions that C of `generate --only` in a folder has, by its manifest or header; empty: all of `program`.
+    """The functions that C of `generate --only` in a folder has, by its manifest or header; ALL: all of `program`.
 
     Raises CheckError where the header lacks some that the manifest promises.
     """
     public, declared = public_names(program), declared_functions(folder, stand.name)
     there = tuple(name for name in public if name in declared)
     if not (folder / MANIFEST).is_file():
-        return there if there != public else ()
+        return there if there != public else ALL
     options = delivered_options(folder)
-    only = () if options is None else options.only
-    if missing := [name for name in only or public if name not in there]:
+    only = ALL if options is None else options.only
+    if missing := [name for name in (public if only == ALL else only) if name not in there]:
         path = folder / f"{stand.name}.h"
         raise CheckError(f"{path}: declares no function {', '.join(missing)}, expected by {MANIFEST}: generate again")
     return only

@@ -19,9 +19,10 @@ from typing import Any
 
 import mahovik
 from mahovik import __version__
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import PRECISIONS
-from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest, manifest
+from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.stand.content import content
@@ -70,7 +71,7 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
         found = json.loads(content(path).decode("utf-8"))
         known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
         known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
-        only = found.get("only", [])
+        only = found.get("only", list(ALL))
         known = known and isinstance(only, list) and all(isinstance(name, str) for name in only)
         if known and isinstance(found["files"], dict):
             return dict(found)
@@ -86,7 +87,7 @@ def delivered_options(folder: Path) -> Options | None:
         return None
     stems = {PurePosixPath(name).stem for name in manifest["files"]}
     added = tuple(each for each in ADDITIONS if f"{manifest['stand']}_{each}" in stems)
-    return Options(manifest["real"], tuple(manifest.get("only", ())), added)
+    return Options(manifest["real"], tuple(manifest.get("only", ALL)), added)
 
 
 def with_prefix(stand: Stand, prefix: str | None) -> Stand:
@@ -148,14 +149,11 @@ def declared_functions(folder: Path, name: str) -> tuple[str, ...]:
 def deliver(
     folder: Path,
     stand: Stand,
-    real: str,
     files: Mapping[str, str],
-    project: str = "",
-    only: Sequence[str] = (),
     replaceable: Sequence[str] = (),
     made_by: str = "",
 ) -> Delivery:
-    """Writes the files of a stand and their manifest; `project`: the target whose exported project they are.
+    """Writes the files of a stand, their manifest among them.
 
     Of the `replaceable` files, which a user may replace by others, those that were changed stay as they are.
     `made_by`: text of `provenance`, which is written beside them and not listed.
@@ -168,9 +166,10 @@ def deliver(
     unchanged = {name for name in listed if (folder / name).is_file() and _hash(folder / name) == listed[name]}
     yours = [name for name in replaceable if name in listed and name not in unchanged and (folder / name).is_file()]
     written = {name: text for name, text in files.items() if name not in yours}
+    project = json.loads(files[NAME]).get("project")
     for name, text in written.items():
         path = folder / name  # what is no file at all is refused where it is written
-        if not path.is_file() or name in unchanged or _hash(path) == digest(text):
+        if name == NAME or not path.is_file() or name in unchanged or _hash(path) == digest(text):
             continue
         there = path.read_bytes()
         if old or _MARK.encode() not in there or f'of the stand "{stand.name}"'.encode() not in there:
@@ -188,7 +187,7 @@ def deliver(
             stale[folder / name] = "is no longer delivered"
     if is_cost_page(folder, stand) and not _is_measured_on(folder, files.get(f"{stand.name}.c", "")):
         stale[folder / COST_PAGE] = "was measured on other C: measure again with `mahovik cost`"
-    paths = write_all(folder, {**written, NAME: manifest(stand, real, files, project, only)})
+    paths = write_all(folder, written)
     if made_by:
         write_all(folder, {PROVENANCE: made_by})
     notes = [f"{folder / name} is yours and stays as it is" for name in yours]
@@ -261,20 +260,18 @@ def _commit(package: Path) -> str | None:
 def differences(
     folder: Path,
     stand: Stand,
-    real: str,
     files: Mapping[str, str],
-    only: Sequence[str] = (),
 ) -> list[str]:
     """Differences of the folder from what `deliver` would leave, a line each; none if it is as the stand file gives it.
 
     A folder of the other element type differs in every file: one line reports that.
     """
-    header = read_header(folder, stand.name)
-    if header is not None and header.real is not None and header.real != real:
+    header, real = read_header(folder, stand.name), json.loads(files[NAME])["real"]
+    if header is not None and header.real not in (None, real):
         there = header.real
         return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
-    wanted, found = {**files, NAME: manifest(stand, real, files, only=only)}, []
-    for name, text in wanted.items():
+    found = []
+    for name, text in files.items():
         path = folder / name
         if not path.is_file():
             found.append(f"{path}: is missing")

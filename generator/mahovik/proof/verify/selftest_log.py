@@ -137,7 +137,7 @@ class LogVerdict:
 def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str, ...] = ()) -> LogVerdict:
     """Judges every run in a log, of the stand by its own name or that of `generate --prefix`.
 
-    `only`: public functions that the C was generated with; empty: all.
+    `only`: functions that `generate --only` was given; empty: those that it writes by default.
     Raises UsageError where the text is no log, ToolchainError where C does not run.
     """
     runs, unchecked = read_log(text, where), list[str]()

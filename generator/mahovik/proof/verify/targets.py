@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Stand
@@ -51,7 +52,7 @@ def verify_targets(
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
     progress: Callable[[int, int], None] = lambda done, count: None,
-    only: tuple[str, ...] = (),
+    only: tuple[str, ...] = ALL,
 ) -> Report:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
 
@@ -74,7 +75,7 @@ def verify_targets(
     return report(stand, "self-test", 0, sweep, 0.0, rows)
 
 
-def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...] = ()) -> dict[str, str]:
+def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...]) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
     made = generate_all(stand, real, only)
     return {**made.files, **selftest_files(stand, made), "main.c": selftest_main(stand.name, sweep)}

@@ -250,9 +250,10 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
             raise CheckError(f"{source}: {kind} {here}, but the log is from {log}: give the stand file that flew")
 
 
-def explain(machine: Machine, start: Start) -> str:
-    """A possible reason for a difference."""
-    if machine.source != start.source:
+def explain(machine: Machine, stand: Stand, start: Start) -> str:
+    """A possible reason for a difference: the C that flew is neither that of the machine nor that of the default."""
+    default = source_hash(generate_all(stand, start.real, ()).files, stand.name)
+    if start.source not in (machine.source, default):
         return (
             f"the C that flew was another source text (source {start.source:08x}, here {machine.source:08x}): "
             "give its folder with --against DIR"
