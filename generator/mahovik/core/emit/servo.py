@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from mahovik.contract.functions import is_public
 from mahovik.core.emit.code import INDENT, Code
 from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.manifest import manifest_with
@@ -63,10 +65,11 @@ def servo_files(
     """
     printer = _Printer(stand, program, form, tables)
     name = f"{stand.name}_servo"
+    example = printer.render("servo_main.c.j2")
     files = servo_code(stand, program, form, tables) | {
-        f"{VERIFICATION}{name}_main.c": printer.render("servo_main.c.j2"),
+        f"{VERIFICATION}{name}_main.c": example,
         f"{VERIFICATION}{name}_test.c": printer.test(golden),
-        f"{name}.md": printer.page(),
+        f"{name}.md": printer.page(example),
     }
     files = rename_files(files, stand.name, called)
     (manifest,) = rename_files({f"{name}.json": ""}, stand.name, called)
@@ -135,10 +138,13 @@ class _Printer:
             greatest=self._code.real(self._code.precision.largest),
         )
 
-    def page(self) -> str:
-        """The page: contents and use."""
+    def page(self, example: str) -> str:
+        """The page: contents and use, with the functions of the stand's C that the example calls."""
+        called = dict.fromkeys(filter(is_public, re.findall(rf"\b{self._stand.name}_(\w+)\(", example)))
         return self.render(
-            "servo.md.j2", functions=[(self._code.names.function(f.name), f.purpose) for f in self._code.public]
+            "servo.md.j2",
+            functions=[(self._code.names.function(f.name), f.purpose) for f in self._code.public],
+            called=",".join(called),
         )
 
     def manifest(self, files: Mapping[str, str], what: str) -> str:
