@@ -29,32 +29,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters     bench8_default_parameters_f64_785afa70
-#define bench8_default                bench8_default_f64_785afa70
-#define bench8_default_options        bench8_default_options_f64_785afa70
-#define bench8_forward                bench8_forward_f64_785afa70
-#define bench8_matrices               bench8_matrices_f64_785afa70
-#define bench8_momentum               bench8_momentum_f64_785afa70
-#define bench8_torque                 bench8_torque_f64_785afa70
-#define bench8_coupled                bench8_coupled_f64_785afa70
-#define bench8_step                   bench8_step_f64_785afa70
-#define bench8_step_driven            bench8_step_driven_f64_785afa70
-#define bench8_wrap                   bench8_wrap_f64_785afa70
-#define bench8_phase_of_counts        bench8_phase_of_counts_f64_785afa70
-#define bench8_speed_of_counts        bench8_speed_of_counts_f64_785afa70
-#define bench8_accumulate             bench8_accumulate_f64_785afa70
-#define bench8_forward_jacobian       bench8_forward_jacobian_f64_785afa70
-#define bench8_coupled_jacobian       bench8_coupled_jacobian_f64_785afa70
-#define bench8_inverse                bench8_inverse_f64_785afa70
-#define bench8_inverse_fast           bench8_inverse_fast_f64_785afa70
-#define bench8_quaternion             bench8_quaternion_f64_785afa70
-#define bench8_state_from_coordinates bench8_state_from_coordinates_f64_785afa70
-#define bench8_generalized            bench8_generalized_f64_785afa70
-#define bench8_prepare                bench8_prepare_f64_785afa70
-#define bench8_mounts                 bench8_mounts_f64_785afa70
-#define bench8_prepare_mounts         bench8_prepare_mounts_f64_785afa70
-#define bench8_step_carried           bench8_step_carried_f64_785afa70
-#define bench8_step_driven_carried    bench8_step_driven_carried_f64_785afa70
+#define bench8_default_parameters bench8_default_parameters_f64_23cd583d
+#define bench8_default            bench8_default_f64_23cd583d
+#define bench8_default_options    bench8_default_options_f64_23cd583d
+#define bench8_forward            bench8_forward_f64_23cd583d
+#define bench8_momentum           bench8_momentum_f64_23cd583d
+#define bench8_torque             bench8_torque_f64_23cd583d
+#define bench8_coupled            bench8_coupled_f64_23cd583d
+#define bench8_step               bench8_step_f64_23cd583d
+#define bench8_inverse            bench8_inverse_f64_23cd583d
+#define bench8_inverse_fast       bench8_inverse_fast_f64_23cd583d
+#define bench8_prepare            bench8_prepare_f64_23cd583d
 #endif
 
 #ifdef __cplusplus
@@ -82,7 +67,6 @@ typedef double bench8_real;
 #define BENCH8_MAX_STEP          10.0      /* s; a time step */
 #define BENCH8_MAX_PARAMETER     1.0e15    /* SI; each mass, length and moment of inertia */
 #define BENCH8_MAX_WEIGHT        1.0e6     /* the weight of a flywheel in inverse; at least its inverse */
-#define BENCH8_MAX_ROUNDING      1.0       /* SI; each number of a carry */
 #define BENCH8_MAX_TURN_4        1.0       /* rad; turn in a step of order 4; beyond: COARSE */
 #define BENCH8_MAX_TURN_2        0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
@@ -103,7 +87,6 @@ enum {
     BENCH8_NOT_FINITE = -1,               /* an input is NaN or infinite */
     BENCH8_RANGE = -2,                    /* out of range, quaternion off unit length */
     BENCH8_NOT_POSITIVE_DEFINITE = -3,    /* no mass, no spin inertia, or a pivot failed */
-    BENCH8_SINGULAR_ATTITUDE = -4,        /* attitude angles within 1e-6 of their singularity */
     BENCH8_BAD_ARGUMENT = -5              /* a null pointer, a count, an index, a step or an option */
 };
 
@@ -122,11 +105,6 @@ typedef struct bench8_state {
     bench8_real phi[BENCH8_N];      /* rad; phases */
     bench8_real phi_dot[BENCH8_N];  /* rad/s; speeds relative to the mount */
 } bench8_state;
-
-/* What rounding took from a state: kept from step to step, all zero at first. */
-typedef struct bench8_step_carry {
-    bench8_real rounding[29];  /* SI; of each number of the state, in its order */
-} bench8_step_carry;
 
 /* Mass properties of one body, in its own frame. */
 typedef struct bench8_body {
@@ -185,16 +163,6 @@ typedef struct bench8_table {
     bench8_suspension suspension;
 } bench8_table;
 
-/* The matrices of (8). */
-typedef struct bench8_matrices_result {
-    bench8_real K[6][6];          /* kg, kg m, kg m2; mass matrix (2) */
-    bench8_real K_dot[6][6];      /* per s; its rate (6) */
-    bench8_real M[6][6];          /* per s; velocity matrix (9) */
-    bench8_real I_[6][BENCH8_N];  /* kg m, kg m2; flywheel coupling (9), one column per flywheel */
-    bench8_real J[6][BENCH8_N];   /* per s; its velocity part (9) */
-    bench8_real F[6];             /* N, N m; total external wrench (7) */
-} bench8_matrices_result;
-
 /* Momentum, energy, mass centre and its velocity. */
 typedef struct bench8_momentum_result {
     bench8_real Z[6];                        /* kg m/s, kg m2/s; momentum screw in E1 about O1 (2) */
@@ -203,37 +171,6 @@ typedef struct bench8_momentum_result {
     bench8_real center_of_mass[3];           /* m; mass centre of all bodies, in E1 */
     bench8_real center_of_mass_velocity[3];  /* m/s; of the mass centre relative to E0, in E0 */
 } bench8_momentum_result;
-
-/* The equations in generalized coordinates q = (O1 in E0; psi, theta, phi). */
-typedef struct bench8_generalized_result {
-    bench8_real A[6][6];    /* V = A q' (10) */
-    bench8_real D[6][6];    /* 1/s; A' along the motion (10) */
-    bench8_real I0[6][6];   /* K A (11) */
-    bench8_real J0[6][6];   /* K D + M A (11) */
-    bench8_real q_dot[6];   /* m/s, rad/s; O1 in E0, then psi, theta, phi */
-    bench8_real q_ddot[6];  /* m/s2, rad/s2; solution of (11) for the given phi_ddot */
-} bench8_generalized_result;
-
-/* One flywheel and its mounting; used by mounts only. */
-typedef struct bench8_mount {
-    bench8_real mass;             /* kg */
-    bench8_real first_moment[3];  /* kg m; m rc, in Es */
-    bench8_real inertia[6];       /* kg m2; about Os in Es, 11 22 33 12 13 23 */
-    bench8_real origin[3];        /* m; Os in E1 */
-    bench8_real axes[9];          /* axes of Es in E1 at phi = 0, row by row */
-} bench8_mount;
-
-/* Second table, which the function mounts needs. Made by prepare_mounts. */
-typedef struct bench8_mount_table {
-    bench8_mount flywheel[BENCH8_N];
-} bench8_mount_table;
-
-/* An encoder whose counter wraps. Updated by accumulate. */
-typedef struct bench8_encoder {
-    int counter;  /* last reading */
-    int place;    /* counts within the turn, 0 to |per_turn| - 1 */
-    int moved;    /* counts between the last two readings */
-} bench8_encoder;
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
@@ -268,26 +205,6 @@ typedef struct bench8_inverse_result {
                                       * in the norm of K^-1 */
 } bench8_inverse_result;
 
-/* Derivatives of coupled. */
-typedef struct bench8_coupled_jacobian_result {
-    bench8_real V_dot_V[6][6];                         /* of V* by V: row i, column j */
-    bench8_real V_dot_phi[6][BENCH8_N];                /* of V* by the phases */
-    bench8_real V_dot_phi_dot[6][BENCH8_N];            /* by the speeds */
-    bench8_real V_dot_tau[6][BENCH8_N];                /* by the drive torques */
-    bench8_real phi_ddot_V[BENCH8_N][6];               /* of phi'' by V: row s, column j */
-    bench8_real phi_ddot_phi[BENCH8_N][BENCH8_N];      /* of phi'' by the phases */
-    bench8_real phi_ddot_phi_dot[BENCH8_N][BENCH8_N];  /* by the speeds */
-    bench8_real phi_ddot_tau[BENCH8_N][BENCH8_N];      /* by the drive torques */
-} bench8_coupled_jacobian_result;
-
-/* Derivatives of forward. */
-typedef struct bench8_forward_jacobian_result {
-    bench8_real V_dot_V[6][6];                /* of V* by V: row i, column j */
-    bench8_real V_dot_phi[6][BENCH8_N];       /* of V* by the phases */
-    bench8_real V_dot_phi_dot[6][BENCH8_N];   /* by the speeds */
-    bench8_real V_dot_phi_ddot[6][BENCH8_N];  /* by the accelerations */
-} bench8_forward_jacobian_result;
-
 extern const bench8_parameters bench8_default_parameters;         /* of the stand file */
 extern const bench8_table bench8_default;                         /* made of them */
 extern const bench8_inverse_options bench8_default_options;       /* of inverse, by the stand file */
@@ -305,14 +222,6 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
  * At most 2708 operations on reals, 6 of them divisions. Stack: at most 2208 bytes. */
 bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
                              const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6]);
-
-/* matrices: the matrices of K V* + M V + I phi'' + J phi' = F at a state, (2), (6)-(9).
- *   table  the prepared table
- *   x      state; its attitude within 1e-3 of unit length
- *   out    out: K, K_dot, M, I, J, F
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2863 operations on reals, 3 of them divisions. Stack: at most 2224 bytes. */
-bench8_status bench8_matrices(const bench8_table *table, const bench8_state *x, bench8_matrices_result *out);
 
 /* momentum: momentum screw, kinetic energy, mass centre of the whole system and its velocity, (1), (2).
  *   table  the prepared table
@@ -366,92 +275,6 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
 bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next);
 
-/* step_driven: state after one time step; given flywheel accelerations and wrenches are held constant.
- *   table        the prepared table
- *   x            state; its attitude within 1e-3 of unit length
- *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   dt           s; time step, greater than 0
- *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
- *   next         out: state after the step; may be x itself
- * RANGE also if a stage of the step or the new state is out of range.
- * COARSE: dt times the fastest of |phi_dot| and |omega| is above MAX_TURN_4 rad (order 2: MAX_TURN_2). At
- * this bound the vibration of an unbalance is wrong by 3e-4 of its size after a turn, one of twice the
- * speed (asymmetry) by 4e-3 (order 2: 1e-3). Errors grow with dt^4 (dt^2), beyond twice the bound faster.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
- * status is negative.
- * At most 11517 operations on reals, 30 of them divisions. Stack: at most 3664 bytes. */
-bench8_status bench8_step_driven(const bench8_table *table, const bench8_state *x,
-                                 const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
-                                 bench8_state *next);
-
-/* wrap: the angle wrapped to [-pi, pi] (pi rounded to the nearest real).
- *   phi      rad; any angle within MAX_PHASE
- *   wrapped  out: rad; the same angle in [-pi, pi]
- * Error below 5e-16 rad, modulo one turn.
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 29 operations on reals, no division. Stack: at most 544 bytes. */
-bench8_status bench8_wrap(bench8_real phi, bench8_real *wrapped);
-
-/* phase_of_counts: phase for a count of an encoder.
- *   count     any count of the encoder; or `place` of accumulate
- *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
- *   zero      count at phi = 0, at most one turn in magnitude
- *   phi       out: rad; phase, in [-pi, pi] (pi rounded to the nearest real)
- * Error at most 2 units in the last place for a whole `zero` and every count: the phase does not drift.
- * Also returns RANGE if |zero| is more than one turn.
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 20 operations on reals, 1 of them a division. Stack: at most 448 bytes. */
-bench8_status bench8_phase_of_counts(int count, int per_turn, bench8_real zero, bench8_real *phi);
-
-/* speed_of_counts: mean speed of a flywheel from the counts of one interval.
- *   moved     counts during dt: `moved` of accumulate
- *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
- *   dt        s; greater than 0
- *   phi_dot   out: rad/s; mean speed during dt
- * Also returns RANGE if the speed is beyond MAX_SPEED. Resolution: one count is 2 pi/(per_turn dt).
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 10 operations on reals, 2 of them divisions. Stack: at most 336 bytes. */
-bench8_status bench8_speed_of_counts(int moved, int per_turn, bench8_real dt, bench8_real *phi_dot);
-
-/* accumulate: takes one reading of an encoder's counter, which may wrap: place in the turn and counts
- * moved, both exact.
- *   encoder   in and out: start with counter = first reading, place = its counts within the turn
- *   counter   counter as read; a 32-bit counter as a signed number
- *   bits      width of the counter, 2 to 32; 0: it counts 0 to per_turn - 1
- *   per_turn  counts per turn, at most 1073741824 in magnitude; negative if phi falls as counts rise
- * Call it before the counter has moved by half its range (by half a turn if bits is 0).
- * phase_of_counts makes a phase of `place`, speed_of_counts a speed of `moved`; the phase does not drift.
- * Returns OK, BAD_ARGUMENT. Nothing is written when the status is negative.
- * No operation on reals. Stack: at most 304 bytes. */
-bench8_status bench8_accumulate(bench8_encoder *encoder, int counter, int bits, int per_turn);
-
-/* forward_jacobian: derivatives of forward by V, phi, phi' and phi'', at fixed position and attitude, (8).
- *   table        the prepared table
- *   x            state; its attitude within 1e-3 of unit length
- *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   out          out: derivatives of V*
- * At a kink of a damping law with magnitudes, the derivative from one side is returned.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 10144 operations on reals, 36 of them divisions. Stack: at most 5168 bytes. */
-bench8_status bench8_forward_jacobian(const bench8_table *table, const bench8_state *x,
-                                      const bench8_real phi_ddot[BENCH8_N],
-                                      bench8_forward_jacobian_result *out);
-
-/* coupled_jacobian: derivatives of coupled by V, phi, phi' and tau, at fixed position and attitude.
- *   table      the prepared table
- *   x          state; its attitude within 1e-3 of unit length
- *   tau[8]     N m; drive torques, mount on flywheel
- *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
- *   out        out: derivatives of V* and phi''
- * At a kink of a damping law with magnitudes, the derivative from one side is returned.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 17755 operations on reals, 37 of them divisions. Stack: at most 7328 bytes. */
-bench8_status bench8_coupled_jacobian(const bench8_table *table, const bench8_state *x,
-                                      const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                      bench8_coupled_jacobian_result *out);
-
 /* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
  * Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit
  * cannot give is shared among the others, (12).
@@ -489,42 +312,6 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
                                   const bench8_real V_dot[6], const bench8_inverse_options *options,
                                   bench8_real phi_ddot[BENCH8_N]);
 
-/* quaternion: attitude quaternion of three angles.
- *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
- *   attitude[4]  out: unit quaternion, w first
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 183 operations on reals, no division. Stack: at most 1008 bytes. */
-bench8_status bench8_quaternion(const bench8_real angles[3], bench8_real attitude[4]);
-
-/* state_from_coordinates: state and V* of a wanted motion in generalized coordinates: V = A q', V* = A q''
- * + D q', (10).
- *   position[3]  m; position of O1, in E0
- *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
- *   q_dot[6]     m/s, rad/s; rates of position and of the angles
- *   q_ddot[6]    m/s2, rad/s2; rates of q_dot
- *   x            in and out: its position, attitude and V are written; phases and speeds are kept
- *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
- * Returns OK, NOT_FINITE, RANGE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is written when the status is
- * negative.
- * At most 479 operations on reals, 1 of them a division. Stack: at most 1408 bytes. */
-bench8_status bench8_state_from_coordinates(const bench8_real position[3], const bench8_real angles[3],
-                                            const bench8_real q_dot[6], const bench8_real q_ddot[6],
-                                            bench8_state *x, bench8_real V_dot[6]);
-
-/* generalized: the equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi'', (10),
- * (11).
- *   table        the prepared table
- *   x            state; its attitude is ignored, `angles` replaces it
- *   angles[3]    rad; psi, theta, phi of C = C3(psi) C2(theta) C1(phi) (ship)
- *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   out          out: A, D, I0, J0, q_dot, q_ddot
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, SINGULAR_ATTITUDE, BAD_ARGUMENT. Nothing is
- * written when the status is negative.
- * At most 7371 operations on reals, 11 of them divisions. Stack: at most 5008 bytes. */
-bench8_status bench8_generalized(const bench8_table *table, const bench8_state *x,
-                                 const bench8_real angles[3], const bench8_real phi_ddot[BENCH8_N],
-                                 bench8_generalized_result *out);
-
 /* prepare: makes the table of a stand from masses, centres of mass, inertias and mountings, (2).
  *   parameters  masses, inertias, mountings
  *   table       in and out: start with a copy of the default; its laws (gravity, damping, ...) are kept
@@ -537,64 +324,6 @@ bench8_status bench8_generalized(const bench8_table *table, const bench8_state *
  * is negative.
  * At most 11209 operations on reals, 76 of them divisions. Stack: at most 2016 bytes. */
 bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table);
-
-/* mounts: wrench of the mount on each flywheel: the bearing loads. Their opposites shake the structure.
- *   table             the prepared table
- *   mounting          made once by prepare_mounts
- *   x                 state; its attitude within 1e-3 of unit length
- *   V_dot[6]          m/s2, rad/s2; derivative of the components of V
- *   phi_ddot[8]       rad/s2; flywheel accelerations
- *   mount_wrench[48]  out: N, N m; of the mount on each flywheel, six numbers each, about Os in the axes
- *                     of Es at phi = 0; the fourth is tau
- * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 3076 operations on reals, 1 of them a division. Stack: at most 1824 bytes. */
-bench8_status bench8_mounts(const bench8_table *table, const bench8_mount_table *mounting,
-                            const bench8_state *x, const bench8_real V_dot[6],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_real mount_wrench[48]);
-
-/* prepare_mounts: makes the second table, which the function mounts needs.
- *   parameters  masses, inertias, mountings
- *   mounting    out: table for the function mounts
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
- * is negative.
- * At most 3816 operations on reals, 59 of them divisions. Stack: at most 1552 bytes. */
-bench8_status bench8_prepare_mounts(const bench8_parameters *parameters, bench8_mount_table *mounting);
-
-/* step_carried: state after one time step under drive torques and wrenches, held constant; sums are
- * compensated by a carry.
- *   table      the prepared table
- *   x          state; its attitude within 1e-3 of unit length
- *   tau[8]     N m; drive torques, mount on flywheel
- *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
- *   dt         s; time step, greater than 0
- *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
- *   carry      in and out: of the step before; at first all zero
- *   next       out: state after the step; may be x itself
- * Statuses as of step. A carry belongs to its state: where another state is set, set the carry to zero.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
- * status is negative.
- * At most 17249 operations on reals, 34 of them divisions. Stack: at most 5184 bytes. */
-bench8_status bench8_step_carried(const bench8_table *table, const bench8_state *x,
-                                  const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                  bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next);
-
-/* step_driven_carried: state after one time step under given flywheel accelerations and wrenches, held
- * constant; sums are compensated by a carry.
- *   table        the prepared table
- *   x            state; its attitude within 1e-3 of unit length
- *   phi_ddot[8]  rad/s2; flywheel accelerations
- *   dt           s; time step, greater than 0
- *   order        4: Runge-Kutta, four evaluations; 2: midpoint rule, two
- *   carry        in and out: of the step before; at first all zero
- *   next         out: state after the step; may be x itself
- * Statuses as of step_driven. A carry belongs to its state: where another state is set, set the carry to
- * zero.
- * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, COARSE. Nothing is written when the
- * status is negative.
- * At most 11893 operations on reals, 30 of them divisions. Stack: at most 3968 bytes. */
-bench8_status bench8_step_driven_carried(const bench8_table *table, const bench8_state *x,
-                                         const bench8_real phi_ddot[BENCH8_N], bench8_real dt, int order,
-                                         bench8_step_carry *carry, bench8_state *next);
 
 #ifdef __cplusplus
 }
