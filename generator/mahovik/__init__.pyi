@@ -20,7 +20,6 @@ from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.functions.balancing import balance as balance
 from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
-from mahovik.out.functions.evidence import report as report
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.jitter import jitter as jitter
@@ -34,6 +33,7 @@ from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.stand_balancing import balance_stand as balance_stand
+from mahovik.out.functions.stand_report import report as report
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
 from mahovik.out.identify.face import identify as identify
