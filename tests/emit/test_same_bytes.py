@@ -13,9 +13,10 @@ from mahovik import stands as examples
 
 DELIVERY = """
 import sys
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import ADDITIONS, delivery
 from mahovik.core.stand import load
-for text in delivery(load(sys.argv[1]), additions=tuple(ADDITIONS)).values():
+for text in delivery(load(sys.argv[1]), "double", ALL, tuple(ADDITIONS)).values():
     sys.stdout.buffer.write(text.encode("ascii"))
 """
 LOOP = """

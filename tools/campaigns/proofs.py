@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from campaigns import REALS, ROOT, Row, Rows, Table, cores, side_by_side
+from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
@@ -135,7 +136,7 @@ def by_function(rows: Rows) -> Rows:
 def examine(stand: str, real: str) -> tuple[list[str], Counter[str]]:
     """Complaints of compilers and analyser about a stand's C, and its findings by rule."""
     folder = ROOT / "build" / "static-checks" / f"{stand}-{real}"
-    write_all(folder, delivery(load(path(stand)), real, additions=("selftest", "recorder")))
+    write_all(folder, delivery(load(path(stand)), real, ALL, ("selftest", "recorder")))
     files = [f"{stand}.c", f"{VERIFICATION}{stand}_recorder.c"]  # firmware: not the self-test
     return warnings_of(folder, [*files, f"{VERIFICATION}{stand}_selftest.c"]), count_by_rule(findings(folder, files))
 
