@@ -106,7 +106,7 @@ def test_what_derivations_share_computes_nothing() -> None:
     for law in PACKAGE.glob("laws/*/law.py"):
         functions = [node for node in ast.walk(ast.parse(law.read_text())) if isinstance(node, ast.FunctionDef)]
         computing = {each.name for each in functions if arithmetic(ast.unparse(each)) or "np." in ast.unparse(each)}
-        for part in ("derive", "reference", "energy"):
+        for part in ("reference", "energy"):
             if (path := law.with_stem(part)).is_file():
                 nodes = list(ast.walk(ast.parse(path.read_text())))
                 named = {n.attr for n in nodes if isinstance(n, ast.Attribute)}
@@ -121,7 +121,7 @@ def test_a_folder_has_the_whole_law_and_every_folder_is_listed() -> None:
     assert set(folders) == {*LAWS, *BODY_LAWS}
     for folder in folders.values():
         parts = {path.stem for path in folder.glob("*.py")}
-        assert parts >= {"lower", "reference", "energy"}, folder.name
+        assert parts >= {"reference", "energy"}, folder.name
 
 
 @pytest.mark.parametrize(

@@ -5,17 +5,10 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from derive import table
-from derive.exact import remainders, rotation, trigonometric
+from derive.exact import remainders, trigonometric
 from mahovik.core.derive import wrench as derived
-from mahovik.core.derive.attitude import quaternion_product, rotation_of_quaternion
 from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
 from mahovik.core.derive.symbols import matrix, vector
-from mahovik.laws.leg import derive as leg
-from mahovik.laws.suspension import derive as suspension
-from mahovik.laws.weight import derive as weight
-
-TIME = sp.Symbol("t")
 
 
 def cross_product(a: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
@@ -62,10 +55,10 @@ def test_rate_of_L_along_a_turning_flywheel() -> None:
 def test_weight_acts_at_the_mass_centre_of_all_bodies() -> None:
     """(m g, mu x g); buoyancy takes away the displaced mass at its centre."""
     g, mu, displaced = vector("g"), vector("mu"), vector("displaced_moment")
-    plain = weight.weight(False)
+    plain = derived.weight(False)
     assert remainders(plain - (sp.Symbol("m") * g).col_join(cross_product(mu, g))) == []
     wanted = (sp.Symbol("weight_mass") * g).col_join(cross_product(mu, g) - cross_product(displaced, g))
-    assert remainders(weight.weight(True) - wanted) == []
+    assert remainders(derived.weight(True) - wanted) == []
 
 
 def test_transfer_of_points_is_the_paper_s_T() -> None:
@@ -77,37 +70,6 @@ def test_transfer_of_points_is_the_paper_s_T() -> None:
     assert remainders(derived.moment_of_force() - (T(O) * vector("f").col_join(sp.zeros(3, 1)))[3:, :]) == []
     assert remainders(derived.rotated() - C * a) == []
     assert remainders(derived.rotated_back() - C.T * a) == []
-
-
-@pytest.mark.slow
-def test_relative_quaternion_is_the_rotation_from_equilibrium() -> None:
-    """C(q_rel) = C_eq^T C for unit quaternions."""
-    q, q_eq = vector("q", 4), vector("q_eq", 4)
-    units = (q.dot(q) - 1, q_eq.dot(q_eq) - 1)
-
-    def turn(of: sp.Matrix) -> sp.Matrix:
-        return rotation_of_quaternion().xreplace(table.bind("q", of) | {sp.Symbol("k"): sp.Integer(2)})
-
-    relative = suspension.relative_quaternion()
-    assert remainders(turn(relative) - turn(q_eq).T * turn(q), units) == []
-    assert remainders(rotation(turn(relative)), units) == []
-    assert remainders(quaternion_product(q_eq, relative) - q, units) == []
-
-
-def test_leg_rate_is_the_derivative_of_its_length() -> None:
-    """length' = -direction . velocity, direction from the carrier's end to the ground; both terms of the tension."""
-    found = leg.leg()
-    ends = sp.Matrix([sp.Function(f"x{i}")(TIME) for i in range(3)])
-    ground, distance = vector("ground"), sp.Symbol("distance", positive=True)
-    span = ground - ends
-    square_rate = span.dot(span).diff(TIME)  # 2 length length'
-    moving = {ends[i].diff(TIME): sp.Symbol(f"velocity[{i}]") for i in range(3)}
-    along = {sp.Symbol(f"direction[{i}]"): span[i] / distance for i in range(3)}
-    difference = 2 * distance * found.rate.xreplace(along) - square_rate.subs(moving)
-    still = {ends[i]: sp.Symbol(f"end[{i}]") for i in range(3)}
-    assert remainders([sp.expand(difference.subs(still))]) == []
-    k, d, length = sp.symbols("stiffness damping length")
-    assert found.tension == k * (sp.Symbol("distance") - length) + d * sp.Symbol("rate")
 
 
 def test_cross() -> None:

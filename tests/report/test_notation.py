@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from mahovik.core.derive.document import Block, Formula, Table, sections
-from mahovik.laws.weight.derive import weight
+from mahovik.core.derive.wrench import weight
 from mahovik.out.report.derivation.notation import (
     Fence,
     Fraction,

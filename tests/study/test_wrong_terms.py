@@ -11,7 +11,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.model import Carrier, Mat6, Stand
 from mahovik.core.stand.read import load, loads
 from mahovik.core.stand.state import rest_state
@@ -24,10 +24,12 @@ from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis
+from mahovik.proof.diagnose.terms.law_term import BodyFaults
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import body_wrench
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
@@ -358,15 +360,14 @@ def test_parts_of_a_law_add_up_to_it() -> None:
     states = [with_drawn_actuators(vehicle(), rest_state(vehicle()), rng) for _ in range(4)]
     V = rng.normal(size=(4, 6))
     bodies = [stand_at(vehicle(), state).carrier for state in states]
-    kinds = of_bodies("terms", "KIND")
-    for kind, law_terms in zip(kinds, of_bodies("terms", "law_terms"), strict=True):
-        expected = [
-            {k: P for wrenches in of_bodies("reference", "wrenches") for k, P in wrenches(b, np.zeros(3), x).items()}[
-                kind
-            ]
-            for b, x in zip(bodies, V, strict=True)
-        ]
-        terms = law_terms(bodies, V)
+    laws = parts("reference", BodyReference, BODY_LAWS)
+    kinds = [
+        {k: P for law in laws for k, P in law.wrenches(b, np.zeros(3), x).items()}
+        for b, x in zip(bodies, V, strict=True)
+    ]
+    for law in parts("faults", BodyFaults, BODY_LAWS):
+        expected = [wrenches[law.kind] for wrenches in kinds]
+        terms = law.terms(bodies, V)
         for detail in {term.detail for term in terms}:
             total = sum(term.value * term.wrench for term in terms if term.detail == detail)
             np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())

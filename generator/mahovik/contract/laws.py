@@ -20,21 +20,14 @@ Part = TypeVar("Part")
 
 
 @cache
-def part(folder: str, module: str) -> Any:
-    """A module of a law's folder; None where the law needs no such module."""
+def _part(folder: str, module: str) -> Any:
+    """LAW of a module of a law's folder; None where the law needs no such module."""
     name = f"mahovik.laws.{folder}.{module}"
-    return None if find_spec(name) is None else import_module(name)
+    return None if find_spec(name) is None else import_module(name).LAW
 
 
 def parts(module: str, kind: type[Part], laws: tuple[str, ...] = LAWS) -> tuple[Part, ...]:
     """What a stage needs of each law that has it, in their order: LAW of that module of its folder, a `kind`."""
-    found = tuple(own.LAW for folder in laws if (own := part(folder, module)) is not None)
+    found = tuple(law for folder in laws if (law := _part(folder, module)) is not None)
     assert all(isinstance(law, kind) for law in found), f"{module}: expected {kind.__name__}"
     return found
-
-
-@cache
-def of_bodies(module: str, content: str) -> tuple[Any, ...]:
-    """What those modules have under the name `content`, where they have it."""
-    found = (part(folder, module) for folder in BODY_LAWS)
-    return tuple(getattr(own, content) for own in found if hasattr(own, content))

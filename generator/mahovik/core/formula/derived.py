@@ -60,7 +60,7 @@ def key(module: str, function: str, *arguments: object) -> str:
 
 
 class FormulaModule:
-    """A module of derive/, or the `derive` of a law: its functions give formulas and records of them."""
+    """A module of derive/: its functions give formulas and records of them."""
 
     def __init__(self, module: str) -> None:
         self._module = module

@@ -14,7 +14,6 @@ from functools import lru_cache
 from importlib import import_module
 from inspect import signature
 from itertools import product
-from pathlib import Path
 from typing import Any
 
 import sympy as sp
@@ -27,10 +26,9 @@ VARIANTS = dict.fromkeys(("added_mass", "displaces", "weight"), (False, True)) |
 
 
 def derive_all() -> str:
-    """The data file: every formula of derive/ and of the laws, a line each, by the call that derives it."""
-    laws = sorted(path.parent.name for path in Path(__file__).parents[2].glob("laws/*/derive.py"))
+    """The data file: every formula of derive/, a line each, by the call that derives it."""
     lines = []
-    for module in (*(f"core.derive.{name}" for name in MODULES), *(f"laws.{law}.derive" for law in laws)):
+    for module in (f"core.derive.{name}" for name in MODULES):
         for name, function in vars(import_module(f"mahovik.{module}")).items():
             if name.startswith("_") or getattr(function, "__module__", "") != f"mahovik.{module}":
                 continue

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import BODY_LAWS, parts
+from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.build import Body
@@ -14,7 +15,8 @@ from mahovik.core.stand.structure_facts import Structure
 
 def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:
     """Inputs in the table that laws of the stand take at run time."""
-    return tuple(each for of in of_bodies("lower", "run_time_input") if (each := of(structure)) is not None)
+    laws = parts("program", BodyProgram, BODY_LAWS)
+    return tuple(given for law in laws if (given := law.run_time_input(structure)) is not None)
 
 
 def add_check(lib: Library) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from mahovik.contract.laws import LAWS, of_bodies, part
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower.freedoms import are_closed
-from mahovik.core.lower.law import LawLowering
+from mahovik.core.lower.law import BodyProgram, CarrierProgram
 from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.stand.structure_facts import Structure
 
@@ -88,24 +87,26 @@ class Features:
         return self.structure.stream
 
     @cached_property
-    def law_tables(self) -> tuple[LawLowering, ...]:
+    def law_tables(self) -> tuple[CarrierProgram, ...]:
         """The laws of `laws/` that the stand has."""
-        found: Iterable[LawLowering] = (part(law, "lower").LOWERING for law in LAWS)
-        return tuple(law for law in found if law.present(self.structure))
+        return tuple(law for law in parts("program", CarrierProgram) if law.present(self.structure))
 
     @property
     def body_laws(self) -> tuple[str, ...]:
         """The laws of bodies that the stand has, in words."""
-        return tuple(name for words in of_bodies("lower", "words") if (name := words(self.structure)))
+        first = [("weight", self.weight), ("buoyancy", self.displaces)]
+        rest = [(law.words, bool(law.bodies(self.structure))) for law in parts("program", BodyProgram, BODY_LAWS)]
+        return tuple(words for words, acts in (*first, *rest) if acts)
 
     @cached_property
     def displaces(self) -> bool:
         """Any displaced mass under gravity."""
-        return any(of(self.structure) for of in of_bodies("lower", "displaces"))
+        return self.structure.law("buoyancy") or self.flywheel_displaces
 
     @cached_property
     def flywheel_displaces(self) -> bool:
-        return any(of(self.structure) for of in of_bodies("lower", "flywheel_displaces"))
+        """A flywheel does."""
+        return bool(self.structure.law("flywheel_buoyancy"))
 
     @property
     def inputs(self) -> tuple[str, ...]:
@@ -143,7 +144,7 @@ class Features:
     @cached_property
     def _damped_bodies(self) -> frozenset[int]:
         """Indices of the bodies on which any damping acts."""
-        return frozenset(i for of in of_bodies("lower", "damped_bodies") for i in of(self.structure))
+        return frozenset(i for law in parts("program", BodyProgram, BODY_LAWS) for i in law.bodies(self.structure))
 
     @property
     def damped(self) -> bool:

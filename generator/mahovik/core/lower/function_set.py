@@ -82,6 +82,11 @@ class FunctionSet:
         """The state."""
         return self.state_argument()
 
+    @property
+    def damper(self) -> Argument:
+        """What the table has of a body for the laws of its own twist."""
+        return Argument("damper", self.layout.damper)
+
     def table_argument(self) -> Argument:
         """The prepared stand."""
         return Argument("table", self.layout.table, purpose="the prepared table")

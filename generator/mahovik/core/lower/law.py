@@ -1,30 +1,51 @@
-"""The lowering of a law of `laws/`: members of structs, and functions, that it adds to a stand's program.
+"""What a law of `laws/` adds to a stand's program: members of structs, their numbers, and functions.
 
-Of a law between E0 and the carrier `LawLowering`; of one that acts on a body in its own frame by functions that begin
-as `TwistFunction` does.
+Of a law between E0 and the carrier `CarrierProgram`; of one that acts on a body in its own frame `BodyProgram`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.member import Member
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
+from mahovik.core.lower.member import Member, members
+from mahovik.core.lower.run_time_input import RunTimeInput
+from mahovik.core.lower.units import Unit
 from mahovik.core.program.expression import Place
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Field, Kind
-from mahovik.core.stand.model import Stand
+from mahovik.core.program.kernel import argument, body, changed
+from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand.fields import QuantityValidator
+from mahovik.core.stand.law import Declared, InC
+from mahovik.core.stand.model import Body, Mat6, Stand, Vec3
 from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.units import Dimension
+
+SHAPES: dict[Any, tuple[int, ...]] = {Vec3: (3,), Mat6: (6, 6)}
+
+ATTITUDE: Any = argument("attitude of the carrier", 9)
+WRENCH: Any = changed("wrench; this law is added to it", 6, unit="N, N m")
+OWN_TWIST: Any = argument("twist relative to the fluid, in the body's frame", 6)
+"""Arguments of functions that add a wrench."""
+
+THREE, SIX = range(3), range(6)
+CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+"""Components of a cross product: the text of a kernel is repeated for each."""
 
 
-class LawLowering:
-    """A law between E0 and the carrier: LOWERING of the module `lower` of its folder.
+def declared(data: type[Declared]) -> tuple[Field, ...]:
+    """Members of a struct that are as a class of data declares them."""
+    validators, kinds = data.marked(QuantityValidator), data.annotations()
+    found = []
+    for name, mark in data.marked(InC).items():
+        own = validators[name].dimension if name in validators else None
+        unit = own.si if mark.unit is None and isinstance(own, Dimension) else mark.unit or ""
+        found.append(Field(name, Kind.REAL, SHAPES.get(kinds[name][0], ()), unit, mark.comment))
+    return tuple(found)
 
-    Every law has its own form of the methods that raise NotImplementedError; the empty ones it may leave as they are.
+
+class CarrierProgram:
+    """A law between E0 and the carrier: LAW of the module `program` of its folder.
 
     words        the law in the list of kinds of wrench
     placed       does its wrench depend on the place of O1?
@@ -39,54 +60,115 @@ class LawLowering:
     quaternions: tuple[str, ...] = ()
     refuses = False
 
+    def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
+        """Its structs in the table, how many of each, and the name of the function that adds the wrench of one."""
+        return []
+
     def present(self, structure: Structure) -> bool:
         """Whether a stand has the law."""
-        raise NotImplementedError
+        return bool(self.arrays(structure))
 
     def fields(self, structure: Structure) -> list[Field]:
         """Members that the law adds to the table."""
-        raise NotImplementedError
+        return [Field(struct.name, struct, (count,)) for struct, count, _ in self.arrays(structure)]
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
         """The numbers of its members, by name; `run` runs a function of the program."""
         raise NotImplementedError
 
+    def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, Unit]:
+        """Units of a struct's members, by name, that are those of what slides or turns."""
+        return {}
+
     def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Every real of one of its members, depth first, for simulators; none that follows from the hold."""
-        raise NotImplementedError
+        assert isinstance(field.type, Struct)
+        for k, row in enumerate(value):
+            yield from members(f"{field.name}[{k + 1}]", field.type, row, self.units(stand, field.type, k))
 
     def add_functions(self, lib: FunctionSet) -> None:
         """Adds the functions that `act` calls."""
-
-    def act(self, lib: FunctionSet, body: Body, table: Place, x: Place, C: Place, F: Place) -> None:
-        """Adds its wrench, in E1 about O1, to F. `table`: the table; `x`: the state; `C`: the attitude (9)."""
         raise NotImplementedError
 
+    def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
+        """Adds its wrench, in E1 about O1, to F, in the text of a kernel. `x`: the state; `C`: the attitude (9)."""
+        for struct, count, name in self.arrays(lib.layout.structure):
+            with body().loop("k", count) as k:
+                row = table.member(struct.name)[k]
+                named = {struct.name: row, "law": row, "table": table, "x": x, "V": x.V, "C": C, "F": F} | more
+                add = body().check if lib[name].returns else body().do
+                add(lib[name](*lib.arguments_of(name, **named)))
 
-class TwistFunction:
-    """A function that adds the wrench of a body by its own twist to P.
 
-    table, damper  prepared table, and its part that belongs to the body
-    V              twist of the body relative to the fluid, in the body's frame
-    P              wrench of the body, to which the function adds
-    body           statements
+class BodyProgram:
+    """A law that acts on a body in its own frame: LAW of the module `program` of its folder.
+
+    words     the law in the list of kinds of wrench
+    function  name of the function that adds the wrench of a body by its own twist
+    array     its array in the table, of which each body has a range, and `plural`, what that has; "" without one
     """
 
-    def __init__(self, lib: FunctionSet) -> None:
-        V = Argument("V", Kind.REAL, (6,), purpose="twist relative to the fluid, in the body's frame")
-        P = Argument("P", Kind.REAL, (6,), "inout", "N, N m", "wrench; this law is added to it")
-        table, damper = lib.table_argument(), Argument("damper", lib.layout.damper)
-        self._arguments = (table, damper, V, P)
-        self.table, self.damper, self.V, self.P = (a.place for a in self._arguments)
-        self.body = Body()
+    words: str
+    function: str
+    array = ""
+    plural = ""
 
-    @contextmanager
-    def each(self, array: str, most: int, index: str = "k") -> Iterator[Place]:
-        """Loop over the structs of an array of the table that belong to the body, at most `most`."""
-        first, last = (self.damper.member(f"{end}_{array}") for end in ("first", "last"))
-        with self.body.loop(index, last, start=first, most=most) as k:
-            yield self.table.member(array)[k]
+    def bodies(self, structure: Structure) -> set[int]:
+        """Indices of the bodies that it acts on."""
+        raise NotImplementedError
 
-    def function(self, name: str, purpose: str) -> Function:
-        """The function."""
-        return self.body.function(name, purpose, self._arguments, equation="(7)")
+    def count(self, structure: Structure) -> int:
+        """Length of the array."""
+        return 0
+
+    def struct(self, structure: Structure) -> Struct:
+        """One element of the array."""
+        raise NotImplementedError
+
+    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+        """The elements of a body; those of other bodies are before them."""
+        return []
+
+    def run_time_input(self, structure: Structure) -> RunTimeInput | None:
+        """A number of each element that is set at run time; None where there is none."""
+        return None
+
+    def table_fields(self, structure: Structure) -> list[Field]:
+        """The array, where it has elements."""
+        given = self.run_time_input(structure)
+        count = given.count if given else self.count(structure)
+        return [Field(self.array, self.struct(structure), (count,))] if int(count) else []
+
+    def damper_fields(self, structure: Structure) -> list[Field]:
+        """Members of the damper of a body: the range of its elements."""
+        if not self.count(structure):
+            return []
+        words = f"{self.plural} first_{self.array} .. last_{self.array} - 1 of the table"
+        return [Field(f"first_{self.array}", Kind.INT, (), "", words), Field(f"last_{self.array}", Kind.INT)]
+
+    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+        """The members of a damper; the elements of the body are appended to the `rows` of the array."""
+        if damper.field(f"first_{self.array}") is None:
+            return {}
+        found = rows.setdefault(self.array, [])
+        first = len(found)
+        found += self.rows(own, found)
+        return {f"first_{self.array}": first, f"last_{self.array}": len(found)}
+
+    def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
+        """Every real of the damper of a body of that name, for simulators."""
+        return iter(())
+
+    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
+        """Every real of the array, in its order, counted from 1, for simulators."""
+        return iter(())
+
+    def add_functions(self, lib: FunctionSet) -> None:
+        """Adds its function, for stands that have the law."""
+        raise NotImplementedError
+
+    def elements(self, lib: FunctionSet, table: Any, damper: Any, index: str = "k") -> Iterator[Any]:
+        """`for fin in law.elements(lib, table, damper):` those of one body, in the text of a kernel."""
+        first, last = (damper.member(f"{end}_{self.array}") for end in ("first", "last"))
+        with body().loop(index, last, first, most=self.count(lib.layout.structure)) as k:
+            yield table.member(self.array)[k]

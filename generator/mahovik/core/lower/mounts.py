@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.laws import part
+from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, relative_rate, scene
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import formula
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Function
@@ -30,7 +31,7 @@ def subtract_weight(lib: Library, mount: Any, s: Any, c: Any, g: Any, W: Any) ->
     if lib.layout.flywheel_displaces:
         displaced = {"weight_mass": mount.mass - mount.displaced_mass, "displaced_moment": mount.displaced_moment}
         numbers = numbers | displaced
-    part("weight", "lower").subtract_weight(body(), lib.layout.flywheel_displaces, numbers, W)
+    W += formula(derived.weight_reaction(lib.layout.flywheel_displaces), **numbers)
 
 
 def add_mounts(lib: Library) -> None:

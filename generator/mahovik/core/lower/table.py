@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower import stream_profile
 from mahovik.core.lower.features import Features
+from mahovik.core.lower.law import BodyProgram
 from mahovik.core.program.types import Field, Kind, Struct
 
 REAL, INT = Kind.REAL, Kind.INT
@@ -54,7 +55,10 @@ class Tables(Features):
             Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
         ]
         if buoyant:
-            fields += [field for own in of_bodies("lower", "BODY_FIELDS") for field in own]
+            fields += [
+                Field("displaced_mass", REAL, (), "kg", "mass of the displaced fluid"),
+                Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
+            ]
         return Struct(name, purpose, tuple(fields))
 
     @cached_property
@@ -181,7 +185,9 @@ class Tables(Features):
     @cached_property
     def damper(self) -> Struct:
         """Data of one body for the laws of its own twist."""
-        fields = [field for own in of_bodies("lower", "damper_fields") for field in own(self.structure)]
+        fields = [
+            field for law in parts("program", BodyProgram, BODY_LAWS) for field in law.damper_fields(self.structure)
+        ]
         return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
 
     @cached_property
@@ -262,5 +268,5 @@ class Tables(Features):
             laws.append(Field("home_attitude", REAL, (4,), "", "there, unit quaternion, w first"))
         if self.carrier_damped:
             laws.append(Field("damper", self.damper, (), "", "of the carrier"))
-        laws += [field for fields in of_bodies("lower", "table_fields") for field in fields(self.structure)]
+        laws += [f for law in parts("program", BodyProgram, BODY_LAWS) for f in law.table_fields(self.structure)]
         return laws + [f for law in self.law_tables for f in law.fields(self.structure)]

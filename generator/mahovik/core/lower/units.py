@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from mahovik.core.stand.units import Dimension
+
 
 @dataclass(frozen=True)
 class Unit:
@@ -70,6 +72,14 @@ _OF_MEMBERS = (
     *(ENERGY, STIFFNESS, DAMPING, FLUX_DENSITY, MAGNETIC_MOMENT, LINE_DENSITY, PER_RADIAN),
 )
 _BY_NAME = {"": NONE} | {unit.name.replace(".", " "): unit for unit in _OF_MEMBERS}
+
+
+_EVERY = {unit.name: unit for unit in list(globals().values()) if isinstance(unit, Unit)}
+
+
+def of_dimension(dimension: Dimension) -> Unit:
+    """The unit of numbers of a dimension of the stand file. Raises KeyError where simulators have none."""
+    return _EVERY[dimension.si.replace(" ", ".").replace("^", "")]
 
 
 def of_member(unit: str) -> Unit:

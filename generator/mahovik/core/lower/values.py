@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying
 from mahovik.core.lower import stream_profile
+from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.symbolic import assign
 from mahovik.core.lower.thresholds import thresholds
@@ -203,8 +204,8 @@ class _Laws:
     def _damper(self, body: StandBody, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
         found: dict[str, Any] = {}
-        for values in of_bodies("lower", "damper_values"):
-            found |= values(body, self._layout.damper, rows)
+        for law in parts("program", BodyProgram, BODY_LAWS):
+            found |= law.damper_values(body, self._layout.damper, rows)
         return found
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.laws import of_bodies, part
+from mahovik.contract.laws import BODY_LAWS, parts
+from mahovik.core.formula.derived import wrench as derived
 from mahovik.core.lower.forward import place_in
+from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Expr
 from mahovik.core.program.kernel import Reals, argument, body, changed, inline, reals, result
 from mahovik.core.program.vector import Vector, cross
@@ -53,7 +56,7 @@ def add_external(lib: Library) -> None:
         if layout.own:
             own_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
         for law in laws:
-            law.act(lib, body(), table, x, C, F)
+            law.act(lib, table, x, C, F)
 
 
 @inline
@@ -94,14 +97,15 @@ def weigh(lib: Library, table: Any, turns: Any, sums: Any, g: Reals, F: Reals) -
             row = table.flywheel[s]
             displaced += row.displaced_c * turns[1][s] + row.displaced_s * turns[0][s]
         numbers = numbers | {"displaced_moment": displaced}
-    part("weight", "lower").add_weight(body(), layout.displaces, numbers, F)
+    # weight of all bodies: its line of action moves with the flywheels
+    F += formula(derived.weight(layout.displaces), **numbers)
 
 
 def damp(lib: Library, table: Any, damper: Any, V: Any, P: Any) -> None:
     """Adds the damping of a body by its twist to P."""
-    for name in of_bodies("lower", "BY_TWIST"):
-        if name in lib:
-            body().call(lib[name], *lib.arguments_of(name, table=table, damper=damper, V=V, P=P))
+    for law in parts("program", BodyProgram, BODY_LAWS):
+        if law.function in lib:
+            body().do(lib[law.function](*lib.arguments_of(law.function, table=table, damper=damper, V=V, P=P)))
 
 
 def turned_axes(R: Any, c: Expr, s: Expr) -> Vector:

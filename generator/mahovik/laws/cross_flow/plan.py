@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.law import CrossFlow
-from mahovik.laws.cross_flow.lower import Strip, strips_of
+from mahovik.laws.cross_flow.program import Strip, strips_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.slopes import BodyPlan
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fin.law import Fin, Fins
-from mahovik.laws.fin.lower import axes_of
+from mahovik.laws.fin.program import axes_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.slopes import BodyPlan
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body, Vec3
 from mahovik.laws.propeller.law import Propeller, Propellers
-from mahovik.laws.propeller.lower import screw_of
+from mahovik.laws.propeller.program import screw_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.slopes import BodyPlan
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from mahovik.contract.laws import of_bodies
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower import stream_profile, units
+from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.member import Member, matrix, member, members, vector
 from mahovik.core.lower.table import OF_HOLD
@@ -43,7 +44,7 @@ def measured_laws(layout: Layout) -> list[Field]:
 def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
     """All reals of the table that `prepare` does not touch, depth first."""
     table = values.table
-    of_arrays = {name: members for each in of_bodies("lower", "ARRAY_MEMBERS") for name, members in each.items()}
+    of_arrays = {law.array: law for law in parts("program", BodyProgram, BODY_LAWS)}
     for k, own in enumerate(layout.own if layout.own_damped else ()):
         assert layout.frame.field("damper") is not None
         name = stand.bodies[own.index].name
@@ -58,7 +59,7 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
         elif f.name == "damper":
             yield from _damper_members("carrier", layout, given)
         elif f.name in of_arrays:
-            yield from of_arrays[f.name](stand, given)
+            yield from of_arrays[f.name].array_members(stand, given)
         else:
             law = next(law for law in layout.law_tables if f in law.fields(layout.structure))
             yield from law.members(stand, f, given)
@@ -66,5 +67,5 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
 
 def _damper_members(body: str, layout: Layout, value: Any) -> Iterator[Member]:
     """All reals of one damper."""
-    for of_law in of_bodies("lower", "damper_members"):
-        yield from of_law(body, layout.damper, value)
+    for law in parts("program", BodyProgram, BODY_LAWS):
+        yield from law.damper_members(body, layout.damper, value)

@@ -10,11 +10,11 @@ from typing import Any
 from markupsafe import Markup
 
 from mahovik import __version__
-from mahovik.contract.laws import of_bodies, part
 from mahovik.core.derive.attitude import ANGLES
 from mahovik.core.derive.document import Part, sections
 from mahovik.core.derive.document.flywheel import HEAD
 from mahovik.core.derive.order import SEQUENCES
+from mahovik.core.derive.wrench import weight as derive_weight
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -136,8 +136,8 @@ def _node(part: Part) -> Node:
 def _content(stand: Stand, printer: _Printer) -> dict[str, Any]:
     """Everything that the templates put in order, and how they print it."""
     form = structure(stand)
-    displaces = any(of(form) for of in of_bodies("lower", "displaces"))
-    weight = part("weight", "derive").weight(displaces) if form.weight else None
+    displaces = bool(form.law("buoyancy") or form.law("flywheel_buoyancy"))
+    weight = derive_weight(displaces) if form.weight else None
     found, identity = numbers(stand), identities(stand)
     turns = " ".join(f"C_{axis}({angle})" for axis, angle in zip(SEQUENCES[stand.angles], ANGLES, strict=True))
     return {
