@@ -58,7 +58,7 @@ void peer_torque(const double *from, double *out)
 void peer_step(const double *from, double *out)
 {
     const record *r = (const record *)from;
-    (void)OWN(step)(&OWN(default), &r->x, r->tau, free_all, time_step, 4, (OWN(state) *)out);
+    (void)OWN(step)(&OWN(default), &r->x, r->tau, free_all, time_step, 4, NULL, (OWN(state) *)out);
 }
 
 void peer_inverse(const double *from, double *out)

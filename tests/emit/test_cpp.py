@@ -89,7 +89,7 @@ int main()
     bench8_state c_next;
     const stand::Ints<stand::N> locked{0, 1};
     wrong += stand::step(stand::default_table, x, given, locked, 1e-3, 4, next) != stand::Status::ok;
-    wrong += bench8_step(&bench8_default, &c, given.data(), locked.data(), 1e-3, 4, &c_next) != BENCH8_OK;
+    wrong += bench8_step(&bench8_default, &c, given.data(), locked.data(), 1e-3, 4, nullptr, &c_next) != BENCH8_OK;
     wrong += !same<bench8_state>(next, c_next) || next.phi_dot[0] == x.phi_dot[0];
     wrong += stand::array_of(next.phi)[1] != c_next.phi[1];
 

@@ -48,12 +48,12 @@ int main(void)
         shaker2_status status[1];
         a->logged = x;
         good &= shaker2_coupled(&shaker2_default, &x, tau, locked, a->V_dot, a->phi_ddot) == 0;
-        good &= shaker2_step(&shaker2_default, &x, tau, locked, 1e-3, 4, &a->next) == 0;
+        good &= shaker2_step(&shaker2_default, &x, tau, locked, 1e-3, 4, NULL, &a->next) == 0;
         good &= shaker2_coupled_jacobian(&shaker2_default, &x, tau, locked, &a->slopes) == 0;
         good &= shaker2_coupled_batch(&shaker2_default, 1, (const shaker2_real *)&x, tau, locked, a->many, a->spun,
                                       status) == 0;
         good &= shaker2_recorder_start(&log, &shaker2_default, &a->logged) == 0;
-        good &= shaker2_recorder_step(&log, &shaker2_default, &a->logged, tau, locked, 1e-3, 4) == 0;
+        good &= shaker2_recorder_step(&log, &shaker2_default, &a->logged, tau, locked, 1e-3, 4, NULL) == 0;
     }
     good &= memcmp(&given[0], &given[1], sizeof given[0]) == 0;
     const unsigned char *bytes = (const unsigned char *)&shaker2_default;

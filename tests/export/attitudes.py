@@ -121,9 +121,9 @@ class Attitude:
         """One step of the balanced plant; flywheels with flag 2 are locked, with flag 1 they get friction alone."""
         locked = (ct.c_int * N)(*(int(flag == 2) for flag in failed))
         wrench = numbers(0, 0, 0, *moment)
-        given = self._mean, ct.byref(x), numbers(*tau), locked, wrench, ct.c_double(dt), 4, ct.byref(x)
         carry = (ct.c_double * 21)()
-        return int(self._library["eye4_step_carried"](*given[:-1], carry, given[-1]))
+        given = self._mean, ct.byref(x), numbers(*tau), locked, wrench, ct.c_double(dt), 4, carry, ct.byref(x)
+        return int(self._library["eye4_step"](*given))
 
     def momentum(self, x: Any) -> Array:
         """`Z` of the stand's `momentum` by the mean table."""

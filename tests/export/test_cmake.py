@@ -34,7 +34,7 @@ int main(void)
     }
     for (int i = 0; i < 6; ++i) { x.V[i] = 0.1 * i; }
     for (int i = 0; i < 100; ++i) {
-        if (bench8_step(&bench8_default, &x, tau, locked, 1e-3, 4, &x) != BENCH8_OK) { return 1; }
+        if (bench8_step(&bench8_default, &x, tau, locked, 1e-3, 4, NULL, &x) != BENCH8_OK) { return 1; }
     }
     if (bench8_coupled(&bench8_default, &x, tau, locked, V_dot, phi_ddot) != BENCH8_OK) { return 1; }
     for (int i = 0; i < 6; ++i) { printf("%a %a\\n", V_dot[i], x.V[i]); }

@@ -205,8 +205,8 @@ int main(void)
     return refused;
 }
 """
-DRIVEN = "shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, 4, &x)"
-FREE = "shaker2_step(&shaker2_default, &x, tau, locked, dt, 4, &x)"
+DRIVEN = "shaker2_step_driven(&shaker2_default, &x, phi_ddot, dt, 4, NULL, &x)"
+FREE = "shaker2_step(&shaker2_default, &x, tau, locked, dt, 4, NULL, &x)"
 
 
 def height(kind: str, real: str, step: str, folder: Path) -> tuple[np.ndarray, np.ndarray]:

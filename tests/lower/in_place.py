@@ -13,9 +13,9 @@ from mahovik.proof.verify.c_backend import CBackend
 
 
 def end_of_steps(
-    backend: CBackend, function: str, state: State, time: float, steps: int, order: int = 2
+    backend: CBackend, function: str, state: State, time: float, steps: int, order: int = 2, carried: bool = False
 ) -> dict[str, Any]:
-    """The state after equal steps. Raises StateError."""
+    """The state after equal steps, by a function, with a carry or without. Raises StateError."""
     ffi, name = backend.library.ffi, backend.program.name
     given = backend.arguments(state)
     x = ffi.new(f"{name}_state *", given["x"])
@@ -28,7 +28,7 @@ def end_of_steps(
         "locked": ffi.new("int[]", len(state.phi) + 1),
         "dt": time / steps,
         "order": order,
-        "carry": ffi.new(f"{name}_step_carry *"),
+        "carry": ffi.new(f"{name}_step_carry *") if carried else ffi.NULL,
         "next": x,
     }
     arguments = [known[a.name] for a in backend.program.function(function).arguments]

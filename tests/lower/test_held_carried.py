@@ -1,4 +1,4 @@
-"""step_carried of a held carrier: its pivot stays through very many short steps in float, far from the origin."""
+"""Steps of a held carrier with a carry: its pivot stays through very many short steps in float, far from the origin."""
 
 from __future__ import annotations
 
@@ -54,13 +54,13 @@ def pivot(x: dict[str, Any]) -> np.ndarray:
     return np.asarray(x["position"] + r + 2 * np.cross(v, np.cross(v, r) + w * r))
 
 
-def wandered(name: str, function: str) -> np.ndarray:
+def wandered(name: str) -> np.ndarray:
     """How far the pivot went in half a second of very many steps, m."""
-    end = end_of_steps(backend(name), function, start(name), 0.5, STEPS)
+    end = end_of_steps(backend(name), "step", start(name), 0.5, STEPS, carried=True)
     return np.asarray(pivot(end) - np.array(start(name).position) - np.array(PIVOT))
 
 
 @pytest.mark.parametrize("name", quick(1, ["hinge", "ball joint"]))
 def test_the_pivot_stays_within_the_place_of_a_float(name: str) -> None:
     """A unit in the last place of a float 96 m away is 7.6e-6 m; 20,000 roundings of it would be far more."""
-    assert np.abs(wandered(name, "step_carried")).max() < 0.75 * ULP
+    assert np.abs(wandered(name)).max() < 0.75 * ULP

@@ -17,7 +17,7 @@ NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "strea
 
 OTHERS = (
     *("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points"),
-    *("forward_jacobian", "coupled_jacobian", "step", "step_driven", "step_carried", "step_driven_carried"),
+    *("forward_jacobian", "coupled_jacobian", "step", "step_driven"),
 )
 
 
@@ -41,9 +41,12 @@ def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.Mon
     states += [extreme_state(c.stand, rng, kind) for kind in ("rest", "half_turn")]
     for state in states:
         given = c.arguments(state) | {"mounting": c.values.mounting, "dt": 1e-4, "order": 4}
-        given |= {"carry": {"rounding": [1e-12] * (13 + 2 * len(c.stand.flywheels))}}
-        for function in filter(c.has, (*QUANTITIES, *OTHERS)):
-            inputs = {a.name: given[a.name] for a in c.program.function(function).arguments if a.direction != "out"}
+        carry = {"rounding": [1e-12] * (13 + 2 * len(c.stand.flywheels))}
+        functions = [(each, given) for each in filter(c.has, (*QUANTITIES, *OTHERS))]
+        functions += [(each, given | {"carry": carry}) for each, _ in functions if each.startswith("step")]
+        for function, known in functions:
+            taken = (a.name for a in c.program.function(function).arguments if a.direction != "out")
+            inputs = {name: known[name] for name in taken if name in known}
             want, got = plain.run(function, inputs), strict.run(function, inputs)
             assert want[0] == got[0]
             if want[0] >= 0:

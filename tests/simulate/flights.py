@@ -70,7 +70,7 @@ class Recorder:
     def fly(self, steps: int, seed: int = 1, every: int = 7) -> list[int]:
         """Steps of all kinds; a start before every `every`th. Returns their statuses."""
         rng = np.random.default_rng(seed)
-        layout, count = self.generated.layout, len(self.stand.flywheels)
+        layout, count, ffi = self.generated.layout, len(self.stand.flywheels), self.ffi
         statuses = []
         for k in range(steps):
             if layout.stream and k % 3 == 2:
@@ -90,9 +90,9 @@ class Recorder:
             if k == 12:
                 settings[1] = 3  # no such order
             driven = bool(count) and k % 6 == 5
-            carried = [self.carry] if k % 3 == 1 or k > 15 else []
+            carry = self.carry if k % 3 == 1 or k > 15 else ffi.NULL
             if k == 16:
                 self.carry.rounding[0] = 1e-9
-            taken = [*drive, *([] if driven else locked), *(w.tolist() for w in wrench), *settings, *carried]
-            statuses.append(self.call(("step_driven" if driven else "step") + "_carried" * len(carried), *taken))
+            taken = [*drive, *([] if driven else locked), *(w.tolist() for w in wrench), *settings, carry]
+            statuses.append(self.call("step_driven" if driven else "step", *taken))
         return statuses

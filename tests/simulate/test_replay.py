@@ -215,7 +215,7 @@ def test_a_log_of_another_stand_table_or_text_is_refused(bench8: Recorder) -> No
 def test_null_pointers_are_refused_without_a_record(bench8: Recorder) -> None:
     bench8.new("recorder")
     null = bench8.ffi.NULL
-    assert bench8.call("step", null, [0] * 8, 1e-3, 4) == bench8.call("step_driven", null, 1e-3, 4) == -5
+    assert bench8.call("step", null, [0] * 8, 1e-3, 4, null) == bench8.call("step_driven", null, 1e-3, 4, null) == -5
     assert bench8.library.bench8_recorder_start(bench8.recorder, null, bench8.x) == -5
     assert bench8.log == b""
 
@@ -230,9 +230,9 @@ def test_a_write_that_fails_is_counted_and_the_flight_goes_on(bench8: Recorder) 
     bench8.full = False
     assert bench8.recorder.lost >= 2
     assert bench8.recorder.count == 5
-    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4)
+    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4, bench8.ffi.NULL)
     assert bench8.call("start") == 0
-    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4)
+    bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4, bench8.ffi.NULL)
     found = steps_of(bench8)
     gap = [each for each in found if isinstance(each, Damage)]
     assert len(gap) == 1

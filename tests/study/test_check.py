@@ -123,7 +123,7 @@ def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
     exact = end_of_steps(CBackend(SAT4), "step", start, dt * steps, steps)["phi_dot"] - TOP_SPEED
     first = np.float64(np.float32(TOP_SPEED))  # the start in float
     plain, carried = (
-        end_of_steps(c, name, start, dt * steps, steps)["phi_dot"] - first for name in ("step", "step_carried")
+        end_of_steps(c, "step", start, dt * steps, steps, carried=kept)["phi_dot"] - first for kept in (False, True)
     )
     part = np.abs(plain / exact - 1.0)
     bounds = np.array([loss.part for loss in lost])
@@ -134,7 +134,7 @@ def test_the_c_loses_at_most_the_part_that_is_named_and_much_of_it() -> None:
 def test_check_names_step_part_and_remedy() -> None:
     result = run("check", str(path("sat4")), "--dt", "0.1 ms")
     text = " ".join(result.stdout.split())
-    assert "warning: float: a step of 0.0001 s adds" in text and "use step_carried or double" in text
+    assert "warning: float: a step of 0.0001 s adds" in text and "give step a carry, or take double" in text
     assert "at 6000 rpm by up to 3.1e-05 rad/s" in text
     for wrong in ("0", "-1", "1 m", "inf"):
         assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr

@@ -104,7 +104,9 @@ def failed(
 
 
 def with_wrong(outputs: Mapping[str, Any], output: str, member: str) -> dict[str, Any]:
-    """Outputs of which one, or one member of one, is wrong."""
+    """Outputs of which one, or one member of one, is wrong, where it is there."""
+    if output not in outputs:
+        return dict(outputs)
     held = outputs[output]
     if not member:
         found = wrong(held)

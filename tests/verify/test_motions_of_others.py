@@ -56,12 +56,12 @@ def compiled(stand: Stand) -> CBackend:
 
 def stepped(stand: Stand, state: State) -> Ends:
     """The end of a motion by `step` of the C."""
-    backend, numbers = compiled(stand), 13 + 2 * len(stand.flywheels)
-    given = backend.arguments(state) | {"dt": SECONDS / STEPS, "order": 4, "carry": {"rounding": [0.0] * numbers}}
+    backend = compiled(stand)
+    given = backend.arguments(state) | {"dt": SECONDS / STEPS, "order": 4}
     for _ in range(STEPS):
         status, found = backend.call("step", given)
         assert status >= 0
-        given |= {"x": found["next"], "carry": found.get("carry")}
+        given["x"] = found["next"]
     x: Mapping[str, Any] = given["x"]
     turn = Rotation.from_quat(x["attitude"], scalar_first=True)
     return np.array(x["position"]), turn, *(np.array(x[key]) for key in ("V", "phi", "phi_dot"))

@@ -124,15 +124,20 @@ _ROWS: tuple[PublicFunction, ...] = (
     PublicFunction(
         "step",
         "",
-        (*_STATE, "tau", "locked", "wrench", "dt", "order"),
-        ("next",),
+        (*_STATE, "tau", "locked", "wrench", "dt", "order", "carry"),
+        ("carry", "next"),
         ("trajectory",),
         needs="flywheels",
         batch=True,
         claimed=(BITS,),
     ),
     PublicFunction(
-        "step_driven", "", (*_STATE, "phi_ddot", "wrench", "dt", "order"), ("next",), ("trajectory",), batch=True
+        "step_driven",
+        "",
+        (*_STATE, "phi_ddot", "wrench", "dt", "order", "carry"),
+        ("carry", "next"),
+        ("trajectory",),
+        batch=True,
     ),
     PublicFunction(
         "inverse_fast",
@@ -229,25 +234,6 @@ _ROWS: tuple[PublicFunction, ...] = (
     ),
     PublicFunction(
         "prepare_mounts", "", ("parameters",), ("mounting",), ("parameters",), needs="flywheels", python=False
-    ),
-    PublicFunction(
-        "step_carried",
-        "",
-        (*_STATE, "tau", "locked", "wrench", "dt", "order", "carry"),
-        ("carry", "next"),
-        ("trajectory",),
-        needs="flywheels",
-        python=False,
-        form_of="step",
-    ),
-    PublicFunction(
-        "step_driven_carried",
-        "",
-        (*_STATE, "phi_ddot", "wrench", "dt", "order", "carry"),
-        ("carry", "next"),
-        ("trajectory",),
-        python=False,
-        form_of="step_driven",
     ),
 )
 _ROWS = tuple(replace(row, equation=row.equation or SECTIONS[row.name]) for row in _ROWS)

@@ -26,7 +26,7 @@ REFEREES = ("reference", "second", "rigorous")
 SECTIONS = {
     **dict.fromkeys(("torque", "mounts", "prepare_mounts"), "Drive torque"),
     **dict.fromkeys(("coupled", "coupled_jacobian"), "The whole system"),
-    **dict.fromkeys(("step", "step_driven", "step_carried", "step_driven_carried"), "Steps in time"),
+    **dict.fromkeys(("step", "step_driven"), "Steps in time"),
     **dict.fromkeys(("wrap", "phase_of_counts", "speed_of_counts", "accumulate"), "Phases from encoders"),
     "points": "Points",
     "quaternion": "Generalized coordinates, (10)-(11)",
@@ -47,7 +47,6 @@ class PublicFunction:
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     batch     whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
-    form_of   method of a model that offers it by an argument; empty: none
     claimed   sets of inputs on which Frama-C Eva must raise no alarm; on the others it is only run
     unread    a real among the arguments that may be NaN or infinite in a call that succeeds; see the fuzz harness
     judges    its independent checks, by name of JUDGES
@@ -64,7 +63,6 @@ class PublicFunction:
     tasks: bool = False
     batch: bool = False
     python: bool = True
-    form_of: str = ""
     claimed: tuple[str, ...] = ()
     unread: str = ""
     ignores: tuple[str, ...] = ()

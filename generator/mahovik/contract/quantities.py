@@ -229,7 +229,7 @@ QUANTITIES = {
         _share("near_singular"),
         _share("damping"),
         Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
-        # what step_carried keeps from one step to the next
+        # what a step keeps for the next, in a carry
         Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),
         # encoders
         Quantity("count", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 20), 1 << 21)),

@@ -7,12 +7,13 @@ The two forms are of two libraries: most programs need the first alone, and the 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import accumulate
 from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.contract.functions import CHOSEN, FUNCTIONS, row_of, task_of
+from mahovik.contract.functions import CHOSEN, FUNCTIONS, TURNS, row_of, task_of
 from mahovik.contract.quantities import is_shared
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.calls import call, declaration
@@ -25,7 +26,6 @@ from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, O
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.program.walk import without_missing
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -95,8 +95,7 @@ def _course(generated: Generated) -> dict[str, Any] | None:
     found = {f.name: f for f in _functions(generated)}
 
     def arguments(name: str) -> str:
-        first, *others = (a.name for a in found[name].arguments)
-        return ", ".join([first, "n", *others])
+        return _of_batch(found[name])
 
     return {
         "flywheels": int(generated.layout.count),
@@ -112,10 +111,10 @@ def _course(generated: Generated) -> dict[str, Any] | None:
 def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
     rows = FUNCTIONS | CHOSEN
-    offered = (name for name, row in rows.items() if row.python or row.form_of or row.needs == "held")
+    offered = (name for name, row in rows.items() if row.python or row.needs == "held")
     found = [public[name] for name in offered if name in public]
     found += [f for name, f in public.items() if task_of(name) and row_of(name).python]
-    return [without_missing(f) for f in found]
+    return [replace(f, arguments=tuple(a for a in f.arguments if a.name not in TURNS)) for f in found]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -131,6 +130,8 @@ def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentL
 def _order(a: Argument, generated: Generated, wide: bool) -> Order:
     if is_shared(a.name):
         return "alike"
+    if a.optional == "missing":  # a batch has none
+        return "states"
     return "components" if wide or a.direction == "in" or a.type is generated.layout.state else "states"
 
 
@@ -159,6 +160,8 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
         if order == "components":
             return f"&{a.name}_j" if isinstance(a.type, Struct) else f"{a.name}_j"
         if order == "states":
+            if a.optional == "missing":
+                return f"{a.name} ? {a.name} + j : NULL"
             return f"{a.name} + j" if not a.shape else f"{a.name} + j * {int(a.shape[0])}"
         return a.name
 
@@ -170,7 +173,6 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
 
     single = [a for a in f.arguments if each and a.name in TABLES]
     gathered = [a for a in f.arguments if layouts[a.name].order == "components"]
-    first, *others = (a.name for a in f.arguments)
     return {
         "name": f"{f.name}_of" if each else f.name,
         "comment": comment_lines(
@@ -193,8 +195,15 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
         "load": [row for a in gathered if a.direction == "in" for row in _rows(a, layouts[a.name])],
         "store": [row for a in gathered if a.direction != "in" for row in _rows(a, layouts[a.name])],
         "call": call(names, generated.program.function(f.name), argument_of_state),
-        "batch": ", ".join([first, "n", *others]),
+        "carry": wide and "carry" in layouts,
+        "batch": _of_batch(f),
     }
+
+
+def _of_batch(f: Function) -> str:
+    """Arguments of the batch of a function."""
+    first, *others = (a.name for a in f.arguments if a.optional != "missing")
+    return ", ".join([first, "n", *others])
 
 
 def _rows(a: Argument, passed: ArgumentLayout) -> list[tuple[str, int, int, str]]:

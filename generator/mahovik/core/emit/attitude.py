@@ -13,7 +13,7 @@ from mahovik.core.program.types import Kind
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand, Task
 
-_NEEDED = ("step_carried", "wrap")
+_NEEDED = ("step", "wrap")
 
 
 @dataclass(frozen=True)

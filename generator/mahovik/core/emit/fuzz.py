@@ -198,11 +198,10 @@ class _Harness:
         taken = [a for a in f.arguments if a.name not in ("next", "table", "x")]
 
         def arguments_with(carry: str) -> str:
-            return ", ".join(f"&{carry}" if a.name == "carry" else argument_text(a, self._place(f, a)) for a in taken)
+            return ", ".join(self._argument_text(a, carry if a.optional else self._place(f, a)) for a in taken)
 
-        carry = any(a.name == "carry" for a in taken)
         texts = {"given": arguments_with("plain_carry"), "given_logged": arguments_with("logged_carry")}
-        return {"name": f.name, "draws": self._draws(f), "carry": carry, **texts}
+        return {"name": f.name, "draws": self._draws(f), **texts}
 
 
 def _argument_name(name: str) -> str:

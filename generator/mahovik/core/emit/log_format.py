@@ -25,7 +25,7 @@ READ = (1, 2, FORMAT)
 STEP = 0x53
 """First byte of the record of a step."""
 
-RECORDED = ("step", "step_driven", "step_carried", "step_driven_carried")
+RECORDED = ("step", "step_driven")
 """Functions whose steps are logged."""
 
 CHANGING = {

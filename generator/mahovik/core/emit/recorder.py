@@ -53,12 +53,10 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
     fixed = 7 + 9 + count * size
     state = sum(int(f.shape[0]) for f in layout.state.fields) * size
     steps = logging(program)
-    carries = any(_has_carry(f) for f in steps)
-    changing = size + 4 + state * (2 if carries else 1) + 3 * size * layout.stream + (count + 7) // 8
+    changing = size + 4 + 2 * state + 3 * size * layout.stream + (count + 7) // 8
     longest = fixed + changing + 6 * wrenches * size
     flags = [(member.upper(), 1 << place, f"{member} was written") for place, (member, _) in enumerate(members)]
-    kept = (each for each in CHANGING.items() if carries or each[0] not in ("CARRIED", "CARRY"))
-    flags += [(flag, bit, meaning) for flag, (bit, meaning) in kept]
+    flags += [(flag, bit, meaning) for flag, (bit, meaning) in CHANGING.items()]
     return {
         "source": f"{source_hash(generated.files, name):08x}",
         "table_bytes": len(table),
@@ -72,7 +70,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
         "flywheels": names.constant("N") if count else 0,
         "wrenches": names.constant("WRENCHES") if wrenches else 0,
         "stream": layout.stream,
-        "rounding": names.length(layout.carry.fields[0].shape[0]) if carries else 0,
+        "rounding": names.length(layout.carry.fields[0].shape[0]),
         "name_bytes": [f"0x{byte:02x}" for byte in name.encode("ascii")],
         "put_functions": [
             {"struct": struct.name, "lines": [line for f in struct.fields for line in _put_statements(f, names)]}
@@ -103,11 +101,6 @@ def _logging(f: Function) -> Function:
     return Function(f"recorder_{f.name}", "", (_recorder(), *arguments), (), returns=Kind.STATUS, public=True)
 
 
-def _has_carry(f: Function) -> bool:
-    """Whether a step keeps what rounding takes."""
-    return any(a.name == "carry" for a in f.arguments)
-
-
 def _stack(logged: Function, program: Program) -> int:
     """Bound of the stack of a step with a log, without the record."""
     return stack_bound(program.function(logged.name.removeprefix("recorder_")), program) + _FRAMES
@@ -128,16 +121,10 @@ def _step(f: Function, names: Names) -> dict[str, Any]:
         "null_check": wrap_statement(text, "    "),
         "drive": next((n for n in ("tau", "phi_ddot") if n in taken), ""),
         "driven": "phi_ddot" in taken,
-        "carried": "carry" in taken,
-        "flags": " | ".join(names.constant(f"RECORD_{flag}") for flag in _kind(taken)) or "0",
+        "flags": names.constant("RECORD_DRIVEN") if "phi_ddot" in taken else "0",
         "locked": "locked" in taken,
         "passed": [*taken, "x"],
     }
-
-
-def _kind(taken: list[str]) -> list[str]:
-    """Flags of all records of a step that takes these arguments."""
-    return [flag for flag, name in (("DRIVEN", "phi_ddot"), ("CARRIED", "carry")) if name in taken]
 
 
 def _put_statements(f: Field, names: Names) -> list[str]:

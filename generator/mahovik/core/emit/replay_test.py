@@ -74,7 +74,7 @@ def replay_test(
         table=initialiser(layout.table, dict(table), code.precision, {}) if table is not None else [],
         variables=variables,
         function=function,
-        passed=[passed[a] for a in arguments],
+        passed=[passed.get(a, "NULL") for a in arguments],
         status=names.constant(status_words(status)),
         members=list(after),
         carry=names.type(layout.carry) if carry_after is not None else "",

@@ -38,7 +38,6 @@ from mahovik.core.lower import (
     sensitivity,
     solve,
     step,
-    step_carried,
     stream,
     task,
     task_torque,
@@ -122,7 +121,6 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
     if layout.flywheels:
         mounts.add_mounts(lib)
         lib.add(mounts.prepare_mounts(lib))
-    step_carried.add_all(lib)
     _add_others(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)

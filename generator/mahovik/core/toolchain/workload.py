@@ -45,7 +45,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     """C that calls each public function with the arguments of each state, by argument name.
 
     `x` and what has no constant in the emitted C comes from `states`; a function with `order` is called with 4 and 2.
-    `recorder`: the steps of the recorder as well, those without a carry.
+    `recorder`: the steps of the recorder as well. No step has a carry.
     """
     names = Names(program.name)
     public = [without_missing(f) for f in program.functions if f.public]
@@ -61,7 +61,7 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
     for f in public:
         for order in (4, 2) if any(a.name == "order" for a in f.arguments) else (0,):
             calls.append({"label": _label(f, order), "text": _call(program.function(f.name), names, order)})
-    logged = [f for f in logging(program) if all(a.name != "carry" for a in f.arguments)] if recorder else []
+    logged = logging(program) if recorder else []
     steps = [(f, order) for f in logged for order in (4, 2)]
     calls += [{"label": _label(f, order), "text": f"{f.name}_{order}(s)"} for f, order in steps]
     return template("workload.c.j2").render(
@@ -109,7 +109,13 @@ def _label(f: Function, order: int) -> str:
 
 def _log_step(f: Function, names: Names, order: int) -> str:
     """The call of a step with a log; the state and the log are those of the program."""
-    own = {"log": "&log", "x": "&logged", "table": f"&{names.function('default')}", "order": str(order)}
+    own = {
+        "log": "&log",
+        "x": "&logged",
+        "table": f"&{names.function('default')}",
+        "order": str(order),
+        "carry": "NULL",
+    }
     return call(names, f, lambda a: own.get(a.name) or argument_text(a, f"{a.name}[s]"))
 
 

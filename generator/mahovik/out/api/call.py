@@ -62,6 +62,8 @@ class Caller:
         for a, layout in zip(f.arguments, self._records[function], strict=True):
             if a.name in self._made.tables:
                 arrays.append(self._made.tables[a.name] if tables is None else tables.block(a.name))
+            elif a.direction == "inout" and a.name not in given:
+                arrays.append(np.empty(0))  # null
             elif a.direction != "in":
                 memory = self._memory(a, layout, n)
                 if a.direction == "inout":

@@ -107,12 +107,12 @@ class Built(MakesStates):
         """Functions of this stand's C."""
         found = []
         for function, f in self._made.functions.items():
-            # a task is asked of `inverse`, a carry of `step`
-            if "x" in row_of(function).takes and not task_of(function) and not row_of(function).form_of:
+            # a task is asked of `inverse`
+            if "x" in row_of(function).takes and not task_of(function):
                 takes = tuple(a.name for a in f.arguments if a.direction == "in" and a.name not in self._made.tables)
                 gives = (
                     ("states",)
-                    if row_of(function).gives == ("next",)
+                    if "next" in row_of(function).gives
                     else tuple(g.name for g in self._call.fields(function))
                 )
                 found.append(Offered(function, takes, gives, f.wide))
@@ -161,8 +161,7 @@ class Built(MakesStates):
         given |= {"dt": self._number(dt, "dt"), "order": _order(order)}
         if carry is not None:
             given["carry"] = carry
-        form = function if carry is None else f"{function}_carried"
-        found, status, single = self._calculate(form, x, on_error, wrench, tables, given)
+        found, status, single = self._calculate(function, x, on_error, wrench, tables, given)
         if carry is not None:
             carry[...] = found["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])

@@ -103,6 +103,8 @@ class Block:
         for a in self._made.functions[function].arguments:
             if a.name in TABLES:
                 arrays.append(self._table(a.name))
+            elif a.direction == "inout":
+                arrays.append(np.empty(0))  # null: no carry
             elif a.name == "next":
                 arrays.append(self.x)
             elif a.direction == "in" or a.name in RESULTS.get(function, ()):

@@ -55,9 +55,7 @@ def simulate(
     ),
     mounts: bool = flag("--mounts", "Write also the wrench of the mount on each flywheel."),
     real: str = REAL,
-    carried: bool = flag(
-        "--carried", "Keep what rounding takes, by step_carried; without it step as firmware with step."
-    ),
+    carried: bool = flag("--carried", "Keep what rounding takes, by a carry; without it step as firmware without one."),
     programme: str | None = file_option(
         "--programme", "P.json", "Follow this programme by servos, instead of a regime."
     ),

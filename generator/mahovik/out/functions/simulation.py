@@ -104,7 +104,7 @@ def simulate(
     backend  "c", the generated C, or "scipy", the literal reference
     mounts   also the wrench of the mount on each flywheel
     real     element type of the C: "double", or "float" to see what a board's `step` makes of the motion
-    carried  whether steps keep what rounding takes, as `step_carried` does
+    carried  whether steps keep what rounding takes, in a carry
 
     Ctrl-C keeps the rows so far. Raises StandError, RegimeError, UsageError, StateError, ToolchainError, CheckError
     where there is no equilibrium to begin from.

@@ -96,6 +96,7 @@ class PlantByC(SteppedPlant):
             "locked": ffi.new(f"int[{N}]"),
             "wrench": ffi.cast(f"{stand.name}_real *", wrench.ctypes.data),
             "order": 4,
+            "carry": ffi.NULL,
             "next": x,
         }
         names = [a.name for a in own.program.function("step").arguments]

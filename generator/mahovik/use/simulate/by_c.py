@@ -37,8 +37,7 @@ class CMotion:
         self.case = case
         reacting = {case.stand.carrier.name} if case.regime.mixes_speed_and_torque else set()
         self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting), case.real)
-        name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
-        self._name = f"{name}_carried" if case.carried else name
+        self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
         N = len(case.stand.flywheels)
         ffi = self.c.library.ffi
         self._x = ffi.new(f"{case.stand.name}_state *")
@@ -91,7 +90,7 @@ class CMotion:
             "wrench": real(self._wrench),
             "dt": h,
             "order": self.case.order,
-            "carry": self._carry,
+            "carry": self._carry if self.case.carried else ffi.NULL,
             "next": self._x,
         }
         return [known[a.name] for a in self.c.program.function(self._name).arguments]

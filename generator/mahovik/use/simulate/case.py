@@ -54,7 +54,7 @@ class Case:
     """A run of `until` s with output every `every` s; steps of at most `dt` s, of order 4 or 2.
 
     `start`: position, attitude, V; also phases and speeds that the regime does not give. `real`: element type of the
-    C; `carried`: its steps keep what rounding takes, as `step_carried` does. Raises UsageError.
+    C; `carried`: its steps keep what rounding takes, in a carry. Raises UsageError.
     """
 
     stand: Stand

@@ -74,7 +74,7 @@ class Step:
     @property
     def function(self) -> str:
         """Name of the function of the C that made it."""
-        return ("step_driven" if self.driven else "step") + ("_carried" if self.carried else "")
+        return "step_driven" if self.driven else "step"
 
 
 @dataclass(frozen=True)

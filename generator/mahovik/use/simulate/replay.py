@@ -103,7 +103,7 @@ class CMachine:
     def step(self, step: Step) -> int:
         """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x, "carry": self._ffi.NULL}
         if step.carried:
             known["carry"] = self._ffi.cast(f"{self._prefix}_step_carry *", self._carry.ctypes.data)
         for key, value in inputs.items():
@@ -167,7 +167,8 @@ class InterpreterMachine:
     def step(self, step: Step) -> int:
         """Run one step; return its status."""
         name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x, "carry": self._carry}
+        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
+        known["carry"] = self._carry if step.carried else None
         known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
         known["dt"] = self.generated.program.precision.scalar(step.dt)
         arguments = self.generated.program.function(name).arguments

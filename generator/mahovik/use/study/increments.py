@@ -2,7 +2,7 @@
 
 `step` adds an increment to a speed, and float rounds the sum by up to half a unit of its last place. Under a
 constant torque the rounding is the same in step after step, so that its part of the increment is the part of the motion
-that is lost; an increment below half a unit is lost whole. `step_carried` keeps what is lost.
+that is lost; an increment below half a unit is lost whole. A carry keeps what is lost.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class LostIncrement:
         return (
             f"float: a step of {self.dt:g} s adds {self.increment:.1e} rad/s to {self.flywheel} and rounds its speed "
             f"at {self.speed * 30 / math.pi:.5g} rpm by up to {self.rounding:.1e} rad/s: up to {100 * self.part:.2g} % "
-            f"is lost, and all of a torque below {self.lost_torque:.2g} N m: use step_carried or double"
+            f"is lost, and all of a torque below {self.lost_torque:.2g} N m: give step a carry, or take double"
         )
 
 
@@ -83,5 +83,5 @@ def lost_increments_line(lost: Sequence[LostIncrement]) -> str:
     more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
     return (
         f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.2g} % of what they add to the speed of "
-        f"{worst.flywheel}{more}: use step_carried or double; check --dt TIME for another step"
+        f"{worst.flywheel}{more}: give step a carry, or take double; check --dt TIME for another step"
     )

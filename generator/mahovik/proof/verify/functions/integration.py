@@ -54,20 +54,28 @@ COARSE_EDGE, COARSE_ANSWERS = 1e-3, 2
 
 
 def step_checks(case: Case, function: str) -> Iterator[Check]:
-    """Agreement of the motion by order 4, the order of convergence of both methods; with a carry, changes of last
-    places; COARSE.
+    """Agreement of the motion by order 4, order of convergence of both methods; COARSE. With a carry agreement, also of
+    changes of some last places.
 
     Every motion is judged over the first part of its time on which it agrees: a wrong equation agrees on none.
     """
-    agreement = Check(function, "change of state in a motion", case.limits.integration)
-    few = Check(function, "change of some last places", case.limits.integration)
+    yield from _motions(case, function)
+    yield from _motions(case, function, ", with a carry")
+    yield _coarse(case, function)
+
+
+def _motions(case: Case, function: str, carried: str = "") -> Iterator[Check]:
+    """Checks of motions; `carried`: with a carry, in words."""
+    agreement = Check(function, f"change of state in a motion{carried}", case.limits.integration)
+    few = Check(function, f"change of some last places{carried}", case.limits.integration)
     orders = {order: Check(function, f"order {order}: order seen", case.limits.order) for order in ORDER_STEPS}
-    shown = case.real == "double" and "carried" not in function  # in float rounding hides the order of the same program
+    shown = case.real == "double" and not carried  # in float rounding hides the order of the same program
     for number, (name, state) in enumerate(case.states):
         unseen = [check for check in orders.values() if shown and not check.states]
         if number >= STATES and not unseen:
             break
-        motion = Motion(case, function, state, case.lock_pattern(0) if number == 1 and function == "step" else None)
+        locked = case.lock_pattern(0) if number == 1 and function == "step" else None
+        motion = Motion(case, function, state, locked, bool(carried))
         try:
             if number < STATES:
                 agreement.note(_least(motion.error, case.limits.integration), name)
@@ -80,13 +88,12 @@ def step_checks(case: Case, function: str) -> Iterator[Check]:
         except StateError as error:
             agreement.refuse(error, name)
     yield agreement
-    if "carried" in function:
+    if carried:
         yield few
     elif shown:
         for check in orders.values():
             check.words = check.words if check.states else "rounding, or a law with |V|, hides the order"
             yield check
-    yield _coarse(case, function)
 
 
 def _least(judged: Callable[[float], float], limit: float, parts: Sequence[float] = SHORTER) -> float:
@@ -107,9 +114,9 @@ def _least(judged: Callable[[float], float], limit: float, parts: Sequence[float
 class Motion:
     """The motion from one state, by the program and by the reference: changes of O1, attitude, v, omega, phi, phi'."""
 
-    def __init__(self, case: Case, function: str, state: State, locked: Array | None) -> None:
+    def __init__(self, case: Case, function: str, state: State, locked: Array | None, carried: bool) -> None:
         self._case, self._function, self._locked = case, function, locked
-        self.carried = "carried" in function
+        self.carried = carried
         self._driven, self._bodies = function.startswith("step_driven"), bodies_of(case.stand)
         self._given = case.backend.arguments(state)
         x = self._given["x"]
@@ -165,7 +172,9 @@ class Motion:
 
     def _change(self, dt: float, steps: int, order: int) -> Array:
         """Of the program. Raises StateError."""
-        given = self._given | {"dt": dt, "order": order, "carry": {"rounding": [0.0] * self._case.numbers}}
+        given = self._given | {"dt": dt, "order": order}
+        if self.carried:
+            given["carry"] = {"rounding": [0.0] * self._case.numbers}
         if self._locked is not None:
             given["locked"] = [int(each) for each in self._locked]
         for _ in range(steps):
@@ -246,7 +255,7 @@ def _coarse(case: Case, function: str) -> Check:
             given: dict[str, Any] = case.backend.arguments(state)
             given |= {"dt": float(BOUNDS[f"MAX_TURN_{order}"].value) / fastest * part, "order": order}
             given |= {"x": given["x"] | ({"phi_dot": tuple(speeds)} if case.count else {})}
-            status, _ = case.backend.call(function, given | {"carry": {"rounding": [0.0] * case.numbers}})
+            status, _ = case.backend.call(function, given)
             if status < 0:  # a stage of a long step may be out of range, and dt itself
                 continue
             count[order, side, still] += 1

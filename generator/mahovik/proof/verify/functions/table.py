@@ -53,8 +53,6 @@ JUDGES: dict[str, FunctionJudge] = {
     "coupled": _value(value.locked_trials, ", with locks"),
     "step": _STEPS,
     "step_driven": _STEPS,
-    "step_carried": _STEPS,
-    "step_driven_carried": _STEPS,
     "inverse": _INVERSE,
     "inverse_fast": _FAST,
     "forward_jacobian": _JACOBIAN,
