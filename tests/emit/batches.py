@@ -90,6 +90,8 @@ class Batched:
         passed: list[Any] = []
         results: Arrays = {}
         for a in batch.narrow.arguments:
+            if a.name == "next" and statuses is None:
+                passed.append(None)  # no carry
             if a.name == "table":
                 passed.append(self.table)
             elif a.name == "locked":
