@@ -21,7 +21,7 @@ from toolchain.tools import compile_c, require, run
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("only", ["forward,torque", "mounts", "step", "accumulate"])
+@pytest.mark.parametrize("only", ["forward,torque", "mounts", "step", "wrap"])
 def test_a_part_compiles_and_passes_its_self_test(only: str, tmp_path: Path) -> None:
     """Every warning is an error; golden vectors and sweeps are those of the interpreter."""
     names = only.split(",")
@@ -69,8 +69,8 @@ def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
 def test_an_unknown_function_is_refused() -> None:
     message = refused("generate", str(path("sat4")), "--only", "forward,torqe")
     assert '--only torqe: the C of sat4 has no such function, did you mean "torque"?' in message
-    assert "no function of --only accumulate has a batch, expected one of " in refused(
-        "generate", str(path("sat4")), "--only", "accumulate", "--batch"
+    assert "no function of --only wrap has a batch, expected one of " in refused(
+        "generate", str(path("sat4")), "--only", "wrap", "--batch"
     )
 
 

@@ -101,7 +101,6 @@ def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.Monk
 
 CHECKS = [
     ("step", r"!\(dt > 0\.0\)", "!(dt >= 0.0)"),
-    ("accumulate", r"bits <= 32", "bits <= 33"),
     ("check_body", r"status != DEMO3_OK", "status == DEMO3_NOT_FINITE"),
 ]
 """Function of the text, the check that is weakened there, and how. Without a check of null the call would crash."""

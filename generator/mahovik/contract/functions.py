@@ -209,21 +209,6 @@ _ROWS: tuple[PublicFunction, ...] = (
         claimed=(NORMAL, ANY, BITS),
     ),
     PublicFunction(
-        "phase_of_counts", "", ("count", "per_turn", "zero"), ("phi",), ("exact",), needs="flywheels", python=False
-    ),
-    PublicFunction(
-        "speed_of_counts", "", ("moved", "per_turn", "dt"), ("phi_dot",), ("exact",), needs="flywheels", python=False
-    ),
-    PublicFunction(
-        "accumulate",
-        "",
-        ("encoder", "counter", "bits", "per_turn"),
-        ("encoder",),
-        ("exact",),
-        needs="flywheels",
-        python=False,
-    ),
-    PublicFunction(
         "prepare",
         "(2)",
         ("parameters", "table"),

@@ -27,7 +27,7 @@ SECTIONS = {
     **dict.fromkeys(("torque", "mounts", "prepare_mounts"), "Drive torque"),
     **dict.fromkeys(("coupled", "coupled_jacobian"), "The whole system"),
     **dict.fromkeys(("step", "step_driven"), "Steps in time"),
-    **dict.fromkeys(("wrap", "phase_of_counts", "speed_of_counts", "accumulate"), "Phases from encoders"),
+    "wrap": "Phases from encoders",
     "points": "Points",
     "quaternion": "Generalized coordinates, (10)-(11)",
     "torque_for": "Torques for a task",

@@ -52,7 +52,6 @@ class Draw(Enum):
     FLAGS = "integers: one in four is 1, the others 0"
     ATTITUDE = "the square of a quaternion of small integers, divided by its length: one rounding"
     TURNS = "sines, and with them cosines: the square of a complex number of small integers, by its length"
-    INTEGER = "an integer from lowest to lowest + span - 1"
     ORDER = "2 or 4"
     STEP = "a constant"
     FACTOR = "1 + a real in +-largest"
@@ -74,7 +73,6 @@ class Quantity:
     deviation standard deviation of random states, of all components or of both halves; 0: drawn otherwise
     draw      how the self-test draws it
     integers  least and largest ordinary integer, for proofs by intervals
-    whole     lowest integer that the self-test draws, and how many there are from it
     shared    whether all states of a batch have it in common; otherwise each state has its own
     input     whether a line of `eval` may contain it
     invalid   values within the bounds, or without any, that are refused nevertheless, with the status
@@ -92,7 +90,6 @@ class Quantity:
     deviation: tuple[float, ...] = ()
     draw: Draw = Draw.REALS
     integers: tuple[int, int] = (-(1 << 20), 1 << 20)
-    whole: tuple[int, int] = (0, 1)
     shared: bool = False
     input: bool = False
     invalid: tuple[tuple[float, str], ...] = ()
@@ -231,25 +228,6 @@ QUANTITIES = {
         Quantity("mass", "kg", "a body", "", invalid=((-1.0, "RANGE"),)),
         # what a step keeps for the next, in a carry
         Quantity("rounding", "SI", "numbers of the state", "", ("MAX_ROUNDING",), 1e-6, 2.0**-24),
-        # encoders
-        Quantity("count", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 20), 1 << 21)),
-        Quantity(
-            "per_turn",
-            "",
-            "",
-            "",
-            draw=Draw.INTEGER,
-            integers=(-100000, 100000),
-            whole=(4000, 97),
-            invalid=_bad_arguments(0, 2**31 - 1, 1 - 2**31),
-        ),
-        Quantity("zero", "", "counts at phi = 0", "", ordinary=1000.0),
-        Quantity("moved", "", "", "", draw=Draw.INTEGER, whole=(-512, 1 << 10)),
-        Quantity("counter", "", "", "", draw=Draw.INTEGER, whole=(-(1 << 15), 1 << 16)),
-        Quantity(
-            "bits", "", "", "", draw=Draw.INTEGER, integers=(0, 32), whole=(16, 1), invalid=_bad_arguments(-1, 1, 33)
-        ),
-        Quantity("place", "", "", "", draw=Draw.INTEGER, whole=(0, 4000), invalid=_bad_arguments(-1, 4097)),
     )
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""

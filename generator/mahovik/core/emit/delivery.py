@@ -12,6 +12,7 @@ from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.readme import readme
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.selftest import selftest
+from mahovik.core.emit.templates import template
 from mahovik.core.lower.golden import golden
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -26,11 +27,17 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
+def encoder_files(stand: Stand, generated: Generated) -> dict[str, str]:
+    """Phases and speeds from encoder counts: the same text for every stand, linked once."""
+    return {f"mahovik_encoder.{kind}": template(f"mahovik_encoder.{kind}.j2").render() for kind in "hc"}
+
+
 ADDITIONS: Mapping[str, Callable[[Stand, Generated], dict[str, str]]] = {
     "selftest": selftest_files,
     "recorder": recorder_files,
     "eva": eva_files,
     "batch": batch_files,
+    "encoder": encoder_files,
 }
 """What `generate --with` adds to header, source and README: files whose names end in the name of the addition."""
 

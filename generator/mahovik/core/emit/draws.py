@@ -12,7 +12,7 @@ from mahovik.core.lower.test_inputs import Input
 
 
 class Draws:
-    """Calls of `draw_reals`, `draw_int` and similar functions, which a template defines.
+    """Calls of `draw_reals`, `draw_flags` and similar functions, which a template defines.
 
     source    variable that they draw from
     place     C text of an input from its path
@@ -44,7 +44,6 @@ class Draws:
             more = "" if rule is Draw.FLAGS else f", {self._largest(each)}"
             return over_rows(self._names, place, each.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});")
         given = {
-            Draw.INTEGER: f"draw_int({source}, {each.lowest}, {each.span}u)",
             Draw.ORDER: f"draw_order({source})",
             Draw.STEP: f"draw_step({source})",
             Draw.SHARE: f"draw_share({source})",

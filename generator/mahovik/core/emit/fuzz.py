@@ -81,7 +81,6 @@ class _Harness:
             varies_ints=is_called("vary_ints"),
             draws_flags=is_called("draw_flags"),
             draws_turns=is_called("draw_turns"),
-            draws_int=is_called("draw_int"),
         )
 
     def _largest(self, name: str) -> str:

@@ -132,8 +132,8 @@ def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[st
     yield draw(planned, generator, precision) | {"order": 4}
     large = {"phi": largest_phase / 16.0, "phi_dot": 64.0, "V": 4.0, "V_dot": 4.0}
     yield draw(planned, generator, precision, large) | {"order": 2}
-    beyond = dict.fromkeys(("angles", "phi", "position", "zero"), 2.0**40) | {"attitude": 2.0, "sine": 2.0}
-    beyond |= {"dt": 0.0, "per_turn": 0.0, MASS_FACTOR: -1.0}
+    beyond = dict.fromkeys(("angles", "phi", "position"), 2.0**40) | {"attitude": 2.0, "sine": 2.0}
+    beyond |= {"dt": 0.0, MASS_FACTOR: -1.0}
     yield draw(planned, generator, precision, beyond)
 
 

@@ -338,15 +338,6 @@ class Layout(Tables):
         return Struct("coupled_jacobian_result", "Derivatives of coupled.", fields)
 
     @cached_property
-    def encoder(self) -> Struct:
-        fields = (
-            Field("counter", INT, (), "", "last reading"),
-            Field("place", INT, (), "", "counts within the turn, 0 to |per_turn| - 1"),
-            Field("moved", INT, (), "", "counts between the last two readings"),
-        )
-        return Struct("encoder", "An encoder whose counter wraps. Updated by accumulate.", fields)
-
-    @cached_property
     def matrices(self) -> Struct:
         relative = ", at V relative to the stream" if self.stream else ""
         fields = [

@@ -29,7 +29,6 @@ from mahovik.core.lower import (
     matrices,
     mounts,
     parameters,
-    phases,
     placement,
     points,
     prepare,
@@ -100,11 +99,6 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         solve.add_block_solution(lib)
         drive.add_coupled(lib)
     step.add_all(lib)
-    if layout.flywheels:
-        lib.add(phases.wrap(lib))
-        lib.add(phases.phase_of_counts(lib))
-        lib.add(phases.speed_of_counts(lib))
-        lib.add(phases.accumulate(lib))
     if layout.freedoms or not layout.held:
         _add_jacobians(lib)
     if not layout.held or (layout.freedoms and layout.flywheels):
@@ -281,7 +275,6 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         layout.generalized,
         *((layout.mount_table,) if layout.flywheels else ()),
         *((layout.points_result,) if layout.sensors else ()),
-        *((layout.encoder,) if layout.flywheels else ()),
         layout.sums,
         *((layout.along_sums,) if layout.along else ()),
         layout.carrier_factor,

@@ -35,11 +35,12 @@ from mahovik.core.program.expression import (
 )  # fmt: skip
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind
+from mahovik.core.routines.real_constants import PI, nearest
 from mahovik.core.routines.wrap import turn_parts, turns_of_angle
 
 
 def add_all(lib: Library) -> None:
-    """Adds the step functions: by torques, and by given accelerations of the flywheels."""
+    """Adds the step functions: by torques, and by given accelerations of the flywheels; and `wrap`."""
     lib.add(_advance(lib))
     lib.add(_finish(lib))
     lib.add(_carry_over(lib))
@@ -47,6 +48,8 @@ def add_all(lib: Library) -> None:
         lib.add(_rate(lib, torques))
         lib.add(_stages(lib, torques))
         lib.add(_step(lib, torques))
+    if lib.layout.flywheels:
+        lib.add(_wrap(lib))
 
 
 def _drive_arguments(lib: Library, torques: bool) -> tuple[Argument, ...]:
@@ -378,3 +381,28 @@ def _accumulate(lib: Library, body: Body, total: Place, k: Place, weight: int) -
         with body.loop("i", count) as i:
             value: Expr = k.member(name)[i]
             body.add(total.member(name)[i], real(weight) * value if weight != 1 else value)
+
+
+def _wrap(lib: Library) -> Function:
+    """The angle wrapped to [-pi, pi], with a status."""
+    precision = lib.layout.precision
+    phi = Argument("phi", Kind.REAL, unit="rad", purpose="any angle within MAX_PHASE")
+    out = Argument("wrapped", Kind.REAL, (), "out", "rad", "the same angle in [-pi, pi]")
+    pi = real(nearest(PI, precision))
+    body = Body()
+    lib.check_number(body, phi.place, lib.limits["MAX_PHASE"].expression)
+    k = body.local("k", comment="nearest number of turns; may be off by one next to an odd multiple of pi")
+    angle = body.local("angle")
+    body.set(k, turns_of_angle(precision, phi.place))
+    body.set(angle, lib["unwound"](phi.place, k))
+    with body.when(or_(angle > pi, angle < -pi)):
+        body.set(angle, lib["unwound"](phi.place, select(angle > pi, k + 1, k - 1)))
+    body.set(out.place, select(angle > pi, pi, select(angle < -pi, -pi, angle)))
+    error = {"double": "5e-16", "float": "3e-7"}[precision.name]
+    return body.checked_function(
+        "wrap",
+        "The angle wrapped to [-pi, pi] (pi rounded to the nearest real).",
+        (phi, out),
+        notes=(f"Error below {error} rad, modulo one turn.",),
+        public=True,
+    )

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from math import prod
 from typing import Any
 
-from mahovik.contract.quantities import DRAWN_STEP, QUANTITIES, TABLES, Draw, Quantity
+from mahovik.contract.quantities import DRAWN_STEP, QUANTITIES, TABLES, Draw
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
@@ -54,8 +54,6 @@ class Input:
     rule: Draw
     shape: tuple[int | NamedCount, ...] = ()
     largest: float = 1.0
-    lowest: int = 0
-    span: int = 1
 
     @property
     def name(self) -> str:
@@ -118,8 +116,7 @@ def _inputs_of(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: 
     row = QUANTITIES.get(name)
     draw = row.draw if row else Draw.FLAGS if type_ is Kind.INT else Draw.REALS
     if draw is not Draw.NEVER:
-        lowest, span = row.whole if row else Quantity.whole
-        yield Input(path, draw, shape, row.largest_drawn if row else 1.0, lowest, span)
+        yield Input(path, draw, shape, row.largest_drawn if row else 1.0)
 
 
 class Generator:
@@ -180,8 +177,6 @@ def _value(each: Input, generator: Generator, precision: Precision, factor: floa
     match each.rule:
         case Draw.ATTITUDE:
             return [float(x) * factor for x in generator.attitude(precision)]
-        case Draw.INTEGER:
-            return int((each.lowest + generator.word() % each.span) * factor)
         case Draw.ORDER:
             return 4 if generator.word() & 0x100 else 2
         case Draw.STEP:

@@ -29,13 +29,6 @@ BEYOND = 2.0**60
 CHANGED = ("options", "parameters")
 """Tables that trials change, beside the inputs that are drawn."""
 
-_READINGS = (
-    *((0, old, new) for old, new in ((0, 4090), (4090, 0), (100, 200), (-1, 5), (4096, 5), (5, -1), (5, 4096))),
-    *((16, old, new) for old, new in ((32767, -32768), (-32768, 32767), (0, 30000))),
-    *((32, old, new) for old, new in ((2**31 - 1, 1 - 2**31), (1 - 2**31, 2**31 - 1))),
-)
-"""Bits of a counter, its last reading and the next: through zero of a turn and of the counter, and out of range."""
-
 Changes = Mapping[Any, float]
 """Values by the place where they are put."""
 
@@ -129,10 +122,6 @@ def _rare(program: Program, function: Function, play: Play) -> Iterator[Changes]
             yield from ({("dt",): dt, ("order",): order} for order in (2, 4))
     if takes(function, "angles"):
         yield from ({("angles", 1): angle} for angle in (0.0, math.pi / 2))
-    if takes(function, "encoder"):
-        for bits, old, new in _READINGS:
-            read = {("bits",): bits, ("encoder", "counter"): old, ("counter",): new, ("per_turn",): 4096}
-            yield from (read | {("encoder", "place"): place} for place in (0, 4095))
     if function.name == "wrap":
         for angle in (3.0, math.pi, 3.5, 3 * math.pi, 1000.0):
             yield from ({("phi",): sign * angle} for sign in (1.0, -1.0))

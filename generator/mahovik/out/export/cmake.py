@@ -38,6 +38,7 @@ def cmake_project(
         "real": real,
         "batch": "batch" in additions,
         "recorder": f"{VERIFICATION}{name}_recorder" if "recorder" in additions else "",
+        "encoder": "encoder" in additions,
         "example": example,
         "bodies": describe_bodies(stand),
         "command": f"mahovik export cmake STAND.toml{options}",

@@ -156,13 +156,6 @@ def good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[
         "dt": 1e-4,
         "order": 4,
         "parameters": backend.generated.values.parameters,
-        "count": 100,
-        "moved": 10,
-        "counter": 110,
-        "bits": 16,
-        "per_turn": 4096,
-        "zero": 0.5,
-        "encoder": {"counter": 100, "place": 100, "moved": 0},
         **turns(state),
         "carry": {"rounding": [0.0] * (13 + 2 * len(state.phi))},
     }

@@ -59,10 +59,7 @@ JUDGES: dict[str, FunctionJudge] = {
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
     "state_from_coordinates": _value(value.coordinate_trials),
-    "wrap": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
-    "phase_of_counts": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
-    "speed_of_counts": FunctionJudge("exact", exact.angle_checks, "fifty digits"),
-    "accumulate": FunctionJudge("exact", exact.accumulate_checks, "integers"),
+    "wrap": FunctionJudge("exact", exact.wrap_checks, "fifty digits"),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,
     "regressor": _value(

@@ -1,27 +1,33 @@
-"""wrap against Arb; phases, places and speeds of encoder counts against exact integers."""
+"""Phases, places and speeds of encoder counts against exact integers: mahovik_encoder.c of `--with encoder`."""
 
 from __future__ import annotations
 
+import ctypes as ct
 import math
+import tempfile
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from flint import arb, ctx
 
-from lower.refusals import FILL
 from mahovik.contract.status import STATUS_VALUES
-from mahovik.core.lower.phases import MAX_COUNTS
-from mahovik.core.program.interpret import Interpreter
-from mahovik.core.stand.random import BARE, random_stand
-from mahovik.proof.verify.c_backend import CBackend
+from mahovik.core.emit.delivery import delivery
+from mahovik.core.stand import load
+from mahovik.core.toolchain.compiler import BITS, WARNINGS, run_compiler
+from mahovik.stands import path
+from mahovik.writing import write_all
 
 PRECISIONS = pytest.mark.parametrize("precision_name", ["double", "float"])
 ERROR = {"double": 5e-16, "float": 3e-7}
+MAX_COUNTS = {"double": 1 << 30, "float": 1 << 23}
+SCALAR: dict[str, Any] = {"double": np.float64, "float": np.float32}
 INT_MIN, INT_MAX = -(2**31), 2**31 - 1
+FILL = 5.5
 
 
 @pytest.fixture(autouse=True)
@@ -32,66 +38,66 @@ def digits() -> Iterator[None]:
     ctx.prec = before
 
 
-@cache
-def backend(precision_name: str) -> CBackend:
-    stand = random_stand(np.random.default_rng(3), 1, BARE, f"phases_{precision_name}")
-    return CBackend(stand, precision_name)
+def text(stand: str, real: str) -> dict[str, str]:
+    """Files of the encoder beside the C of a stand."""
+    files = delivery(load(path(stand)), real, ("wrap",), ("encoder",))
+    return {name: text for name, text in files.items() if name.startswith("mahovik_")}
 
 
 @cache
-def interpreter(precision_name: str) -> Interpreter:
-    return Interpreter(backend(precision_name).program)
+def library() -> ct.CDLL:
+    """Compiled with every warning an error; what is undefined is a trap."""
+    with tempfile.TemporaryDirectory() as folder:
+        write_all(Path(folder), text("demo3", "double"))
+        made = f"{folder}/encoder.so"
+        trapping = ("-fsanitize=undefined", "-fsanitize-undefined-trap-on-error")
+        run_compiler([*WARNINGS, *BITS, *trapping, "-shared", "-fPIC", f"{folder}/mahovik_encoder.c", "-o", made], "it")
+        return ct.CDLL(made)
 
 
-def called(precision_name: str, function: str, **inputs: Any) -> tuple[int, dict[str, Any]]:
-    """Status and outputs of the compiled function."""
-    c = backend(precision_name)
-    return c.library.run(c.program.function(function), inputs, FILL)
+class Encoder(ct.Structure):
+    _fields_ = (("counter", ct.c_int), ("place", ct.c_int), ("moved", ct.c_int))
+
+
+def called(precision_name: str, function: str, **inputs: Any) -> tuple[int, Any]:
+    """Status and the one output."""
+    if function == "accumulate":
+        encoder = Encoder(**inputs["encoder"])
+        given = (inputs[name] for name in ("counter", "bits", "per_turn"))
+        status = int(library().mahovik_accumulate(ct.byref(encoder), *given))
+        return status, {name: getattr(encoder, name) for name, _ in Encoder._fields_}
+    real, end = {"double": (ct.c_double, ""), "float": (ct.c_float, "_float")}[precision_name]
+    first, last = ("count", "zero") if function == "phase_of_counts" else ("moved", "dt")
+    out = real(FILL)
+    called = getattr(library(), f"mahovik_{function}{end}")
+    return int(called(inputs[first], inputs["per_turn"], real(inputs[last]), ct.byref(out))), out.value
 
 
 def good(precision_name: str, function: str, **inputs: Any) -> Any:
-    """The one output of a call that must be good, and the interpreter's as well."""
-    status, outputs = called(precision_name, function, **inputs)
+    """The output of a call that must be good."""
+    status, value = called(precision_name, function, **inputs)
     assert status == 0, (function, inputs, status)
-    (value,) = outputs.values()
-    assert interpreter(precision_name).run(function, inputs)[1] == outputs
     return value
 
 
 def refused(precision_name: str, function: str, due: str, **inputs: Any) -> None:
-    status, outputs = called(precision_name, function, **inputs)
+    status, value = called(precision_name, function, **inputs)
     assert status == STATUS_VALUES[due], (function, inputs, status)
-    (value,) = outputs.values()
     assert value == inputs.get("encoder", FILL)
 
 
-def scalar(precision_name: str, value: float) -> float:
-    return float(backend(precision_name).program.precision.scalar(value))
+def test_the_text_is_the_same_for_every_stand() -> None:
+    assert len(text("demo3", "double")) == 2
+    assert text("demo3", "double") == text("eye4", "float")
 
 
-def angles(precision_name: str) -> list[float]:
-    """Dense, at both ends, and the machine numbers next to multiples of pi."""
-    precision = backend(precision_name).program.precision
-    rng = np.random.default_rng(1)
-    largest = precision.max_phase
-    found = [*rng.uniform(-largest, largest, 2000), *rng.uniform(-30, 30, 2000), 0.0, largest, -largest, 1e-300]
-    halves = [*range(-40, 41), *rng.integers(-int(largest / math.pi), int(largest / math.pi), 1500)]
-    for half in halves:
-        middle = precision.scalar(int(half) * math.pi)
-        found += [middle, np.nextafter(middle, precision.scalar(9e9)), np.nextafter(middle, precision.scalar(-9e9))]
-    return [float(precision.scalar(x)) for x in found if abs(float(precision.scalar(x))) <= largest]
-
-
-@PRECISIONS
-def test_wrap_is_the_equal_angle_within_half_a_turn(precision_name: str) -> None:
-    pi = scalar(precision_name, math.pi)
-    for phi in angles(precision_name):
-        wrapped = good(precision_name, "wrap", phi=phi)
-        assert abs(wrapped) <= pi, phi
-        off = (arb(phi) - arb(float(wrapped))) / (2 * arb.pi())
-        assert abs(off - round(float(off))) * 2 * arb.pi() < ERROR[precision_name], phi
-        if abs(phi) < pi:
-            assert wrapped == phi
+def test_null_is_refused() -> None:
+    made = library()
+    assert made.mahovik_accumulate(None, 1, 16, 100) == STATUS_VALUES["BAD_ARGUMENT"]
+    for end, real in (("", ct.c_double), ("_float", ct.c_float)):
+        for name in ("phase", "speed"):
+            found = getattr(made, f"mahovik_{name}_of_counts{end}")(1, 100, real(1.0), None)
+            assert found == STATUS_VALUES["BAD_ARGUMENT"]
 
 
 def exact_phase(count: int, per_turn: int, zero: float) -> Fraction:
@@ -102,12 +108,12 @@ def exact_phase(count: int, per_turn: int, zero: float) -> Fraction:
 
 def check_phase(precision_name: str, count: int, per_turn: int, zero: float = 0.0) -> float:
     phi = float(good(precision_name, "phase_of_counts", count=count, per_turn=per_turn, zero=zero))
-    assert abs(phi) <= scalar(precision_name, math.pi)
+    assert abs(phi) <= SCALAR[precision_name](math.pi)
     turns = exact_phase(count, per_turn, zero)
     found = arb(phi) / (2 * arb.pi()) - arb(turns.numerator) / turns.denominator
     if abs(turns) == Fraction(1, 2):
         found = min(abs(found - k) for k in (-1, 0, 1))
-    unit = float(np.spacing(backend(precision_name).program.precision.scalar(abs(phi) or 1e-30)))
+    unit = float(np.spacing(SCALAR[precision_name](abs(phi) or 1e-30)))
     assert abs(found) * 2 * arb.pi() <= 2 * unit, (count, per_turn, zero, phi)
     return phi
 
@@ -129,8 +135,6 @@ def test_the_phase_of_any_count_is_good_to_two_units_in_the_last_place(precision
 NOWHERE = (math.nan, math.inf, -math.inf)
 AT_REST = {"counter": 5, "place": 5, "moved": 0}
 REFUSED: list[tuple[str, str, str, tuple[Any, ...], dict[str, Any]]] = [
-    ("wrap", "NOT_FINITE", "phi", NOWHERE, {}),
-    ("wrap", "RANGE", "phi", (1.000001e7, -1.000001e7, 1e30), {}),
     ("phase_of_counts", "NOT_FINITE", "zero", NOWHERE, {"count": 1, "per_turn": 100}),
     ("phase_of_counts", "RANGE", "zero", (100.01, -101.0), {"count": 1, "per_turn": 100}),
     ("phase_of_counts", "BAD_ARGUMENT", "per_turn", (0, INT_MIN, INT_MAX), {"count": 3, "zero": 0.0}),
