@@ -36,7 +36,7 @@ class Fault:
 
 CHECKED = """    if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return DEMO3_BAD_ARGUMENT; }
 """
-NULL = "    if (encoder == NULL) { return DEMO3_BAD_ARGUMENT; }\n"
+NULL = "    if (wrapped == NULL) { return DEMO3_BAD_ARGUMENT; }\n"
 LOOP = "for (int i = 0; i < count; ++i) {\n        if (!("
 RANGE = "{ return DEMO3_RANGE; }\n            return"
 WITHIN = "if (!(values[i] >= -limit && values[i] <= limit))"
@@ -50,8 +50,6 @@ FAULTS = (
     Fault("null let through", NULL, "", "null pointer"),
     Fault("other status for null", NULL, NULL.replace("BAD_ARGUMENT", "RANGE"), "status that is not documented"),
     Fault("status of another cause", RANGE, RANGE.replace("RANGE", "NOT_FINITE"), "every argument is finite"),
-    Fault("int that overflows", "per_turn < -1073741824 || ", "", "runtime error"),
-    Fault("division by zero", " || per_turn == 0) { return", ") { return", "division by zero"),
     Fault("angle guard gone", "!(phi >= -DEMO3_MAX_PHASE && phi <= DEMO3_MAX_PHASE)", "phi > 1.0e300", "finite"),
     Fault("state written before its last check", DONE, f"    *next = y;\n{DONE}", "a result was written"),
 )
