@@ -166,7 +166,7 @@ ONLY = option(
 )
 WITH = option(
     "--with",
-    "Add selftest, golden vectors; recorder, a log of flights; eva, proofs: in verification/; encoder, phases of counts.",
+    "Add selftest, golden vectors; recorder, a log of flights; eva, proofs; encoder, phases of counts.",
     metavar="NAME,NAME",
     parse=comma_list,
 )
