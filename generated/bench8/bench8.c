@@ -1151,6 +1151,76 @@ static bench8_status bench8_finish(bench8_state *restrict x)
     return BENCH8_OK;
 }
 
+/* Sets to = x + h rate with phases in [-pi, pi] and a quaternion of unit length, and keeps in the carry
+ * what rounding takes from the sums; RANGE if the state is out of range. */
+BENCH8_CODE
+static bench8_status bench8_carry_over(const bench8_state *x, const bench8_state *rate, bench8_real h,
+                                       bench8_step_carry *restrict carry, bench8_state *restrict to)
+{
+    bench8_status status;
+    bench8_step_carry kept;  /* the new carry */
+    kept = *carry;
+    for (int i = 0; i < 3; ++i) {
+        const bench8_real step = h * rate->position[i] + kept.rounding[i];
+        const bench8_real sum = x->position[i] + step;
+        const bench8_real sum_b = sum - x->position[i];
+        kept.rounding[i] = x->position[i] - (sum - sum_b) + (step - sum_b);
+        to->position[i] = sum;
+    }
+    for (int i = 0; i < 4; ++i) {
+        const bench8_real step = h * rate->attitude[i] + kept.rounding[i + 3];
+        const bench8_real sum = x->attitude[i] + step;
+        const bench8_real sum_b = sum - x->attitude[i];
+        kept.rounding[i + 3] = x->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    for (int i = 0; i < 6; ++i) {
+        const bench8_real step = h * rate->V[i] + kept.rounding[i + 7];
+        const bench8_real sum = x->V[i] + step;
+        const bench8_real sum_b = sum - x->V[i];
+        kept.rounding[i + 7] = x->V[i] - (sum - sum_b) + (step - sum_b);
+        to->V[i] = sum;
+    }
+    for (int i = 0; i < BENCH8_N; ++i) {
+        const bench8_real start = bench8_wrapped(x->phi[i]);
+        const bench8_real step = h * rate->phi[i] + kept.rounding[i + 13];
+        const bench8_real sum = start + step;
+        const bench8_real sum_b = sum - start;
+        /* turns */
+        const bench8_real k = sum * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;
+        const bench8_real left = sum - k * 6.283185303211212;
+        const bench8_real within = left + -(k * 3.968374318722146e-9);
+        const bench8_real within_b = within - left;
+        kept.rounding[i + 13] = start - (sum - sum_b) + (step - sum_b)
+            + (left - (within - within_b) + (-(k * 3.968374318722146e-9) - within_b)
+            - k * 1.5782216666252822e-23);
+        to->phi[i] = within;
+    }
+    for (int i = 0; i < BENCH8_N; ++i) {
+        const bench8_real step = h * rate->phi_dot[i] + kept.rounding[i + 21];
+        const bench8_real sum = x->phi_dot[i] + step;
+        const bench8_real sum_b = sum - x->phi_dot[i];
+        kept.rounding[i + 21] = x->phi_dot[i] - (sum - sum_b) + (step - sum_b);
+        to->phi_dot[i] = sum;
+    }
+    const bench8_real square = to->attitude[0] * to->attitude[0] + to->attitude[1] * to->attitude[1]
+        + to->attitude[2] * to->attitude[2] + to->attitude[3] * to->attitude[3];
+    if (!(square > 0.5 && square < 2.0)) { return BENCH8_RANGE; }
+    /* 1/|q| - 1, without the digits that the difference would lose */
+    const bench8_real excess = (1.0 - square) / (bench8_sqrt(square) + square);
+    for (int i = 0; i < 4; ++i) {
+        const bench8_real step = to->attitude[i] * excess + kept.rounding[i + 3];
+        const bench8_real sum = to->attitude[i] + step;
+        const bench8_real sum_b = sum - to->attitude[i];
+        kept.rounding[i + 3] = to->attitude[i] - (sum - sum_b) + (step - sum_b);
+        to->attitude[i] = sum;
+    }
+    status = bench8_check_motion(to, to->phi_dot, BENCH8_MAX_SPEED);
+    if (status != BENCH8_OK) { return status; }
+    *carry = kept;
+    return BENCH8_OK;
+}
+
 /* Time derivatives of the state under drive torques. */
 BENCH8_CODE
 static bench8_status bench8_rate(const bench8_table *table, const bench8_state *x,
@@ -1261,7 +1331,8 @@ static bench8_status bench8_stages(const bench8_table *table, const bench8_state
 /* State after one time step; drive torques and wrenches are held constant. */
 BENCH8_CODE
 bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
-                          const int locked[BENCH8_N], bench8_real dt, int order, bench8_state *next)
+                          const int locked[BENCH8_N], bench8_real dt, int order, bench8_step_carry *carry,
+                          bench8_state *next)
 {
     if (table == NULL || x == NULL || tau == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     if (locked == NULL) { locked = bench8_none_locked; }
@@ -1273,6 +1344,10 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
     }
     if (!(dt > 0.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(order == 4 || order == 2)) { return BENCH8_BAD_ARGUMENT; }
+    if (carry != NULL) {
+        status = bench8_within(carry->rounding, 29, BENCH8_MAX_ROUNDING);
+        if (status != BENCH8_OK) { return status; }
+    }
     bench8_state y;  /* state of a stage; then the new state */
     bench8_state total;  /* sum of the rates at the stages */
     status = bench8_stages(table, x, tau, locked, dt, order, &y, &total);
@@ -1284,9 +1359,14 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
         const bench8_real square = x->phi_dot[s] * x->phi_dot[s];
         fastest = (square > fastest) ? square : fastest;
     }
-    bench8_advance(x, &total, over, &y);
-    status = bench8_finish(&y);
-    if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    if (carry != NULL) {
+        status = bench8_carry_over(x, &total, over, carry, &y);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    } else {
+        bench8_advance(x, &total, over, &y);
+        status = bench8_finish(&y);
+        if (status != BENCH8_OK) { return BENCH8_RANGE; }
+    }
     *next = y;
     const bench8_real most = (order == 2) ? BENCH8_MAX_TURN_2 : BENCH8_MAX_TURN_4;  /* rad */
     if (dt * dt * fastest > most * most) { return BENCH8_COARSE; }
