@@ -15,8 +15,8 @@ from pydantic import BaseModel
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.derive import flywheel
-from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.cpp import cpp_header
+from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.lower.limits import limits
 from mahovik.core.program.types import DOUBLE
@@ -76,11 +76,12 @@ def emit(name: str, folder: Path) -> None:
 
 @pytest.mark.parametrize("block", SNIPPETS, ids=lambda b: b.name)
 def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
-    ((name, batch),) = re.findall(r'#include "(\w+?)(_batch)?\.h"', block.text)
+    (name, batch), *encoder = re.findall(r'#include "(\w+?)(_batch)?\.h"', block.text)
     emit(name, tmp_path)
-    if batch:
-        made = generate_all(load(PACKAGE / "stands" / f"{name}.toml"))
-        for file, text in batch_files(load(PACKAGE / "stands" / f"{name}.toml"), made).items():
+    if batch or encoder:
+        stand = load(PACKAGE / "stands" / f"{name}.toml")
+        added = added_files(stand, generate_all(stand), ("batch" if batch else "encoder",))
+        for file, text in added.items():
             (tmp_path / file).write_text(text, encoding="ascii")
     (tmp_path / "snippet.c").write_text(block.text, encoding="utf-8")
     output = ["snippet.c", f"{name}.c", "-o", "main"] if "int main(" in block.text else ["-c", "snippet.c"]
