@@ -86,18 +86,20 @@ def commands_page() -> str:
     parts = [HEAD]
     for title, commands in SECTIONS.items():
         parts.append(f"## {title}\n\n")
-        for command in commands:
-            parts += help_texts(command, root)
+        for name in commands:
+            parts += help_texts(main, name, root)
     return "".join(parts).rstrip("\n") + "\n"
 
 
-def help_texts(command: click.Command, parent: click.Context) -> Iterator[str]:
-    """A command, then the commands that it groups."""
+def help_texts(group: click.Group, name: str, parent: click.Context) -> Iterator[str]:
+    """A command of a group, then the commands that it groups."""
+    command = group.get_command(parent, name)
+    assert command is not None
     context = click.Context(command, parent, command.name, max_content_width=WIDTH, terminal_width=WIDTH)
     yield f"### {context.command_path}\n\n```text\n{command.get_help(context)}\n```\n\n"
     if isinstance(command, click.Group):
-        for name in command.list_commands(context):
-            yield from help_texts(command.commands[name], context)
+        for inner in command.list_commands(context):
+            yield from help_texts(command, inner, context)
 
 
 def architecture_page() -> str:

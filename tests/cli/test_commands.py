@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import click
 import pytest
 
 from cli.run import BENCH8, process, refused, run
@@ -20,7 +21,7 @@ def test_help_fits_on_a_screen() -> None:
     lines = run("--help").output.splitlines()
     assert len(lines) <= 40
     assert all(len(line) <= 80 for line in lines)
-    for command in main.commands:
+    for command in main.list_commands(click.Context(main)):
         assert sum(line.startswith(f"  {command} ") and not line.endswith("...") for line in lines) == 1, command
 
 

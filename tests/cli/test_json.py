@@ -60,7 +60,10 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
 
 def commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, click.Command]]:
     """All commands, with the names of their groups before theirs."""
-    for each, command in group.commands.items():
+    context = click.Context(group)
+    for each in group.list_commands(context):
+        command = group.get_command(context, each)
+        assert command is not None
         if isinstance(command, click.Group):
             yield from commands(command, f"{name}{each} ")
         else:

@@ -6,7 +6,9 @@ import contextlib
 import os
 import sys
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from importlib import import_module
+from itertools import chain
 from typing import Any
 
 import click
@@ -15,6 +17,9 @@ from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
 from mahovik.out.cli.output import CLOSED, INTERRUPTED, print_failure
 from mahovik.out.functions.notices import MahovikWarning
+
+_MODULES = {"import": "import_model", "eval": "evaluate", "modes": "linear", "linearize": "linear"}
+"""Modules of this folder that have another name than their command."""
 
 INTERRUPTION = "error: interrupted; no file is half written"
 
@@ -64,28 +69,23 @@ def _warnings_as_lines() -> Iterator[None]:
 class Commands(click.Group):
     """A group whose commands end in `error: ...` lines and an exit status; no traceback for a user's mistake."""
 
-    def __init__(self, *given: Any, **more: Any) -> None:
+    def __init__(self, *given: Any, sections: Mapping[str, Sequence[str]] | None = None, **more: Any) -> None:
+        """`sections`: names of commands by heading, whose modules are imported when a command is asked for."""
         super().__init__(*given, **more)
-        self._sections: dict[str, list[str]] = {}
-
-    def add_section(self, title: str, commands: Iterable[click.Command]) -> None:
-        """Add commands, shown under this heading in the help."""
-        for command in commands:
-            self.add_command(command)
-            assert command.name is not None
-            self._sections.setdefault(title, []).append(command.name)
+        self._sections = sections or {}
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Section by section, one line per command; no empty lines between, so that all fit on a screen."""
         if not self._sections:
             super().format_commands(ctx, formatter)
             return
-        width = max(len(name) for name in self.commands)
+        width = max(map(len, self.list_commands(ctx)))
         for title, names in self._sections.items():
             formatter.write_heading(title)
             formatter.indent()
             limit = formatter.width - width - 6
-            formatter.write_dl([(n.ljust(width), self.commands[n].get_short_help_str(limit)) for n in names])
+            commands = [(name, self.get_command(ctx, name)) for name in names]
+            formatter.write_dl([(name.ljust(width), c.get_short_help_str(limit)) for name, c in commands if c])
             formatter.dedent()
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -126,12 +126,20 @@ class Commands(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Commands in the order of use."""
-        return list(self.commands)
+        return [*self.commands, *chain.from_iterable(self._sections.values())]
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """The command of a name, or None."""
+        if cmd_name not in chain.from_iterable(self._sections.values()):
+            return super().get_command(ctx, cmd_name)
+        module = import_module(f"{__package__}.{_MODULES.get(cmd_name, cmd_name.replace('-', '_'))}")
+        commands = (each for each in vars(module).values() if isinstance(each, click.Command))
+        return next(each for each in commands if each.name == cmd_name)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = args[0]
         if self.get_command(ctx, name) is None and not name.startswith("-"):
-            ctx.fail(f'no such command "{name}"{suggestion(name, self.commands)}')
+            ctx.fail(f'no such command "{name}"{suggestion(name, self.list_commands(ctx))}')
         return super().resolve_command(ctx, args)
