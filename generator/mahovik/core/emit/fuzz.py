@@ -197,7 +197,9 @@ class _Harness:
         taken = [a for a in f.arguments if a.name not in ("next", "table", "x")]
 
         def arguments_with(carry: str) -> str:
-            return ", ".join(self._argument_text(a, carry if a.optional else self._place(f, a)) for a in taken)
+            return ", ".join(
+                self._argument_text(a, carry if a.optional == "missing" else self._place(f, a)) for a in taken
+            )
 
         texts = {"given": arguments_with("plain_carry"), "given_logged": arguments_with("logged_carry")}
         return {"name": f.name, "draws": self._draws(f), **texts}
