@@ -7,243 +7,121 @@ from typing import Any
 
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.formula.derived import carrying as derived
-from mahovik.core.formula.derived import wrench as derived_wrench
 from mahovik.core.lower import hold
-from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import assign
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Place, Status, integer, real, unequal
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.lower.symbolic import formula
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import OK, Reals, argument, body, changed, inline, reals, result
 
 
-def carry(lib: Library) -> Function:
-    """One harmonic of Theta(phi) to E1 about O1: L0 Theta L0^T, and the moment part of L0 Theta f."""
-    m = Argument("m", Kind.REAL, unit="kg", purpose="mass; 0 for harmonics 1 and 2")
-    b = Argument("b", Kind.REAL, (3,), unit="kg m", purpose="first moment in mounting axes")
-    J_own = Argument("J", Kind.REAL, (6,), unit="kg m2", purpose="about the body's origin")
-    O = Argument("O", Kind.REAL, (3,), unit="m", purpose="the body's origin in E1")
-    R = Argument("R", Kind.REAL, (9,), purpose="its axes in E1")
-    mu = Argument("mu", Kind.REAL, (3,), "out", "kg m", "first moment about O1")
-    J = Argument("J1", Kind.REAL, (6,), "out", "kg m2", "about O1")
-    spins = Argument("spins", Kind.INT, purpose="0: t is not wanted")
-    t = Argument("t", Kind.REAL, (3,), "out", "kg m2", "moment part of I for a spin about the first axis")
-    body = Body()
-    b1 = body.local("b1", (3,), comment="R b")
-    RJ = body.local("RJ", (9,), comment="R J")
-    Jr = body.local("Jr", (6,), comment="R J R^T")
-    assign(body, list(b1), derived_wrench.rotated(), {"C": R.place, "a": b.place})
-    first, second = derived.rotated_tensor()
-    assign(body, list(RJ), first, {"R": R.place, "J": J_own.place})
-    assign(body, list(Jr), second, {"R": R.place, "RJ": RJ})
-    body.note("T Theta T^T: about O1")
-    moved_mu, moved_J = derived.shifted_inertia()
-    binding: dict[str, Any] = {"m": m.place, "b": b1, "J": Jr, "O": O.place, "mu": mu.place}
-    assign(body, list(mu.place), moved_mu, binding)
-    assign(body, list(J.place), moved_J, binding)
-    axis = [R.place[0], R.place[3], R.place[6]]
-    moment = derived.spin_momentum()
-    with body.when(unequal(spins.place, integer(0))):
-        assign(body, list(t.place), moment, binding | {"axis": axis})
-    return Function(
-        "carry",
-        "Carries one harmonic of a spatial inertia from a body's frame to E1 about O1.",
-        (m, b, J_own, O, R, mu, J, spins, t),
-        body.statements,
-        equation="(2)",
-    )
+@dataclass(frozen=True)
+class Work:
+    """Locals of prepare: sums of the constant parts, and scratch of one body; see their comments there."""
+
+    mass: Any
+    first_moment: Any
+    inertia: Any
+    weight_mass: Any
+    displaced: Any
+    O: Any
+    R: Any
+    b: Any
+    mu: Any
+    J1: Any
+    t: Any
 
 
-@dataclass
-class _Totals:
-    """Places where the constant parts are summed up."""
+def add_carry(lib: Library) -> None:
+    """Adds one harmonic of Theta(phi) to E1 about O1: L0 Theta L0^T, and the moment part of L0 Theta f."""
 
-    mass: Place
-    mu: Place
-    J: Place
-    weight_mass: Place | None
-    displaced: Place | None
-
-
-def prepare(lib: Library) -> Function:
-    """The whole table except the laws of the wrenches."""
-    layout = lib.layout
-    parameters = Argument("parameters", layout.parameters, purpose="masses, inertias, mountings")
-    table = Argument(
-        "table",
-        layout.table,
-        (),
-        "inout",
-        purpose="start with a copy of the default; its laws (gravity, damping, ...) are kept",
-    )
-    p, out = parameters.place, table.place
-    body = Body()
-    lib.check(body, "check_parameters", p)
-    body.note("all checks passed: from here on the table is written and nothing can fail")
-    totals = _start(layout, body)
-    body.note("carrier: its frame is E1")
-    origin = body.local("O", (3,), comment="origin of a body in E1")
-    R = body.local("R", (9,), comment="axes of a body in E1")
-    b = body.local("b", (3,), comment="first moment in the body's frame")
-    mu = body.local("mu", (3,))
-    J1 = body.local("J1", (6,))
-    t = body.local("t", (3,))
-    work = _Work(lib, body, totals, origin, R, b, mu, J1, t)
-    identity = (1, 0, 0, 0, 1, 0, 0, 0, 1)
-    for i in range(3):
-        body.set(origin[i], real(0))
-    for i in range(9):
-        body.set(R[i], real(identity[i]))
-    work.fill_fixed_body(p.carrier)
-    if layout.instruments:
-        _instruments(lib, work, p)
-    if layout.flywheels:
-        _flywheels(lib, work, p, out)
-    if layout.added_mass:
-        body.call(lib["translation_block"], p, totals.mass, out.A, out.A_inv)
-        for i in range(3):
-            for j in range(3):
-                body.set(out.G[3 * i + j], p.added_mass[i + 3][j])
-        for k, (i, j) in enumerate(SYMMETRIC):
-            body.add(totals.J[k], p.added_mass[i + 3][j + 3])
-    body.set(out.mass, totals.mass)
-    body.set(out.mass_inverse, 1 / totals.mass)
-    body.copy_array(out.first_moment, totals.mu)
-    body.copy_array(out.inertia, totals.J)
-    if layout.along:
-        hold.prepare_constant.put_into(body, lib, out)
-    if totals.weight_mass is not None and totals.displaced is not None:
-        body.set(out.weight_mass, totals.weight_mass)
-        body.copy_array(out.displaced_moment, totals.displaced)
-    if layout.own:
-        _frames(lib, work, p, out)
-    if layout.sensors:
-        _sensors(lib, work, p, out)
-    body.ret(Status("OK"))
-    return Function(
-        "prepare",
-        "Makes the table of a stand from masses, centres of mass, inertias and mountings.",
-        (parameters, table),
-        body.statements,
-        equation="(2)",
-        returns=Kind.STATUS,
-        statuses=lib["check_parameters"].statuses,
-        notes=(
-            "The generator makes the default table by the same operations: the default parameters give its bits.",
-            "Also returns RANGE if a mass is negative or an axis has no direction.",
-            "NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are "
-            "negative or break the triangle inequality"
-            + (", added mass that is not symmetric and positive semidefinite" if layout.added_mass else "")
-            + f" (to {lib.thresholds.unphysical:g} of the largest element)"
-            + ("; a flywheel without spin inertia" if layout.flywheels else "")
-            + "; no mass at all.",
-        ),
-        public=True,
-    )
+    @lib.kernel(equation="(2)")
+    def carry(
+        m: float = argument("mass; 0 for harmonics 1 and 2", unit="kg"),
+        b: Reals = argument("first moment in mounting axes", 3, unit="kg m"),
+        J: Reals = argument("about the body's origin", 6, unit="kg m2"),
+        O: Reals = argument("the body's origin in E1", 3, unit="m"),
+        R: Reals = argument("its axes in E1", 9),
+        mu: Reals = result("first moment about O1", 3, unit="kg m"),
+        J1: Reals = result("about O1", 6, unit="kg m2"),
+        spins: int = argument("0: t is not wanted"),
+        t: Reals = result("moment part of I for a spin about the first axis", 3, unit="kg m2"),
+    ) -> None:
+        """Carries one harmonic of a spatial inertia from a body's frame to E1 about O1."""
+        b1 = reals(3)  # R b
+        RJ = reals(9)  # R J
+        Jr = reals(6)  # R J R^T
+        b1[:] = R @ b
+        first, second = derived.rotated_tensor()
+        RJ[:] = formula(first, R=R, J=J)
+        Jr[:] = formula(second, R=R, RJ=RJ)
+        # T Theta T^T: about O1
+        moved_mu, moved_J = derived.shifted_inertia()
+        mu[:] = formula(moved_mu, m=m, b=b1, O=O)
+        J1[:] = formula(moved_J, m=m, b=b1, J=Jr, O=O, mu=mu)
+        if spins != 0:
+            t[:] = formula(derived.spin_momentum(), b=b1, J=Jr, O=O, axis=R[0::3])
 
 
-def _start(layout: Layout, body: Body) -> _Totals:
-    mass = body.local("mass")
-    mu = body.local("first_moment", (3,))
-    J = body.local("inertia", (6,))
-    body.set(mass, real(0))
-    for element in (*mu, *J):
-        body.set(element, real(0))
-    if not layout.displaces:
-        return _Totals(mass, mu, J, None, None)
-    weight_mass = body.local("weight_mass")
-    displaced = body.local("displaced", (3,))
-    body.set(weight_mass, real(0))
-    for element in displaced:
-        body.set(element, real(0))
-    return _Totals(mass, mu, J, weight_mass, displaced)
+@inline
+def fill_fixed_body(lib: Library, work: Any, part: Any) -> None:
+    """A body that does not turn: its origin and axes are set."""
+    work.b[:] = part.mass * part.center_of_mass
+    lib["carry"](part.mass, work.b, part.inertia, work.O, work.R, work.mu, work.J1, 0, work.t)
+    add_to_sums(work, part.mass)
+    fill_displaced_mass(lib, work, part, None)
 
 
-@dataclass
-class _Work:
-    """Scratch variables of prepare, and the steps common to all bodies."""
-
-    lib: Library
-    body: Body
-    totals: _Totals
-    origin: Place
-    R: Place
-    b: Place
-    mu: Place
-    J1: Place
-    t: Place
-
-    def first_moment(self, b: Place) -> None:
-        """b = m rc."""
-        for i in range(3):
-            self.body.set(self.b[i], b.mass * b.center_of_mass[i])
-
-    def add(self, mass: Expr) -> None:
-        """Adds mu, J1 to the constant part."""
-        self.body.add(self.totals.mass, mass)
-        for i in range(3):
-            self.body.add(self.totals.mu[i], self.mu[i])
-        for i in range(6):
-            self.body.add(self.totals.J[i], self.J1[i])
-
-    def fill_fixed_body(self, b: Place) -> None:
-        """A body that does not turn: origin and R are set."""
-        self.first_moment(b)
-        args = (b.mass, self.b, b.inertia, self.origin, self.R, self.mu, self.J1, integer(0), self.t)
-        self.body.call(self.lib["carry"], *args)
-        self.add(b.mass)
-        self.fill_displaced_mass(b, None)
-
-    def fill_displaced_mass(self, b: Place, row: Place | None) -> None:
-        """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
-        if self.totals.weight_mass is None or self.totals.displaced is None:
-            return
-        if row is not None and not self.lib.layout.flywheel_displaces:
-            self.body.add(self.totals.weight_mass, b.mass)
-            return
-        body, R, center = self.body, self.R, b.displaced_center
-        body.add(self.totals.weight_mass, b.mass - b.displaced_mass)
-        for i in range(3):
-            turning = R[3 * i + 1] * center[1] + R[3 * i + 2] * center[2]
-            along = R[3 * i] * center[0]
-            if row is None:
-                body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + (along + turning)))
-                continue
-            body.add(self.totals.displaced[i], b.displaced_mass * (self.origin[i] + along))
-            back = R[3 * i + 2] * center[1] - R[3 * i + 1] * center[2]
-            body.set(row.displaced_c[i], b.displaced_mass * turning)
-            body.set(row.displaced_s[i], b.displaced_mass * back)
-
-    def place_instrument(self, q: Place) -> None:
-        """origin and R of an instrument."""
-        self.body.call(self.lib["frame_of_axes"], q.axis, q.zero, self.R)
-        self.body.copy_array(self.origin, q.position)
+@inline
+def add_to_sums(work: Any, mass: Any) -> None:
+    """Adds mu, J1 to the constant part."""
+    work.mass += mass
+    work.first_moment += work.mu
+    work.inertia += work.J1
 
 
-def _instruments(lib: Library, work: _Work, p: Place) -> None:
-    body = work.body
-    body.note("instruments")
-    with body.loop("k", lib.layout.instruments) as k:
-        q = p.instrument[k]
-        work.place_instrument(q)
-        work.fill_fixed_body(q.body)
+@inline
+def fill_displaced_mass(lib: Library, work: Any, part: Any, row: Any) -> None:
+    """Displaced mass and its first moment about O1; the turning part of a flywheel's goes to its row."""
+    if not lib.layout.displaces:
+        return
+    if row is not None and not lib.layout.flywheel_displaces:
+        work.weight_mass += part.mass
+        return
+    O, R, center, displaced_mass = work.O, work.R, part.displaced_center, part.displaced_mass
+    work.weight_mass += part.mass - displaced_mass
+    for i in list(range(3)):
+        if row is None:
+            work.displaced[i] += displaced_mass * (
+                O[i] + (R[3 * i] * center[0] + (R[3 * i + 1] * center[1] + R[3 * i + 2] * center[2]))
+            )
+        else:
+            work.displaced[i] += displaced_mass * (O[i] + R[3 * i] * center[0])
+            row.displaced_c[i] = displaced_mass * (R[3 * i + 1] * center[1] + R[3 * i + 2] * center[2])
+            row.displaced_s[i] = displaced_mass * (R[3 * i + 2] * center[1] - R[3 * i + 1] * center[2])
 
 
-def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
+@inline
+def place_instrument(lib: Library, work: Any, instrument: Any) -> None:
+    """Origin and axes of an instrument, whose numbers have been checked."""
+    body().do(lib["frame_of_axes"](instrument.axis, instrument.zero, work.R))
+    work.O[:] = instrument.position
+
+
+def place(lib: Library, work: Any, parameters: Any, part: Any, function: str = "place_flywheel") -> None:
+    """Origin and axes of a flywheel or point, whose numbers have been checked."""
+    body().do(lib[function](parameters, part, work.O, work.R))
+
+
+@inline
+def prepare_flywheels(lib: Library, work: Any, parameters: Any, table: Any) -> None:
     """Every flywheel: its constant part to the totals, its harmonics to its row."""
-    body = work.body
-    body.note("flywheels: constant part to the totals, harmonics to the row")
-    with body.loop("s", lib.layout.count) as s:
-        w = p.flywheel[s]
-        row = out.flywheel[s]
-        _place(lib, body, p, w, work)
-        work.first_moment(w.body)
-        parts = derived.harmonics()
-        binding = {"b": work.b, "J": w.body.inertia, "m": w.body.mass}
-        half = body.local("bh", (3,), comment="first moment of one harmonic, in mounting axes")
-        Jh = body.local("Jh", (6,), comment="its inertia")
+    # flywheels: constant part to the totals, harmonics to the row
+    for s in range(lib.layout.count):
+        w, row = parameters.flywheel[s], table.flywheel[s]
+        place(lib, work, parameters, w)
+        work.b[:] = w.body.mass * w.body.center_of_mass
+        bh = reals(3)  # first moment of one harmonic, in mounting axes
+        Jh = reals(6)  # its inertia
         for name, mu, J, t in (
             ("0", work.mu, work.J1, row.t_0),
             ("c", row.mu_c, row.J_c, row.t_c),
@@ -251,56 +129,117 @@ def _flywheels(lib: Library, work: _Work, p: Place, out: Place) -> None:
             ("2c", work.mu, row.J_2c, work.t),
             ("2s", work.mu, row.J_2s, work.t),
         ):
-            part = parts[name]
-            body.note(f"harmonic {name} of Theta(phi)")
-            assign(body, list(half), part.b, binding)
-            assign(body, list(Jh), part.J, binding)
-            mass: Expr = w.body.mass if name == "0" else real(0)
-            spins = integer(0 if t is work.t else 1)
-            body.call(lib["carry"], mass, half, Jh, work.origin, work.R, mu, J, spins, t)
+            part = derived.harmonics()[name]
+            body().note(f"harmonic {name} of Theta(phi)")
+            bh[:] = formula(part.b, b=work.b, J=w.body.inertia, m=w.body.mass)
+            Jh[:] = formula(part.J, b=work.b, J=w.body.inertia, m=w.body.mass)
+            mass, spins = w.body.mass if name == "0" else 0, 0 if t is work.t else 1
+            lib["carry"](mass, bh, Jh, work.O, work.R, mu, J, spins, t)
             if name == "0":
-                work.add(w.body.mass)
-        body.set(row.spin, w.body.inertia[0])
-        body.set(row.spin_inv, 1 / w.body.inertia[0])
-        body.set(row.spin_root_inv, 1 / lib["sqrt"](w.body.inertia[0]))
-        work.fill_displaced_mass(w.body, row)
+                add_to_sums(work, w.body.mass)
+        row.spin = w.body.inertia[0]
+        row.spin_inv = 1 / w.body.inertia[0]
+        row.spin_root_inv = 1 / lib["sqrt"](w.body.inertia[0])
+        fill_displaced_mass(lib, work, w.body, row)
         if lib.layout.along:
-            hold.prepare_row.put_into(body, lib, out, row)
+            hold.prepare_row(lib, table, row)
 
 
-def _place(lib: Library, body: Body, p: Place, w: Place, work: _Work, function: str = "place_flywheel") -> None:
-    named = {"parameters": p, "w": w, "O": work.origin, "R": work.R}
-    body.call(lib[function], *lib.arguments_of(function, **named))
+@inline
+def prepare_poses(lib: Library, work: Any, parameters: Any, table: Any) -> None:
+    """Frames of the bodies that have wrenches in them; poses of instruments, then points."""
+    layout = lib.layout
+    if layout.own:
+        # frames of the bodies with wrenches of their own
+        for k in range(len(layout.own)):
+            frame = table.frame[k]
+            if layout.own_turning and frame.flywheel >= 0:
+                place(lib, work, parameters, parameters.flywheel[frame.flywheel])
+            if layout.own_fixed and frame.instrument >= 0:
+                place_instrument(lib, work, parameters.instrument[frame.instrument])
+            frame.origin[:] = work.O
+            frame.axes[:] = work.R
+    if layout.sensors:
+        # poses of instruments and points
+        if layout.instruments:
+            for k in range(layout.instruments):
+                place_instrument(lib, work, parameters.instrument[k])
+                table.sensor[k].origin[:] = work.O
+                table.sensor[k].axes[:] = work.R
+        if layout.structure.points:
+            for k in range(len(layout.structure.points)):
+                place(lib, work, parameters, parameters.point[k], "place_point")
+                sensor = table.sensor[k + layout.instruments]
+                sensor.origin[:] = work.O
+                sensor.axes[:] = work.R
 
 
-def _sensors(lib: Library, work: _Work, p: Place, out: Place) -> None:
-    """Poses of instruments, then points."""
-    layout, body = lib.layout, work.body
-    body.note("poses of instruments and points")
-    if layout.instruments:
-        with body.loop("k", layout.instruments) as k:
-            work.place_instrument(p.instrument[k])
-            body.copy_array(out.sensor[k].origin, work.origin)
-            body.copy_array(out.sensor[k].axes, work.R)
-    if layout.structure.points:
-        with body.loop("k", len(layout.structure.points)) as k:
-            _place(lib, body, p, p.point[k], work, "place_point")
-            sensor = out.sensor[k + layout.instruments] if layout.instruments else out.sensor[k]
-            body.copy_array(sensor.origin, work.origin)
-            body.copy_array(sensor.axes, work.R)
+def add_prepare(lib: Library) -> None:
+    """Adds the whole table except the laws of the wrenches."""
+    layout = lib.layout
+    notes = (
+        "The generator makes the default table by the same operations: the default parameters give its bits.",
+        "Also returns RANGE if a mass is negative or an axis has no direction.",
+        "NOT_POSITIVE_DEFINITE: no such body exists. Moments of inertia about the centre of mass are "
+        "negative or break the triangle inequality"
+        + (", added mass that is not symmetric and positive semidefinite" if layout.added_mass else "")
+        + f" (to {lib.thresholds.unphysical:g} of the largest element)"
+        + ("; a flywheel without spin inertia" if layout.flywheels else "")
+        + "; no mass at all.",
+    )
+    kept = "start with a copy of the default; its laws (gravity, damping, ...) are kept"
 
-
-def _frames(lib: Library, work: _Work, p: Place, out: Place) -> None:
-    """Poses of the bodies that have wrenches in their own frame."""
-    layout, body = lib.layout, work.body
-    body.note("frames of the bodies with wrenches of their own")
-    with body.loop("k", len(layout.own)) as k:
-        frame = out.frame[k]
-        if layout.own_turning:
-            with body.when(frame.flywheel >= 0):
-                _place(lib, body, p, p.flywheel[frame.flywheel], work)
-        if layout.own_fixed:
-            with body.when(frame.instrument >= 0):
-                work.place_instrument(p.instrument[frame.instrument])
-        body.copy_array(frame.origin, work.origin)
-        body.copy_array(frame.axes, work.R)
+    @lib.kernel(equation="(2)", statuses=lib["check_parameters"].statuses, notes=notes, public=True)
+    def prepare(
+        parameters: Any = argument("masses, inertias, mountings", struct=layout.parameters),
+        table: Any = changed(kept, struct=layout.table),
+    ) -> Status:
+        """Makes the table of a stand from masses, centres of mass, inertias and mountings."""
+        lib["check_parameters"](parameters)
+        # all checks passed: from here on the table is written and nothing can fail
+        mass = reals()
+        first_moment = reals(3)
+        inertia = reals(6)
+        mass = 0
+        first_moment[:] = [0] * 3
+        inertia[:] = [0] * 6
+        weight_mass, displaced = None, None
+        if layout.displaces:
+            weight_mass = reals()
+            displaced = reals(3)
+            weight_mass = 0
+            displaced[:] = [0] * 3
+        # carrier: its frame is E1
+        O = reals(3)  # origin of a body in E1
+        R = reals(9)  # axes of a body in E1
+        b = reals(3)  # first moment in the body's frame
+        mu = reals(3)
+        J1 = reals(6)
+        t = reals(3)
+        work = Work(mass, first_moment, inertia, weight_mass, displaced, O, R, b, mu, J1, t)
+        O[:] = [0] * 3
+        R[:] = [1, 0, 0, 0, 1, 0, 0, 0, 1]
+        fill_fixed_body(lib, work, parameters.carrier)
+        if layout.instruments:
+            # instruments
+            for k in range(layout.instruments):
+                place_instrument(lib, work, parameters.instrument[k])
+                fill_fixed_body(lib, work, parameters.instrument[k].body)
+        if layout.flywheels:
+            prepare_flywheels(lib, work, parameters, table)
+        if layout.added_mass:
+            added = parameters.added_mass
+            body().call(lib["translation_block"], parameters, mass, table.A, table.A_inv)
+            table.G[:] = [added[i + 3][j] for i in range(3) for j in range(3)]
+            inertia += [added[i + 3][j + 3] for i, j in SYMMETRIC]
+        table.mass = mass
+        table.mass_inverse = 1 / mass
+        table.first_moment[:] = first_moment
+        table.inertia[:] = inertia
+        if layout.along:
+            hold.prepare_constant(lib, table)
+        if layout.displaces:
+            table.weight_mass = weight_mass
+            table.displaced_moment[:] = displaced
+        prepare_poses(lib, work, parameters, table)
+        return OK

@@ -193,7 +193,7 @@ def _add_prepare(lib: Library) -> None:
     """`prepare`, and what it needs."""
     layout = lib.layout
     placement.add_frame_of_axes(lib)
-    lib.add(prepare.carry(lib))
+    prepare.add_carry(lib)
     if layout.along:
         if "project_mass" not in lib:
             lib.add(hold.project_mass(lib))
@@ -210,7 +210,7 @@ def _add_prepare(lib: Library) -> None:
     if layout.added_mass:
         parameters.add_added_mass(lib)
     parameters.add_check_parameters(lib)
-    lib.add(prepare.prepare(lib))
+    prepare.add_prepare(lib)
 
 
 def _add_others(lib: Library) -> None:
