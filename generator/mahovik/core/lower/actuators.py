@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.run_time_input import RunTimeInput
-from mahovik.core.program.build import Body
-from mahovik.core.program.expression import Const
-from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Status, real
+from mahovik.core.program.kernel import OK, body
 from mahovik.core.stand.structure_facts import Structure
 
 
@@ -20,21 +20,17 @@ def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:
 
 
 def add_check(lib: Library) -> None:
-    """Adds `check_actuators`, where the stand has such inputs."""
-    if run_time_inputs(lib.layout.structure):
-        lib.add(check_actuators(lib))
+    """Adds `check_actuators`, where the stand has such inputs: NOT_FINITE or RANGE where one is none or too large."""
+    inputs = run_time_inputs(lib.layout.structure)
+    if not inputs:
+        return
 
+    limits = [lib.limit(each.limit) if isinstance(each.limit, str) else real(each.limit) for each in inputs]
 
-def check_actuators(lib: Library) -> Function:
-    """NOT_FINITE or RANGE where an input in the table is no number or too large."""
-    table = lib.table_argument()
-    body, inputs = Body(), run_time_inputs(lib.layout.structure)
-    for each in inputs:
-        limit = lib.limits[each.limit].expression if isinstance(each.limit, str) else Const(each.limit, Kind.REAL)
-        with body.loop("k", each.count) as k:
-            lib.check_number(body, table.place.member(each.array)[k].member(each.member), limit)
-    return body.checked_function(
-        "check_actuators",
-        f"Are {', '.join(each.words for each in inputs)} finite and in their ranges?",
-        (table,),
-    )
+    @lib.kernel(purpose=f"Are {', '.join(each.words for each in inputs)} finite and in their ranges?")
+    def check_actuators(table: Any = lib.table) -> Status:
+        """Are inputs of laws in their ranges?"""
+        for each, limit in zip(inputs, limits, strict=True):
+            for k in range(each.count):
+                lib.check_number(body(), table.member(each.array)[k].member(each.member), limit)
+        return OK
