@@ -108,6 +108,11 @@ def law(row: int, factors: tuple[int, ...], rate: bool = True) -> Unit:
     return coefficient(row, len(factors) - turning, turning, len(factors) if rate else 0)
 
 
+def stiffness(row: int, column: int) -> Unit:
+    """Unit of an element of a 6x6 stiffness."""
+    return law(row, (column,), rate=False)
+
+
 def coefficient(row: int, lengths: int, angles: int, seconds: int) -> Unit:
     """Unit of the coefficient of a wrench's component: wrench over m^lengths rad^angles, times s^seconds."""
     left = (row >= 3) - lengths  # metres of the coefficient, beside the newton

@@ -6,7 +6,8 @@ from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, declared
-from mahovik.core.program.kernel import OK, RANGE, Reals, Status, argument, reals
+from mahovik.core.program.expression import Status
+from mahovik.core.program.kernel import OK, RANGE, Reals, argument, reals
 from mahovik.core.program.types import Struct
 from mahovik.core.program.vector import cross, dot
 from mahovik.core.stand.model import Stand

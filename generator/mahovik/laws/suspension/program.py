@@ -49,11 +49,9 @@ class SuspensionProgram(CarrierProgram):
     def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Elements of both matrices and of the equilibrium."""
         stiffness, damping, position, _ = SUSPENSION.fields
-        for f in (stiffness, damping):
+        for f, unit in ((stiffness, units.stiffness), (damping, lambda i, j: units.law(i, (j,)))):
             text = f"{f.name} of the suspension, wrench on the carrier at O1 in E1"
-            rate = f is damping
-            given = member(value, f.name)
-            yield from matrix(f"suspension.{f.name}", f, given, lambda i, j, rate=rate: units.law(i, (j,), rate), text)
+            yield from matrix(f"suspension.{f.name}", f, member(value, f.name), unit, text)
         given = member(value, "position")
         yield from vector("suspension.position", position, given, f"suspension: {position.comment}")
         for i, number in enumerate(member(value, "attitude")):

@@ -1,0 +1,1 @@
+"""Folders of laws that are not in the package, for `with_tug`."""

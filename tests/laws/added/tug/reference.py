@@ -1,0 +1,21 @@
+"""The force of a body, literally."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from mahovik.core.stand.model import Body
+from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import BodyReference
+from mahovik.proof.reference.screw import force_at
+
+from .law import Tug  # noqa: TID252  # its package is that of the laws
+
+
+def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """The force (6; N, N m) at the origin; none where there is none."""
+    law = body.law(Tug)
+    return {} if law is None else {"tug": force_at(vector(law.force), np.zeros(3))}
+
+
+LAW = BodyReference(wrenches)

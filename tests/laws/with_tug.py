@@ -1,0 +1,39 @@
+"""Judges a stand with a law that is no part of the package: as a program, this adds its folder and its row."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+import mahovik.laws
+from mahovik.contract import laws as rows
+
+mahovik.laws.__path__.append(str(Path(__file__).parent / "added"))
+rows.BODY_LAWS += ("tug",)  # type: ignore[assignment]  # the row
+
+from mahovik.core.stand import dumps, identities, loads  # noqa: E402
+from mahovik.core.stand.laws import body_laws  # noqa: E402
+from mahovik.core.stand.numbers import StandNumbers  # noqa: E402
+from mahovik.core.stand.random import Features, random_stand  # noqa: E402
+from mahovik.core.stand.toml import parse  # noqa: E402
+from mahovik.proof.second import Second  # noqa: E402
+from mahovik.proof.verify.c_backend import InterpreterBackend  # noqa: E402
+from mahovik.proof.verify.draw import draw  # noqa: E402
+from mahovik.proof.verify.harness import judge  # noqa: E402
+from mahovik.use.control.mismatch import with_mismatch  # noqa: E402
+from verify.build import generated  # noqa: E402
+
+if __name__ == "__main__":
+    tug = body_laws()[-1]
+    stand = random_stand(np.random.default_rng(2), 2, Features(instruments=1, gravity=True, flow=True))
+    assert identities(loads(dumps(stand))) == identities(stand)
+    assert len(tug.of(stand)) == 4
+    without = replace(stand, carrier=stand.carrier.without_laws(tug))
+    assert identities(stand).physics != identities(without).physics
+    assert "carrier.tug.force[2]" in {each.path for each in StandNumbers(stand, parse(dumps(stand)))}
+    assert with_mismatch(stand, 0.01, 1).carrier.law(tug) != stand.carrier.law(tug)
+    backend = InterpreterBackend(generated(stand))
+    checks = judge(stand, backend, draw(stand, 3, 5, wrenches=False), ("forward", "torque"), second=Second(stand))
+    print(*(check.words for check in checks if check.failed), "judged", sep="\n")
