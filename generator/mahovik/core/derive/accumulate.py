@@ -115,8 +115,3 @@ def columns() -> Columns:
     t = vector("t_0") + vector("t_c") * cos + vector("t_s") * sin
     column = mu.diff(phi).col_join(t)
     return Columns(column.subs(names), column.diff(phi).subs(names))
-
-
-def reaction() -> sp.Matrix:
-    """-I_s: contribution of a unit of phi'' to the right-hand side of (8)."""
-    return -columns().I

@@ -44,11 +44,6 @@ def spin_products() -> sp.Matrix:
     return sp.Matrix([sp.expand(energy).coeff(x) for x in J])
 
 
-def turned_spin() -> sp.Matrix:
-    """J' omega: half of it times omega is the torque of a rotating carrier on an asymmetric flywheel."""
-    return symmetric("J_p") * vector("omega")
-
-
 def origin_acceleration(weight: bool) -> sp.Matrix:
     """omega x v - g: acceleration of O1 at V* = 0, as a pendulum feels it."""
     found = cross(vector("omega")) * vector("v")

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 FILE = Path(__file__).with_name("derived.json")
 
 MODULES = (
-    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor", "sensitivity"),
+    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor"),
     "wrench",
 )
 """Modules of derive/ that give formulas."""
@@ -96,17 +96,16 @@ if TYPE_CHECKING:
         motion,
         point,
         regressor,
-        sensitivity,
         wrench,
     )
 else:
-    accumulate, attitude, carrier, carrying, drive, hold, motion, point, regressor, sensitivity, wrench = (
+    accumulate, attitude, carrier, carrying, drive, hold, motion, point, regressor, wrench = (
         FormulaModule(f"core.derive.{name}") for name in MODULES
     )
 
 __all__ = [
     "FILE", "MODULES", "Formula", "FormulaModule", "Matrix", "accumulate", "attitude", "carrier", "carrying", "drive",
-    "hold", "key", "motion", "omitting", "point", "regressor", "sensitivity", "wrench",
+    "hold", "key", "motion", "omitting", "point", "regressor", "wrench",
 ]  # fmt: skip
 
 

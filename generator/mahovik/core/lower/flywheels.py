@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 from mahovik.core.formula.derived import accumulate as derived
@@ -125,6 +126,20 @@ def weights(s: float, c: float, w: float, a: Any = None) -> Any:
     return c2, s2, dc, ds, dc2, ds2, ddc, dds
 
 
+def terms_of(row: Any, s: float, c: float, w: float, a: Any, factors: Sequence[Any]) -> Any:
+    """What a row gives to each of the sums, for the speed w, the acceleration a, and `weights` at the phase."""
+    c2, s2, dc, ds, dc2, ds2, ddc, dds = factors
+    return SimpleNamespace(
+        mu=row.mu_c * c + row.mu_s * s,
+        mu_dot=row.mu_c * dc + row.mu_s * ds,
+        J=row.J_2c * c2 + row.J_2s * s2 + row.J_c * c + row.J_s * s,
+        J_dot=row.J_2c * dc2 + row.J_2s * ds2 + row.J_c * dc + row.J_s * ds,
+        h_rel=row.t_c * ds + w * row.t_0 - row.t_s * dc,
+        g_rel=row.t_c * dds + (0 if a is None else a) * row.t_0 - row.t_s * ddc,
+        a_rel=row.mu_c * ddc + row.mu_s * dds,
+    )
+
+
 @inline
 def start(table: Any, sums: Any, names: Sequence[str]) -> None:
     """The sums of these names without flywheels: carrier, instruments, the constant part of the flywheels."""
@@ -169,21 +184,23 @@ def sum_mass(lib: Library, apart: bool = False) -> Function:
             s = sine[k]
             c = cosine[k]
             w = phi_dot[k]
-            c2, s2, dc, ds, dc2, ds2, _, _ = weights(s, c, w)
+            factors = weights(s, c, w)
+            terms = terms_of(row, s, c, w, None, factors)
             if short:
+                c2, s2, dc, ds, dc2, ds2, _, _ = factors
                 # inertia
                 for i in range(6):
                     sum_.J[i] += row.J_2c[i] * c2 + row.J_2s[i] * s2 + row.J_c[i] * c + row.J_s[i] * s
                     sum_.J_dot[i] += row.J_2c[i] * dc2 + row.J_2s[i] * ds2 + row.J_c[i] * dc + row.J_s[i] * ds
             else:
                 # inertia
-                sum_.J += row.J_2c * c2 + row.J_2s * s2 + row.J_c * c + row.J_s * s
+                sum_.J += terms.J
                 # its rate: K_dot of (6)
-                sum_.J_dot += row.J_2c * dc2 + row.J_2s * ds2 + row.J_c * dc + row.J_s * ds
+                sum_.J_dot += terms.J_dot
             # first moment and its rate
-            sum_.mu += row.mu_c * c + row.mu_s * s
+            sum_.mu += terms.mu
             if not apart:
-                sum_.mu_dot += row.mu_c * dc + row.mu_s * ds
+                sum_.mu_dot += terms.mu_dot
 
     return sum_mass
 
@@ -220,18 +237,16 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
             c = cosine[k]
             w = phi_dot[k]
             a = None if steady else phi_ddot[k]
-            _, _, dc, ds, _, _, ddc, dds = weights(s, c, w, a)
+            terms = terms_of(row, s, c, w, a, weights(s, c, w, a))
             for name in names:
-                if name == "mu_dot":
-                    sum_.mu_dot += row.mu_c * dc + row.mu_s * ds
-                elif name == "h_rel":
+                if name == "h_rel":
                     # moment part of I phi' (its force part is mu_dot)
-                    sum_.h_rel += row.t_c * ds + w * row.t_0 - row.t_s * dc
-                elif name == "g_rel":
-                    sum_.g_rel += row.t_c * dds + (0 if steady else a) * row.t_0 - row.t_s * ddc
-                else:
+                    sum_.h_rel += terms.h_rel
+                elif name == "a_rel":
                     # I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)
-                    sum_.a_rel += row.mu_c * ddc + row.mu_s * dds
+                    sum_.a_rel += terms.a_rel
+                else:
+                    sum_.member(name)[:] += getattr(terms, name)
 
     return sum_spin
 

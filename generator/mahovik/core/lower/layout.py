@@ -309,13 +309,13 @@ class Layout(Tables):
         return Struct(f"inverse_{task.name}_result", f"Result of inverse_{task.name} and its quality.", fields)
 
     @property
-    def _moved(self) -> tuple[str, str, str, int]:
+    def moved(self) -> tuple[str, str, str, int]:
         """What Jacobians are of: names of its rate and of itself, the symbol of the rate, how many numbers it has."""
         return ("u_dot", "u", "u*", self.freedoms) if self.held else ("V_dot", "V", "V*", 6)
 
     @cached_property
     def forward_jacobian_result(self) -> Struct:
-        rate, speed, of, rows = self._moved
+        rate, speed, of, rows = self.moved
         fields = [Field(f"{rate}_{speed}", REAL, (rows, rows), "", f"of {of} by {speed}: row i, column j")]
         words = {"phi": f"of {of} by the phases", "phi_dot": "by the speeds", "phi_ddot": "by the accelerations"}
         for by, text in words.items() if self.flywheels else ():
@@ -324,7 +324,7 @@ class Layout(Tables):
 
     @cached_property
     def coupled_jacobian_result(self) -> Struct:
-        (rate, speed, of, rows), n = self._moved, self.count
+        (rate, speed, of, rows), n = self.moved, self.count
         fields = (
             Field(f"{rate}_{speed}", REAL, (rows, rows), "", f"of {of} by {speed}: row i, column j"),
             Field(f"{rate}_phi", REAL, (rows, n), "", f"of {of} by the phases"),

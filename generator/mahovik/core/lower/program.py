@@ -20,7 +20,6 @@ from mahovik.core.lower import (
     flywheels,
     forward,
     held_coordinates,
-    held_jacobian,
     hold,
     identify_step,
     inverse,
@@ -34,7 +33,6 @@ from mahovik.core.lower import (
     prepare,
     regressor,
     rotation,
-    sensitivity,
     solve,
     step,
     stream,
@@ -100,7 +98,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         drive.add_coupled(lib)
     step.add_all(lib)
     if layout.freedoms or not layout.held:
-        _add_jacobians(lib)
+        jacobian.add_all(lib)
     if not layout.held or (layout.freedoms and layout.flywheels):
         _add_inverse(lib)
     if layout.sensors:
@@ -237,19 +235,6 @@ def _add_wrenches(lib: Library) -> None:
     actuators.add_check(lib)
     stream.add_functions(lib)
     wrenches.add_external(lib)
-
-
-def _add_jacobians(lib: Library) -> None:
-    """Derivatives of forward and coupled."""
-    layout = lib.layout
-    sensitivity.add_tangents(lib)
-    lib.add(sensitivity.twist_slope(lib))
-    if layout.flywheels:
-        lib.add(sensitivity.row_slope(lib))
-    of = held_jacobian if layout.held else jacobian
-    lib.add(of.forward_jacobian(lib))
-    if layout.flywheels:
-        lib.add(of.coupled_jacobian(lib))
 
 
 def _structs(lib: Library) -> tuple[Struct, ...]:
