@@ -14,6 +14,7 @@ from mahovik.core.stand import load
 from mahovik.core.toolchain.fuzz_project import fuzz_project, sources
 from mahovik.core.toolchain.fuzzing import compile_harness, fuzz, minimise
 from mahovik.errors import CheckError
+from mahovik.writing import write_all
 from toolchain.tools import compile_c, require
 
 pytestmark = pytest.mark.fuzz
@@ -48,7 +49,12 @@ FAULTS = (
     Fault("loop one too long", LOOP, LOOP.replace("<", "<=", 1), "insufficient space|buffer-overflow"),
     Fault("NaN let through", WITHIN, "if (values[i] < -limit || values[i] > limit)", "finite"),
     Fault("null let through", NULL, "", "null pointer"),
-    Fault("other status for null", NULL, NULL.replace("BAD_ARGUMENT", "RANGE"), "status that is not documented"),
+    Fault(
+        "other status for null",
+        NULL,
+        NULL.replace("BAD_ARGUMENT", "NOT_POSITIVE_DEFINITE"),
+        "status that is not documented",
+    ),
     Fault("status of another cause", RANGE, RANGE.replace("RANGE", "NOT_FINITE"), "every argument is finite"),
     Fault("angle guard gone", "!(phi >= -DEMO3_MAX_PHASE && phi <= DEMO3_MAX_PHASE)", "phi > 1.0e300", "finite"),
     Fault("state written before its last check", DONE, f"    *next = y;\n{DONE}", "a result was written"),
@@ -66,7 +72,8 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """Objects of all but the C itself."""
     folder = tmp_path_factory.mktemp("harness")
     place(folder, None)
-    return [str(compile_harness(folder, ("-c", f"demo3_{part}.c"), f"{part}.o")) for part in ("fuzz", "recorder")]
+    others = [source for source in sources("demo3") if source != "demo3.c"]
+    return [str(compile_harness(folder, ("-c", source), f"{Path(source).stem}.o")) for source in others]
 
 
 def place(folder: Path, fault: Fault | None) -> None:
@@ -75,8 +82,7 @@ def place(folder: Path, fault: Fault | None) -> None:
     if fault is not None:
         assert fault.old in placed["demo3.c"], fault.name
         placed["demo3.c"] = placed["demo3.c"].replace(fault.old, fault.new, 1)
-    for name, text in placed.items():
-        (folder / name).write_text(text, encoding="utf-8")
+    write_all(folder, placed)
 
 
 def build(folder: Path, fault: Fault | None, harness: list[str]) -> Path:
