@@ -76,10 +76,10 @@ def test_an_unknown_function_is_refused() -> None:
 
 def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path) -> None:
     folder, given = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
-    assert cli("generate", *given, "-o", folder).exit_code == 0
+    assert cli("generate", *given, "--with", "encoder", "-o", folder).exit_code == 0
     assert json.loads((tmp_path / "part" / "manifest.json").read_text())["only"] == ["forward", "torque"]
     options = delivered_options(tmp_path / "part")
     assert options is not None
-    assert options.only == ("forward", "torque")
-    assert cli("generate", *given, "-o", folder, "--check").exit_code == 0
+    assert (options.only, options.additions) == (("forward", "torque"), ("encoder",))
+    assert cli("generate", given[0], "-o", folder, "--check").exit_code == 0
     require_place(tmp_path / "part", stand("sat4"))  # knows the C as that of a part

@@ -86,7 +86,7 @@ def delivered_options(folder: Path) -> Options | None:
     if manifest is None:
         return None
     stems = {PurePosixPath(name).stem for name in manifest["files"]}
-    added = tuple(each for each in ADDITIONS if f"{manifest['stand']}_{each}" in stems)
+    added = tuple(name for name in ADDITIONS if {f"{manifest['stand']}_{name}", f"mahovik_{name}"} & stems)
     return Options(manifest["real"], tuple(manifest.get("only", ALL)), added)
 
 
