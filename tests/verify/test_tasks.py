@@ -46,15 +46,15 @@ TORQUE = ("torque_for_sight", "torque_for_pointing")
 FAULTS = {
     "sign of s": (
         "project_sight",
-        r"velocity_0\[2\] \* x->V\[4\] - velocity_0",
-        "-velocity_0[2] * x->V[4] + velocity_0",
+        r"x->V\[4\] \* velocity_0\[2\] - x->V",
+        "-x->V[4] * velocity_0[2] + x->V",
     ),
     "axes transposed": (
         "project_sight",
         r"Y\[1\]\[4\] = table->sensor\[0\]\.axes\[3\]",
         "Y[1][4] = table->sensor[0].axes[1]",
     ),
-    "norm of the unit matrix": ("project_sight", r"Y\[j\]\[k\] / L\[j\]\[j\]", "Y[j][k]"),
+    "norm of the unit matrix": ("project_sight", r"Y\[j\]\[k\] / work->G\[j\]\[j\]", "Y[j][k]"),
     "a free row demanded": ("project_sight", r"\(use\[j\] > 0\) \? known\[j\] : 0\.0", "known[j]"),
     "the mass centre left out": ("demand_turning", r"S\[0\] = [^;]*;", "S[0] = sum.J[0];"),
     "sign of the inertia's factor": (
@@ -127,7 +127,7 @@ def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
     folder = planted("sat4", tmp_path, "project_sight", "velocity_0", "velocity_0", stand())
     source = folder / "sat4.c"
     text, changed = re.subn(
-        r"(turned_0\[\d\]) = (velocity_0\S+ \* \S+) - (velocity_0\S+ \* \S+);", r"\1 = \3 - \2;", source.read_text()
+        r"(turned_0\[\d\]) = (\S+ \* velocity_0\S+) - (\S+ \* velocity_0\S+);", r"\1 = \3 - \2;", source.read_text()
     )
     assert changed == 9
     source.write_text(text)

@@ -14,7 +14,7 @@ from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.task import FREE_NOTE, Rows, demanded_rows, task_demand
+from mahovik.core.lower.task import FREE_NOTE, Rows, base_demand, demanded_rows, miss, project_rows
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import (
@@ -191,7 +191,8 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
         residual = reals(m)
         turns = turns_of(lib, x)
         if task:
-            task_demand(lib, task, table, x, turns, wrench, demand, options, work)
+            base_demand(lib, task, table, x, turns, wrench, work)
+            project_rows(lib, task, table, x, demand, options, work)
         else:
             lib["demand"](table, x, *turns, demand, wrench, work)
         if task:
@@ -203,6 +204,10 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
             wanted += work.r[i] * work.r[i]
         orthogonalise(work)
         sort(work, m)
+        if task:
+            asked = reals(m)  # the demand in these rows, before damping
+            for i in range(m):
+                asked[i] = work.r[i]
         flags = ints()
         rank = ints()
         damping = reals()
@@ -219,18 +224,26 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
         else:
             moved = reals(6)  # V* that results: V_dot + K^-1 residual
         left = reals()
-        z = reals(m)  # G^-1 residual
-        left = 0
-        for i in range(m):
-            residual[i] = work.b[i]
-            for s in range(N):
-                residual[i] -= work.I[i][s] * answer[s]
-        for i in range(m):
-            z[i] = residual[i]
-            for k in range(i):
-                z[i] -= work.G[i][k] * z[k]
-            z[i] = z[i] / work.G[i][i]
-            left += z[i] * z[i]
+        if task:
+            left = 0
+            for i in range(m):
+                rest: float = asked[i]
+                for s in range(N):
+                    rest -= work.W[i][s] * (answer[s] / work.scale[s])
+                left += rest * rest
+        else:
+            z = reals(m)  # G^-1 residual
+            left = 0
+            for i in range(m):
+                residual[i] = work.b[i]
+                for s in range(N):
+                    residual[i] -= work.I[i][s] * answer[s]
+            for i in range(m):
+                z[i] = residual[i]
+                for k in range(i):
+                    z[i] -= work.G[i][k] * z[k]
+                z[i] = z[i] / work.G[i][i]
+                left += z[i] * z[i]
         if left > tolerance * tolerance * wanted:
             flags = flags | bit("UNREACHABLE")
         if not along:
@@ -241,10 +254,14 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
                 z[i] = z[i] / work.G[i][i]
                 moved[i] = demand[i] + z[i]
         check_answer(lib, answer, N)
-        check_answer(lib, residual, m)
+        if not task:
+            check_answer(lib, residual, m)
         if along:
             accelerate(lib, table, x, turns, answer, wrench, moved)
             check_answer(lib, moved, 6)
+        if task:
+            miss(task, table, x, demand, task.use(options), moved, residual)
+            check_answer(lib, residual, m)
         lacking = ints()
         lib["excessive"](table, x, *turns, moved, answer, options, wrench, lacking)
         flags = flags | lacking

@@ -84,11 +84,11 @@ class Rows:
         return [self._sensor(table, row).axes[3 * i + k] if row.of else int(i == k) for i in range(3)]
 
     def twist(self, table: Place, row: TaskRow) -> list[Any]:
-        """A row of S, `size` numbers."""
+        """A row of S."""
         axis = self.axis(table, row)
         if not _is_linear(row):
-            return [0, 0, 0, *axis][6 - self.size :]
-        return [*axis, *cross(self._sensor(table, row).origin, axis)] if row.of else [*axis, 0, 0, 0]
+            return [0, 0, 0, *axis]
+        return [*axis, *(cross(self._sensor(table, row).origin, axis) if row.of else (0, 0, 0))]
 
     def centripetal(self, table: Place, V: Any) -> list[Any]:
         """s: one a row, at the twist V (6) of the carrier relative to E0."""
@@ -281,7 +281,7 @@ def add_project(lib: Library, task: Rows) -> None:
         terms = task.centripetal(table, x.V)
         for j in [*range(rows)]:
             known[j] = terms[j] - demand[j]
-            twist = task.twist(table, task.task.rows[j])
+            twist = task.twist(table, task.task.rows[j])[6 - size :]
             for i in [*range(size)]:
                 Y[j][i] = twist[i]
         for j in range(rows):
@@ -340,24 +340,13 @@ def project_rows(lib: Any, task: Any, table: Any, x: Any, demand: Reals, options
 
 
 @inline
-def task_demand(
-    lib: Any, task: Any, table: Any, x: Any, turns: Any, wrench: Any, demand: Reals, options: Any, work: Any
-) -> None:
-    """Everything of a task at a state: W, r, and without norms again I = -L W D, b = -L r; L is G."""
-    base_demand(lib, task, table, x, turns, wrench, work)
-    project_rows(lib, task, table, x, demand, options, work)
-    # I = -L W D, b = -L r: what phi'' leaves of the demand is b - I phi''
-    for i in range(len(task)):
-        total = reals()
-        for s in range(lib.layout.count):
-            total = 0
-            for k in range(i + 1):
-                total -= work.G[i][k] * work.W[k][s]
-            work.I[i][s] = total / work.scale[s]
-        total = 0
-        for k in range(i + 1):
-            total -= work.G[i][k] * work.r[k]
-        work.b[i] = total
+def miss(task: Any, table: Any, x: Any, demand: Reals, use: Ints, V_dot: Reals, residual: Reals) -> None:
+    """The residual of a motion: demand minus reached, 0 of a free row."""
+    known = task.centripetal(table, x.V)
+    for j, row in enumerate(task.task.rows):
+        reached = [1, -1, -1], [demand[j], dot(task.twist(table, row), V_dot), known[j]]
+        left = let(f"left_{j + 1}", dot(*reached))
+        residual[j] = left if use[j] > 0 else 0.0
 
 
 @inline

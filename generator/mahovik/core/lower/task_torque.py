@@ -22,7 +22,7 @@ from mahovik.core.lower.forward import STATE_STATUSES, relative_rate
 from mahovik.core.lower.inverse import options_argument, wanted_argument
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import invert_symmetric, start_blocks
-from mahovik.core.lower.task import FREE_NOTE, Rows, project_rows, turning_part
+from mahovik.core.lower.task import FREE_NOTE, Rows, miss, project_rows, turning_part
 from mahovik.core.program.expression import Place, Status
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,
@@ -50,7 +50,7 @@ def add_torque(lib: Library, task: Rows) -> None:
     if base_of(task) not in lib:
         add_torque_demand(lib, task.turning)
     if f"largest_share_{rows}" not in lib:
-        lib.add(routines.bounded_least_squares(rows, count, lib["sqrt"], at.bounded))
+        lib.add(routines.bounded_least_squares(rows, count, at.bounded))
         lib.add(routines.largest_share(rows, count, at.share_pivot, at.unreachable))
     add_torque_for(lib, task)
 
@@ -85,8 +85,10 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
         for s in range(N):
             couple_flywheel(lib, table, s, seen, common, drive)
             spin = table.flywheel[s].spin
-            bias = drive.bias if seen.own is None else drive.bias - seen.own[s * 6 + 3]
-            tau_0[s] = spin * preferred[s] + bias
+            if seen.own is None:
+                tau_0[s] = spin * preferred[s] + drive.bias
+            else:
+                tau_0[s] = spin * preferred[s] + (drive.bias - seen.own[s * 6 + 3])
             work.scale[s] = table.flywheel[s].spin_root_inv
             if locked[s] == 0:
                 lib["eliminate"](drive.I, table.flywheel[s].spin_inv, preferred[s], K, F)
@@ -172,16 +174,6 @@ def bound(lib: Any, x: Any, options: Any, least: Reals, most: Reals) -> None:
         least[s] = -driving if speed < 0 else -whole
 
 
-@inline
-def leave(W: Reals, r: Reals, y: Reals, left: Reals) -> None:
-    """left = r - W y"""
-    for i in range(len(r)):
-        rest: float = r[i]
-        for s in range(len(y)):
-            rest -= W[i * len(y) + s] * y[s]
-        left[i] = rest
-
-
 def add_torque_for(lib: Library, task: Rows) -> None:
     """tau for the demand of a task, within the motors' torque, speed and power."""
     layout, N, m = lib.layout, lib.layout.count, len(task)
@@ -249,14 +241,15 @@ def add_torque_for(lib: Library, task: Rows) -> None:
         flags = ints()
         share: float = 1.0
         least_squares(W, r, low, high, options.weight, y, held)
-        left = reals(m)  # r - W y
-        leave(W, r, y, left)
-        square: float = 0.0
+        left: float = 0.0
         wanted: float = 0.0
         for i in range(m):
-            square += left[i] * left[i]
+            rest: float = r[i]
+            for s in range(N):
+                rest -= W[i * n + s] * y[s]
+            left += rest * rest
             wanted += r[i] * r[i]
-        flags = bit("UNREACHABLE") if square > tolerance * tolerance * wanted else 0
+        flags = bit("UNREACHABLE") if left > tolerance * tolerance * wanted else 0
         if flags > 0:
             if options.keep_direction != 0:
                 start = reals(m)
@@ -276,7 +269,6 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                 else:
                     for s in range(N):
                         held[s] = 1 if y[s] >= high[s] else -1 if y[s] <= low[s] else 0
-                leave(W, r, y, left)
         tau = reals(N)
         for s in range(N):
             found = tau_0[s] + y[s] / work.scale[s]
@@ -294,11 +286,7 @@ def add_torque_for(lib: Library, task: Rows) -> None:
         spins = reals(N)
         lib["solve_coupled"](table, x, *turns, tau, locked, wrench, moved, spins, None)
         residual = reals(m)
-        for i in range(m):
-            error: float = 0.0
-            for k in range(i + 1):
-                error -= work.G[i][k] * left[k]
-            residual[i] = error
+        miss(task, table, x, demand, task.use(options), moved, residual)
         check_answer(lib, tau, N)
         check_answer(lib, spins, N)
         check_answer(lib, moved, 6)

@@ -25,7 +25,7 @@ def passes(count: int) -> int:
     return 4 + 6 * count
 
 
-def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, regular: float) -> Function:
+def bounded_least_squares(rows: int, count: NamedCount, regular: float) -> Function:
     """`bounded_least_squares` for a matrix of `rows` x `count`; `regular`: lambda, relative to the largest row."""
 
     @kernel(f"bounded_least_squares_{rows}")
@@ -40,7 +40,7 @@ def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, r
     ) -> None:
         """Least error of W y = r within bounds, then least weighted norm of y."""
         begin(low, high, y, held)
-        gram = reals(rows, rows)  # of rows, or of fewer free unknowns; then its factor
+        gram = reals(rows, rows)  # of rows, or of fewer free unknowns; then its factors
         z = reals(rows)  # (r - W y)/lambda
         left = reals(rows)  # right-hand side, and what solves it
         free = ints(rows)  # free unknowns where these are fewer than rows
@@ -53,7 +53,7 @@ def bounded_least_squares(rows: int, count: NamedCount, square_root: Function, r
             if going > 0:
                 make_gram(W, weight, held, gram, free, many, lambda_)
                 unknowns = many if many < rows else rows
-                factor(gram, unknowns, lambda_, square_root)
+                factor(gram, unknowns, lambda_)
                 solve_free(W, r, weight, y, held, gram, z, left, free, many, goal, unknowns, lambda_)
                 stopped = advance(low, high, y, held, goal)
                 if stopped < 0:
@@ -119,31 +119,35 @@ def make_gram(W: Reals, weight: Reals, held: Ints, gram: Reals, free: Ints, many
 
 
 @inline
-def factor(gram: Reals, size: int, ridge: float, square_root: Function) -> None:
-    """Cholesky factor in the lower triangle."""
+def factor(gram: Reals, size: int, ridge: float) -> None:
+    """L D on and below the diagonal, L^T above it, of L D L^T."""
     for j in range(size):
-        least = 2.0**-52 * gram[j][j] + 2.0**-20 * ridge  # rounding, of a singular matrix
+        pivot: float = gram[j][j]
+        least = 2.0**-52 * pivot + 2.0**-20 * ridge  # rounding, of a singular matrix
         for k in range(j):
-            gram[j][j] -= gram[j][k] * gram[j][k]
-        gram[j][j] = square_root(gram[j][j] if gram[j][j] > least else least)
+            pivot -= gram[j][k] * gram[k][j]
+        pivot = pivot if pivot > least else least
+        gram[j][j] = pivot
         for i in range(j + 1, size):
+            below: float = gram[i][j]
             for k in range(j):
-                gram[i][j] -= gram[i][k] * gram[j][k]
-            gram[i][j] = gram[i][j] / gram[j][j]
+                below -= gram[i][k] * gram[k][j]
+            gram[i][j] = below
+            gram[j][i] = below / pivot
 
 
 @inline
 def solve(gram: Reals, b: Reals, size: int) -> None:
-    """b = gram^-1 b by the factor."""
+    """b = gram^-1 b by the factors."""
     for i in range(size):
         for k in range(i):
-            b[i] -= gram[i][k] * b[k]
-        b[i] = b[i] / gram[i][i]
+            b[i] -= gram[k][i] * b[k]
     for t in range(size):
         i = size - 1 - t
+        rest: float = b[i] / gram[i][i]
         for k in range(i + 1, size):
-            b[i] -= gram[k][i] * b[k]
-        b[i] = b[i] / gram[i][i]
+            rest -= gram[i][k] * b[k]
+        b[i] = rest
 
 
 @inline
