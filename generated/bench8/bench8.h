@@ -29,17 +29,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_5b0571dc
-#define bench8_default            bench8_default_f64_5b0571dc
-#define bench8_default_options    bench8_default_options_f64_5b0571dc
-#define bench8_forward            bench8_forward_f64_5b0571dc
-#define bench8_momentum           bench8_momentum_f64_5b0571dc
-#define bench8_torque             bench8_torque_f64_5b0571dc
-#define bench8_coupled            bench8_coupled_f64_5b0571dc
-#define bench8_step               bench8_step_f64_5b0571dc
-#define bench8_inverse            bench8_inverse_f64_5b0571dc
-#define bench8_inverse_fast       bench8_inverse_fast_f64_5b0571dc
-#define bench8_prepare            bench8_prepare_f64_5b0571dc
+#define bench8_default_parameters bench8_default_parameters_f64_7220a493
+#define bench8_default            bench8_default_f64_7220a493
+#define bench8_default_options    bench8_default_options_f64_7220a493
+#define bench8_forward            bench8_forward_f64_7220a493
+#define bench8_momentum           bench8_momentum_f64_7220a493
+#define bench8_torque             bench8_torque_f64_7220a493
+#define bench8_coupled            bench8_coupled_f64_7220a493
+#define bench8_step               bench8_step_f64_7220a493
+#define bench8_inverse            bench8_inverse_f64_7220a493
+#define bench8_inverse_fast       bench8_inverse_fast_f64_7220a493
+#define bench8_prepare            bench8_prepare_f64_7220a493
 #endif
 
 #ifdef __cplusplus
@@ -48,7 +48,6 @@ extern "C" {
 
 #define BENCH8_STRUCTURE 0x309d41a6u  /* hash of the stand's names, counts and kinds of wrench */
 #define BENCH8_PHYSICS   0x139422e0u  /* hash of its structure and all numbers */
-#define BENCH8_TABLE_HASH 0x7eb4a14cu /* FNV-1a of all numbers of the default table but its stream */
 #define BENCH8_REAL_BYTES 8           /* bytes of a bench8_real */
 #define BENCH8_VERSION_MAJOR 0        /* of the mahovik that wrote this */
 #define BENCH8_VERSION_MINOR 1

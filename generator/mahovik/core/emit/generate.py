@@ -8,11 +8,10 @@ from typing import Any
 from mahovik.contract.functions import ALL, CHOSEN, is_default, row_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import comment_lines, wrap_statement
-from mahovik.core.emit.log_format import RECORDED, RESERVED, table_bytes
+from mahovik.core.emit.log_format import RESERVED
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
 from mahovik.core.lower.actuators import run_time_inputs
-from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
 from mahovik.core.lower.program import lower_layout
@@ -113,10 +112,8 @@ class _Printer:
         return self._code.render(
             "stand.h.j2",
             **self._known,
-            table_hash=f"{fnv1a(table_bytes(self._layout, self._values.table)):08x}",
             limits=self._code.limits(() if self._part else limits(self._code.precision)),
             statuses=statuses(self._names, self._layout, self._program if self._part else None),
-            recorded=any(f.name in RECORDED for f in self._code.public),
             prepares=any(f.name == "prepare" for f in self._code.public),
             takes_root=any(f.name == "sqrt" for f in self._program.functions),
             enums=self._enums(),

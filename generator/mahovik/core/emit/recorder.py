@@ -60,6 +60,7 @@ def _values(generated: Generated, code: Code) -> dict[str, Any]:
     return {
         "source": f"{source_hash(generated.files, name):08x}",
         "table_bytes": len(table),
+        "table_hash": f"{fnv1a(table):08x}",
         "longest": longest,
         "shortest": fixed,
         "format": FORMAT,
