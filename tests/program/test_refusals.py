@@ -51,7 +51,7 @@ pair, other = Variable("pair", PAIR).place, Variable("other", OTHER).place
         (lambda: a[0], "is not an array"),
         (lambda: pair.c, "struct pair has no member c"),
         (lambda: Body().set(x3, 1), "x3 is not a scalar"),
-        (lambda: Body().copy_array(x3, x6), "x3 has 3 elements, x6 6"),
+        (lambda: Body().set(x3, x6), "x3 has 3 elements, x6 6"),
         (lambda: callee()(a, b), "callee takes 1 arguments, not 2"),
         (lambda: callee(returns=None)(a) + a, "callee returns nothing"),
     ],

@@ -105,23 +105,5 @@ else:
 
 __all__ = [
     "FILE", "MODULES", "Formula", "FormulaModule", "Matrix", "accumulate", "attitude", "carrier", "carrying", "drive",
-    "hold", "key", "motion", "omitting", "point", "regressor", "wrench",
+    "hold", "key", "motion", "point", "regressor", "wrench",
 ]  # fmt: skip
-
-
-def omitting(formula: Formula, name: str) -> Formula:
-    """The formula where that name is zero: its products are left out. 0.0 where nothing is left."""
-    if not isinstance(formula, list):
-        return 0.0 if formula == name else formula
-    operator, *parts = formula
-    if len(parts) == 1:
-        one = omitting(parts[0], name)
-        return 0.0 if one == 0.0 else [operator, one]
-    left, right = omitting(parts[0], name), omitting(parts[1], name)
-    if operator == "*":
-        return 0.0 if 0.0 in (left, right) else [operator, left, right]
-    if right == 0.0:
-        return left
-    if left == 0.0:
-        return right if operator == "+" else ["-", right]
-    return [operator, left, right]

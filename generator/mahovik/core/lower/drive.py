@@ -6,7 +6,6 @@ the rows along its freedoms.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel
@@ -185,17 +184,8 @@ def without_drives(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> 
     return K, F
 
 
-@dataclass(frozen=True)
-class Solved:
-    """What solving leaves: columns of I and bias torques of the drives (N), common terms, and the factors of K."""
-
-    drives: Any
-    alike: Any
-    factor: Any
-
-
 @inline
-def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any, results: Any) -> Any:
+def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any, results: Any) -> None:
     """V*, phi'' of K, F without drives, for given tau and locks, flywheel by flywheel."""
     layout, N = lib.layout, lib.layout.count
     tau, locked = drives_of
@@ -219,7 +209,6 @@ def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any,
         phi_ddot[s] = 0
         if locked[s] == 0:
             phi_ddot[s] = rate[s] - along(drive[s].I, V_dot) * table.flywheel[s].spin_inv
-    return Solved(drive, common, factor)
 
 
 @inline

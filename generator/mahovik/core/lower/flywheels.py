@@ -13,50 +13,15 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from mahovik.core.formula.derived import accumulate as derived
-from mahovik.core.formula.derived import omitting
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import translate
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Reals, argument, changed, inline, kernel, reals, result
 from mahovik.core.program.types import FLOAT
 from mahovik.core.program.vector import Vector, cross, dot
 
-_COMMENTS = {
-    "c2": "cos 2 phi, then sin 2 phi",
-    "s2": "",
-    "dc": "time derivatives: d(cos phi)/dt, ...",
-    "ds": "",
-    "dc2": "",
-    "ds2": "",
-    "ddc": "second time derivatives",
-    "dds": "",
-}
-
-
-def let_weights(body: Body, given: dict[str, Expr], names: Sequence[str]) -> dict[str, Expr]:
-    """Named temporaries c2 ... dds from c, s, phi_dot, phi_ddot in `given`; returns `given` and them.
-
-    Without phi_ddot in `given` it is 0.
-    """
-    expressions = derived.weights()
-    bound = dict(given)
-    for name in names:
-        value = expressions[name] if "phi_ddot" in given else omitting(expressions[name], "phi_ddot")
-        bound[name] = body.let(name, translate(value, bound), _COMMENTS[name])
-    return bound
-
-
 Turns = tuple[Place, ...]
 """Sines and cosines of all phases, two arrays; empty where there are no flywheels."""
-
-
-def places_of(arguments: Sequence[Argument]) -> Turns:
-    """The places of arguments."""
-    return tuple(a.place for a in arguments)
 
 
 @inline
@@ -76,23 +41,9 @@ def turn_of(turns: Turns, s: Expr) -> dict[str, Expr]:
     return {"s": sine[s], "c": cosine[s]}
 
 
-def let_turn(body: Body, turns: Turns, s: Expr, suffix: str = "_phi") -> dict[str, Expr]:
-    """s, c of flywheel s as named temporaries (with a suffix)."""
-    return {name: body.let(f"{name}{suffix}", place) for name, place in turn_of(turns, s).items()}
-
-
 def named_turns(turns: Turns) -> dict[str, Place]:
     """Sines and cosines by the names of the arguments that take them."""
     return dict(zip(("sine", "cosine"), turns, strict=True)) if turns else {}
-
-
-COLUMNS = ("mu_c", "mu_s", "J_c", "J_s", "J_2c", "J_2s", "t_0", "t_c", "t_s")
-"""The columns of a row, which the derivation uses by these names."""
-
-
-def columns_of(row: Place) -> dict[str, Place]:
-    """The columns of a row by name."""
-    return {name: row.member(name) for name in COLUMNS}
 
 
 MASS = ("J", "J_dot", "mu", "mu_dot")

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Expr, Operand, Place, Status, Variable, as_expr, unequal
+from mahovik.core.program.expression import OPERANDS, Expr, Operand, Place, Status, Variable, as_expr, unequal
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Block,
@@ -70,7 +70,12 @@ class Body:
     def set(self, place: Any, value: Any, comment: str = "") -> None:
         """place = value; of an array or a vector element by element, of a struct whole."""
         if not isinstance(place, Place) or place.shape:
-            for one, element in zip(place, value, strict=True):
+            if isinstance(value, OPERANDS) and not getattr(value, "shape", ()):
+                raise TypeError(f"{place!r} is not a scalar")
+            values = tuple(value)
+            if len(place) != len(values):
+                raise TypeError(f"{place!r} has {len(place)} elements, {value!r} {len(values)}")
+            for one, element in zip(place, values, strict=True):
                 self.set(one, element, comment)
                 comment = ""
         elif isinstance(place.type, Struct):
@@ -92,13 +97,6 @@ class Body:
     def copy(self, target: Place, source: Place, comment: str = "") -> None:
         """A struct is copied whole."""
         self._add(Copy(target, source, comment))
-
-    def copy_array(self, target: Place, source: Place) -> None:
-        """The elements of a one-dimensional array are copied one by one."""
-        if len(target) != len(source):
-            raise TypeError(f"{target!r} has {len(target)} elements, {source!r} {len(source)}")
-        for i in range(len(target)):
-            self.set(target[i], source[i])
 
     def check(self, call: Expr, status: str = "") -> None:
         """A call that returns a status: where it is not OK, that is returned, or `status` in its place."""
