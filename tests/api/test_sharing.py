@@ -57,19 +57,20 @@ def test_threads_of_openmp_give_the_same_bits() -> None:
 def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Names of stands compiled from now on; what comes out lay in the store before."""
     model("bench8")
-    key = store.library_key(structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False, "batches")
+    bench8 = structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False
+    key = store.library_key(*bench8, "batches", compiled.ALL)
     entry = store.find(key)
     assert entry is not None
     library, facts = entry[0].read_bytes(), entry[1]
-    found: list[str] = []
+    compiled_names: list[str] = []
 
     def copied(source: compiled.Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:
-        found.append(source.stand.name)
+        compiled_names.append(source.stand.name)
         (scratch / "copy.so").write_bytes(library)
         return scratch / "copy.so", facts
 
     monkeypatch.setattr(compiled, "_compile", copied)
-    return found
+    return compiled_names
 
 
 def works(m: mahovik.Model) -> bool:

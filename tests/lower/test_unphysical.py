@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower import parameters as lowered
-from mahovik.core.lower.checks import within
+from mahovik.core.lower.checks import add_checks
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.thresholds import THRESHOLDS
@@ -34,9 +35,10 @@ ORDER = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 @cache
 def checks(precision: Precision) -> Interpreter:
     """check_inertia and check_added_mass alone."""
-    lib = Library(Layout(structure(random_stand(np.random.default_rng(1), 0, BARE)), precision))
-    for make in (within, lowered.check_inertia, lowered.check_added_mass):
-        lib.add(make(lib))
+    lib = Library(Layout(structure(random_stand(np.random.default_rng(1), 0, replace(BARE, fluid=True))), precision))
+    add_checks(lib)
+    lowered.add_check_inertia(lib)
+    lowered.add_added_mass(lib)
     return Interpreter(Program("checks", precision, (), (), lib.functions))
 
 

@@ -15,7 +15,7 @@ from mahovik.core.motion.required import RequiredMotion, read_motion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
-from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
+from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
@@ -179,24 +179,6 @@ def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     assert not any(item.failed for item in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))
     assert [item.quantity for item in verify_programme(SHAKER, required, wrong) if item.failed] == ["stand"]
-
-
-@pytest.mark.parametrize(
-    ("law", "words"),
-    [
-        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]", "neutral, the carrier swings undamped"),
-        ("[suspension]\nstiffness = [0, 0, 20000, 0, 0, 0]\ndamping = [0, 0, 100, 0, 0, 0]", "stable, disturbances"),
-        ("", "neutral, the carrier is free to drift"),
-    ],
-)
-def test_a_neutral_carrier_swings_or_drifts(law: str, words: str) -> None:
-    """A spring without a damper brings the carrier back, for ever; without a spring nothing does."""
-    wheels = wheel(1, [1, 0, 0], 20.0, (0, -0.1, 0)) + wheel(2, [1, 0, 0], 20.0, (0, 0.1, 0))
-    own = stand('freedoms = ["z"]', wheels, law, gravity=-9.81 if law else 0.0)
-    required = motion(own, {"cos": [2e-3]}, period=0.05, winding="spin")
-    found = planned(own, required, verify=False)
-    item = ProgrammeCase.of(own, required, found.programmes[0]).stability()
-    assert item.words.startswith(f"largest multiplier: {words}")
 
 
 @pytest.mark.parametrize(
