@@ -178,7 +178,7 @@ def test_results_come_in_order_and_repeat_the_id() -> None:
     assert [good for _, good in found] == [True, False, False, True]
     assert set(found[0][0]) == {"id", "V_dot"}
     assert set(found[1][0]) == set(found[2][0]) == {"id", "error"}
-    assert set(found[3][0]) == {"id", "Z", "Z0", "energy", "center_of_mass", "tau"}
+    assert set(found[3][0]) == {"id", "Z", "Z0", "energy", "center_of_mass", "center_of_mass_velocity", "tau"}
 
 
 def test_a_byte_order_mark_carriage_returns_and_foreign_bytes() -> None:

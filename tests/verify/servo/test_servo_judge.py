@@ -1,22 +1,28 @@
-"""The C of servos is judged by `verify --servo --against`; faults fail."""
+"""The C of servos is judged by `verify --servo --against`, the matrix of a trim from its definition; faults fail."""
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+import mahovik.use.control.trim as design_module
 from cli.run import refused, run
-from export.programmes import motion, stand
+from export.programmes import motion, spin, stand
 from export.servos import HEAD, TRIM, exported, servo, written
-from mahovik.core.motion.servo import Servo
-from mahovik.errors import ToolchainError, UsageError
+from mahovik.core.motion.servo import Servo, read_servo
+from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.check import Report
 from mahovik.proof.verify.exported import verify_servo
+from mahovik.proof.verify.servo.tables import MATRIX
+from mahovik.proof.verify.servo.trim_matrix import least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
+from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick
 from verify.build import changed
 
@@ -142,3 +148,36 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     assert "--servo: no C is given; give its folder, as --against DIR" in refused(*given)
     assert "-o: not with --servo" in refused(*given, "--against", str(tmp_path), "-o", "w.jsonl")
     assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
+
+
+def difference() -> float:
+    """Largest difference of the design from the judge for shaker2 with a programme, in the judge's scale."""
+    text = '[trim]\ncoordinates = ["z", "phi"]\nharmonics = 2\nsettling = 60\ngain = 0.3\n'
+    trim = read_servo(HEAD + text, stand()).trim
+    assert trim is not None
+    expected, scale = trim_matrix(stand(), motion(), spin(), trim)
+    found = design_trim(stand(), motion(), spin(), trim)
+    return float((np.abs(found.matrix - expected) / scale).max())
+
+
+def test_the_judge_agrees_with_the_design() -> None:
+    assert difference() < MATRIX
+
+
+@pytest.mark.parametrize(("constant", "changed"), [("BEYOND", 1), ("SPILL", 31.0), ("REACH", 0.3)])
+def test_every_constant_of_the_design_is_judged(constant: str, changed: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(design_module, constant, changed)
+    assert difference() > MATRIX
+
+
+def test_what_rounding_decides_has_no_answer() -> None:
+    with pytest.raises(StateError, match="at the limit of reach"):
+        least_cost_matrix(np.diag([1.0, 1e-3 * math.sqrt(2.0), 0.0]), np.zeros((2, 3)), 1)
+
+
+def test_harmonics_that_are_not_determined_have_no_answer() -> None:
+    """An undamped carrier in resonance with the first harmonic."""
+    zeros = np.zeros((9, 6, 6))
+    resonant = (zeros - np.eye(6), zeros, *(np.zeros((3, 9, 6, 1)) + 1.0))
+    with pytest.raises(StateError, match="a free motion of the carrier"):
+        responses(resonant, 1)

@@ -46,7 +46,8 @@ def verify_servo(
 ) -> Report:
     """Report on the C of a servo in a folder: each function, each member of its tables.
 
-    `motion`: the required motion of its programme; without it the trim's target is not compared.
+    `motion`: the required motion of its programme; without it the trim's target is not compared. `programme`: the
+    programme itself; without both the trim's matrix is not compared.
     `name`: that of the programme in C. `count`: drawn inputs of each function.
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile; stand, motion and programme do

@@ -11,10 +11,12 @@ import numpy as np
 
 from mahovik.contract.limits import LIMITS
 from mahovik.contract.quantities import BOUNDS
+from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.servo import law
 from mahovik.proof.verify.servo.functions import ServoCase
+from mahovik.proof.verify.servo.trim_matrix import trim_matrix
 
 TIME = 1e-9
 """Accepted relative error of what depends on the period: samples and periods in it are whole numbers below 2^31."""
@@ -24,6 +26,9 @@ SETTLING_CONSTANTS = 8.0
 
 RESTING = 1e-3
 """Scale of a coordinate that does not move, as a part of the largest coefficient (m or rad)."""
+
+MATRIX = 1e-8
+"""Accepted error of the matrix, by its largest number: both sides solve the linear equations of a period."""
 
 NODES = 4096
 """Times in a period at which the required motion is averaged."""
@@ -55,9 +60,7 @@ def _members(case: ServoCase, table: str, expected: dict[str, Any]) -> Iterator[
     """Every member of a table, against the law with a scale; a text says why it is not compared."""
     found = case.default(table)
     for name in dict.fromkeys((*found, *expected)):
-        if name == "matrix":  # of the trim; its zeros alone follow from the law
-            continue
-        limit = max(LIMITS[case.made.real].law, TIME if name in ("lead", "omega") else 0.0)
+        limit = max(LIMITS[case.made.real].law, {"lead": TIME, "omega": TIME, "matrix": MATRIX}.get(name, 0.0))
         row, value = Check(table, name, limit), expected.get(name)
         if isinstance(value, str):
             row.words = value
@@ -94,7 +97,7 @@ def gains_of(case: ServoCase, span: float) -> dict[str, Any]:
 
 
 def design_of(case: ServoCase, samples: Fraction) -> dict[str, Any]:
-    """The design of the file's trim by the law, `samples` in a period, without its matrix."""
+    """The design of the file's trim by the law, `samples` in a period."""
     trim = case.servo.trim
     assert trim is not None
     settling = round(trim.settling * samples)
@@ -106,6 +109,7 @@ def design_of(case: ServoCase, samples: Fraction) -> dict[str, Any]:
         "omega": math.tau / (float(samples) * case.servo.period),
         "inertia": case.inertia,
         "target": NEEDS_MOTION if case.motion is None else _target(case),
+        "matrix": _matrix(case),
     }
 
 
@@ -121,3 +125,14 @@ def _target(case: ServoCase) -> tuple[Array, Array]:
     if found.shape == target.shape:
         target[:, 0] = found[:, 0]  # means, which are not corrected, are shifted by the programme's bias
     return target, scale
+
+
+def _matrix(case: ServoCase) -> tuple[Array, Array] | str:
+    """Corrections by the error, with their scale; or why they are not compared."""
+    assert case.servo.trim is not None
+    if case.motion is None or case.programme is None:
+        return "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
+    try:
+        return trim_matrix(case.stand, case.motion, case.programme, case.servo.trim)
+    except StateError as error:
+        return f"its judge refused: {error}"
