@@ -127,7 +127,7 @@ class Attitude:
 
     def momentum(self, x: Any) -> Array:
         """`Z` of the stand's `momentum` by the mean table."""
-        found = (ct.c_double * 16)()
+        found = (ct.c_double * 19)()  # Z, Z0, energy, mass centre and its velocity
         assert int(self._library["eye4_momentum"](self._mean, ct.byref(x), found)) == 0
         return np.array(found[:6])
 
