@@ -66,7 +66,7 @@ typedef struct bench8_sums {
     bench8_real mu_dot[3];  /* kg m/s; its rate in E1 */
     bench8_real J[6];       /* kg m2; inertia about O1 */
     bench8_real J_dot[6];   /* kg m2/s; its rate in E1 */
-    bench8_real h_rel[3];   /* kg m2/s; moment part of sum I phi' */
+    bench8_real h_rel[3];   /* kg m2/s; moment part of sum I phi_dot */
     bench8_real g_rel[3];   /* N m; d/dt of the moment part */
     bench8_real a_rel[3];   /* N; d/dt of the force part */
 } bench8_sums;
@@ -81,17 +81,17 @@ typedef struct bench8_factors3 {
     bench8_real l32;
 } bench8_factors3;
 
-/* How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias. */
+/* One flywheel's drive torque by the motion: I . V_dot + Theta_ff phi_ddot + bias. */
 typedef struct bench8_coupling {
     bench8_real I_[6];  /* kg m, kg m2; column of I (9) */
-    bench8_real bias;   /* N m; drive torque at V* = 0, phi'' = 0 */
+    bench8_real bias;   /* N m; drive torque at V_dot = 0, phi_ddot = 0 */
 } bench8_coupling;
 
 /* K with free flywheels eliminated: K - sum I I^T / Theta_ff. */
 typedef struct bench8_schur {
-    bench8_real A[6];  /* kg; force by v*: 11 22 33 12 13 23 */
-    bench8_real B[9];  /* kg m; moment by v*, row by row */
-    bench8_real D[6];  /* kg m2; moment by omega*: 11 22 33 12 13 23 */
+    bench8_real A[6];  /* kg; force by v_dot: 11 22 33 12 13 23 */
+    bench8_real B[9];  /* kg m; moment by v_dot, row by row */
+    bench8_real D[6];  /* kg m2; moment by omega_dot: 11 22 33 12 13 23 */
 } bench8_schur;
 
 /* K with free flywheels eliminated, factored. */
@@ -418,7 +418,7 @@ static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real *restr
     }
 }
 
-/* First moment and inertia of all bodies, and their rates in E1; w = phi', (2), (6). */
+/* First moment and inertia of all bodies, and their rates in E1; w = phi_dot, (2), (6). */
 BENCH8_CODE
 static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BENCH8_N],
                             const bench8_real cosine[BENCH8_N], const bench8_real phi_dot[BENCH8_N],
@@ -478,7 +478,7 @@ static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BE
     }
 }
 
-/* Terms of the flywheels' turning in momentum and forces; w = phi' is constant, (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi_dot is constant, (2), (5). */
 BENCH8_CODE
 static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
                                                  const bench8_real cosine[BENCH8_N],
@@ -496,11 +496,11 @@ static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, cons
         const bench8_real ds = w * c;
         const bench8_real ddc = -w * ds;  /* second time derivatives */
         const bench8_real dds = w * dc;
-        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        /* I phi_ddot + Ls [<e>] Theta f phi_dot^2, the last two sums of (5) */
         sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
         sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
         sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
-        /* moment part of I phi' (its force part is mu_dot) */
+        /* moment part of I phi_dot (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -513,7 +513,7 @@ static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, cons
     }
 }
 
-/* Terms of the flywheels' turning in momentum and forces; w = phi', a = phi'', (2), (5). */
+/* Terms of the flywheels' turning in momentum and forces; w = phi_dot, a = phi_ddot, (2), (5). */
 BENCH8_CODE
 static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
                                           const bench8_real cosine[BENCH8_N],
@@ -532,7 +532,7 @@ static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench
         const bench8_real ds = w * c;
         const bench8_real ddc = -w * ds - a * s;  /* second time derivatives */
         const bench8_real dds = a * c + w * dc;
-        /* moment part of I phi' (its force part is mu_dot) */
+        /* moment part of I phi_dot (its force part is mu_dot) */
         sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
             - table->flywheel[k].t_s[0] * dc;
         sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
@@ -545,7 +545,7 @@ static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench
             - table->flywheel[k].t_s[1] * ddc;
         sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
             - table->flywheel[k].t_s[2] * ddc;
-        /* I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5) */
+        /* I phi_ddot + Ls [<e>] Theta f phi_dot^2, the last two sums of (5) */
         sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
         sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
         sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
@@ -621,7 +621,7 @@ static void bench8_external(const bench8_table *table, const bench8_state *x, co
     bench8_suspend(&table->suspension, x, C, F);
 }
 
-/* Momentum screw Z = K V + sum I phi' of the sums, (2). */
+/* Momentum screw Z = K V + sum I phi_dot of the sums, (2). */
 BENCH8_CODE
 static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
                                   bench8_real *restrict Z /* [6] */)
@@ -637,12 +637,12 @@ static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *
         - sum->mu[1] * V[0];
 }
 
-/* Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms, (2), (4), (5). */
+/* Turns F into the right-hand side of (8): F - Phi Z - K_dot V - the flywheels' terms, (2), (4), (5). */
 BENCH8_CODE
 static void bench8_subtract_rates(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
                                   bench8_real *restrict F /* [6] */)
 {
-    /* momentum screw Z = K V + sum I phi' */
+    /* momentum screw Z = K V + sum I phi_dot */
     const bench8_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     const bench8_real Z2 = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
     const bench8_real Z3 = table->mass * V[2] + sum->mu[1] * V[3] + sum->mu_dot[2] - sum->mu[0] * V[4];
@@ -744,8 +744,7 @@ static bench8_status bench8_solve_carrier_once(const bench8_table *table, const 
     return BENCH8_OK;
 }
 
-/* K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK,
- * (8). */
+/* K V_dot = F - M V - sum(I phi_ddot + J phi_dot) of checked inputs; written where the status is OK, (8). */
 BENCH8_CODE
 static bench8_status bench8_accelerate(const bench8_table *table, const bench8_state *x,
                                        const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
@@ -800,7 +799,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     bench8_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
     bench8_real Z[6];  /* momentum screw (2) */
     bench8_momentum_screw(table, &sum, x->V, Z);
-    bench8_real spin = 0.0;  /* sum phi' (I^T V + Theta_ff phi') */
+    bench8_real spin = 0.0;  /* sum phi_dot (I^T V + Theta_ff phi_dot) */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
@@ -842,7 +841,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     return BENCH8_OK;
 }
 
-/* Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0, (9). */
+/* Column of I of one flywheel, and its drive torque at V_dot = 0, phi_ddot = 0, (9). */
 BENCH8_CODE
 static BENCH8_COPIED void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
                                         const bench8_real origin_acceleration[3], const bench8_real spun[6],
@@ -904,7 +903,7 @@ static void bench8_balance(const bench8_table *table, const bench8_state *x,
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, table->gravity, g);
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V_dot = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
@@ -922,7 +921,7 @@ static void bench8_balance(const bench8_table *table, const bench8_state *x,
     }
 }
 
-/* Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s). */
+/* Drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s). */
 BENCH8_CODE
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
@@ -940,7 +939,7 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
     bench8_real sine[BENCH8_N];
     bench8_real cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V_dot = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
@@ -1017,7 +1016,8 @@ static void bench8_solve_schur(const bench8_schur_factor *factor, const bench8_r
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
-/* V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK. */
+/* V_dot, phi_ddot for given drive torques, from checked inputs; results are written where the status is
+ * OK. */
 BENCH8_CODE
 static bench8_status bench8_solve_coupled(const bench8_table *table, const bench8_state *x,
                                           const bench8_real sine[BENCH8_N],
@@ -1034,7 +1034,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     bench8_sums sum;
     bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     bench8_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
-    bench8_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    bench8_real F[6];  /* wrench (7); then the right-hand side of K V_dot + I phi_ddot = F */
     bench8_external(table, x, &sum, C, g, F);
     bench8_subtract_rates(table, &sum, x->V, F);
     bench8_schur K;  /* mass matrix with free flywheels eliminated */
@@ -1046,7 +1046,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     K.D[0] = sum.J[0];  K.D[1] = sum.J[1];  K.D[2] = sum.J[2];
     K.D[3] = sum.J[3];  K.D[4] = sum.J[4];  K.D[5] = sum.J[5];
     bench8_coupling drive[BENCH8_N];
-    bench8_real origin_acceleration[3];  /* acceleration of O1 at V* = 0, minus gravity */
+    bench8_real origin_acceleration[3];  /* acceleration of O1 at V_dot = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
     origin_acceleration[1] = x->V[5] * x->V[0] - g[1] - x->V[3] * x->V[2];
     origin_acceleration[2] = x->V[3] * x->V[1] - g[2] - x->V[4] * x->V[0];
@@ -1055,7 +1055,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     spun[1] = -0.5 * (x->V[4] * x->V[4]);
     spun[2] = -0.5 * (x->V[5] * x->V[5]);
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
-    bench8_real rate[BENCH8_N];  /* accelerations at V* = 0 */
+    bench8_real rate[BENCH8_N];  /* accelerations at V_dot = 0 */
     for (int s = 0; s < BENCH8_N; ++s) {
         if (locked[s] == 0) {
             bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
@@ -1082,7 +1082,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     return BENCH8_OK;
 }
 
-/* Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first. */
+/* Motion of the whole system under drive torques: V_dot, phi_ddot together, flywheels eliminated first. */
 BENCH8_CODE
 bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
                              const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
@@ -1471,7 +1471,7 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
     bench8_sums sum;
     bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     bench8_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
-    bench8_real F[6];  /* wrench (7); then the right-hand side of K V* + I phi'' = F */
+    bench8_real F[6];  /* wrench (7); then the right-hand side of K V_dot + I phi_ddot = F */
     bench8_external(table, x, &sum, C, g, F);
     bench8_subtract_rates(table, &sum, x->V, F);
     work->G[0][0] = table->mass;  work->G[0][1] = 0.0;          work->G[0][2] = 0.0;
@@ -1486,7 +1486,7 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
     work->G[4][3] = sum.J[3];    work->G[4][4] = sum.J[1];    work->G[4][5] = sum.J[5];
     work->G[5][0] = -sum.mu[1];  work->G[5][1] = sum.mu[0];   work->G[5][2] = 0.0;
     work->G[5][3] = sum.J[4];    work->G[5][4] = sum.J[5];    work->G[5][5] = sum.J[2];
-    /* b = F - K V*: the wrench demanded of the flywheels */
+    /* b = F - K V_dot: the wrench demanded of the flywheels */
     for (int i = 0; i < 6; ++i) {
         const bench8_real demanded = F[i] - work->G[i][0] * V_dot[0] - work->G[i][1] * V_dot[1]
             - work->G[i][2] * V_dot[2] - work->G[i][3] * V_dot[3] - work->G[i][4] * V_dot[4]
@@ -1584,7 +1584,7 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
     going = 1;
     weighted = 1;
     square_before = 1.7976931348623157e308;
-    /* until the end phi_ddot holds y = D phi'' */
+    /* until the end phi_ddot holds y = D phi_ddot */
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
         limited[s] = 0;
@@ -1759,7 +1759,7 @@ static int bench8_motor_lacks(const bench8_inverse_options *options, int number,
     return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
 }
 
-/* Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked
+/* Does a motion need more than a motor's torque, speed, or a larger phi_ddot than `most`? Of checked
  * inputs. */
 BENCH8_CODE
 static void bench8_excessive(const bench8_table *table, const bench8_state *x,
@@ -1833,7 +1833,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
             || options->motor_coulomb_speed[s] <= 0.0) { return BENCH8_BAD_ARGUMENT; }
     }
     bench8_inverse_work work;
-    bench8_real answer[BENCH8_N];  /* phi'' */
+    bench8_real answer[BENCH8_N];  /* phi_ddot */
     int limited[BENCH8_N];
     bench8_real residual[6];
     bench8_real sine[BENCH8_N];
@@ -1897,7 +1897,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (rank < 6) {
         flags = flags | BENCH8_RANK_DEFICIENT;
     }
-    bench8_real moved[6];  /* V* that results: V_dot + K^-1 residual */
+    bench8_real moved[6];  /* V_dot that results: V_dot + K^-1 residual */
     bench8_real left;
     bench8_real z[6];  /* G^-1 residual */
     left = 0.0;

@@ -20,7 +20,15 @@
  *
  * SI units. E0 is inertial, E1 the carrier with origin O1, Es a flywheel. Six numbers are the linear part,
  * then the angular part, in axes of E1 about O1 unless said otherwise. Equation numbers: README.md
- * of the delivered folder. */
+ * of the delivered folder.
+ *
+ * The equation of motion, (8):  K V_dot + M V + sum over flywheels s (I_s phi_ddot_s + J_s phi_dot_s) = F
+ *   V         twist of the carrier: velocity of O1, angular velocity
+ *   phi_s     angle of flywheel s about its axis
+ *   K         (6x6) inertia of all bodies, with added mass; M = Phi(V) K + K_dot
+ *   I_s, J_s  (6) how the acceleration and the speed of flywheel s act on the carrier
+ *   F         wrench of all that acts from outside, (7)
+ */
 #ifndef BENCH8_H
 #define BENCH8_H
 
@@ -29,17 +37,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_7220a493
-#define bench8_default            bench8_default_f64_7220a493
-#define bench8_default_options    bench8_default_options_f64_7220a493
-#define bench8_forward            bench8_forward_f64_7220a493
-#define bench8_momentum           bench8_momentum_f64_7220a493
-#define bench8_torque             bench8_torque_f64_7220a493
-#define bench8_coupled            bench8_coupled_f64_7220a493
-#define bench8_step               bench8_step_f64_7220a493
-#define bench8_inverse            bench8_inverse_f64_7220a493
-#define bench8_inverse_fast       bench8_inverse_fast_f64_7220a493
-#define bench8_prepare            bench8_prepare_f64_7220a493
+#define bench8_default_parameters bench8_default_parameters_f64_f455ddc8
+#define bench8_default            bench8_default_f64_f455ddc8
+#define bench8_default_options    bench8_default_options_f64_f455ddc8
+#define bench8_forward            bench8_forward_f64_f455ddc8
+#define bench8_momentum           bench8_momentum_f64_f455ddc8
+#define bench8_torque             bench8_torque_f64_f455ddc8
+#define bench8_coupled            bench8_coupled_f64_f455ddc8
+#define bench8_step               bench8_step_f64_f455ddc8
+#define bench8_inverse            bench8_inverse_f64_f455ddc8
+#define bench8_inverse_fast       bench8_inverse_fast_f64_f455ddc8
+#define bench8_prepare            bench8_prepare_f64_f455ddc8
 #endif
 
 #ifdef __cplusplus
@@ -179,11 +187,11 @@ typedef struct bench8_momentum_result {
 
 /* Options of inverse: how it distributes a demand, and what it does near a singularity. */
 typedef struct bench8_inverse_options {
-    bench8_real weight[BENCH8_N];               /* weight of each flywheel in the norm of phi'': 1e-6 to
-                                                 * 1e6, 1 by default */
-    bench8_real limit[BENCH8_N];                /* rad/s2; largest magnitude of each phi''; greater than 0;
-                                                 * infinity: no limit */
-    bench8_real most[BENCH8_N];                 /* rad/s2; EXCESSIVE above this |phi''|; greater than 0 */
+    bench8_real weight[BENCH8_N];               /* weight of each flywheel in the norm of phi_ddot: 1e-6 to
+                                                 * 1e6; else 1 */
+    bench8_real limit[BENCH8_N];                /* rad/s2; largest magnitude of each phi_ddot; greater than
+                                                 * 0; infinity: no limit */
+    bench8_real most[BENCH8_N];                 /* rad/s2; EXCESSIVE above this |phi_ddot|; greater than 0 */
     bench8_real motor_torque[BENCH8_N];         /* N m; EXCESSIVE if the drive torque is larger; not
                                                  * negative; infinity: no limit */
     bench8_real motor_speed[BENCH8_N];          /* rad/s; no-load speed, where the torque that drives has
@@ -201,7 +209,7 @@ typedef struct bench8_inverse_options {
 /* Result of inverse and its quality. */
 typedef struct bench8_inverse_result {
     bench8_real phi_ddot[BENCH8_N];  /* rad/s2; flywheel accelerations */
-    bench8_real residual[6];         /* N, N m; F - K V* - M V - J phi' - I phi'' */
+    bench8_real residual[6];         /* N, N m; F - K V_dot - M V - J phi_dot - I phi_ddot */
     bench8_real sigma[6];            /* singular values of K^-1/2 I Theta_ff^-1/2, descending */
     int rank;                        /* number of singular values above the rank threshold */
     bench8_real damped_by;           /* largest damping lambda applied, in units of sigma; 0: none */
@@ -216,8 +224,8 @@ extern const bench8_inverse_options bench8_default_options;       /* of inverse,
 
 /* ---- functions ---- */
 
-/* forward: acceleration of the carrier for given accelerations of the flywheels: K V* = F - M V - sum(I
- * phi'' + J phi'), (8).
+/* forward: acceleration of the carrier for given accelerations of the flywheels: K V_dot = F - M V - sum(I
+ * phi_ddot + J phi_dot), (8).
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   phi_ddot[8]  rad/s2; flywheel accelerations
@@ -236,7 +244,7 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
  * At most 2461 operations on reals, 1 of them a division. Stack: at most 1664 bytes. */
 bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
-/* torque: drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s).
+/* torque: drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s).
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   V_dot[6]     m/s2, rad/s2; derivative of the components of V
@@ -247,12 +255,12 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
-/* coupled: motion of the whole system under given drive torques: V* and phi'' together, flywheels
- * eliminated first.
+/* coupled: motion of the whole system under drive torques: V_dot, phi_ddot together, flywheels eliminated
+ * first.
  *   table        the prepared table
  *   x            state; its attitude within 1e-3 of unit length
  *   tau[8]       N m; drive torques, mount on flywheel
- *   locked[8]    not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   locked[8]    not 0: a lock holds phi_ddot = 0, whatever its tau; null: no lock
  *   V_dot[6]     out: m/s2, rad/s2; derivative of the components of V
  *   phi_ddot[8]  out: rad/s2; flywheel accelerations
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT. Nothing is written when the status
@@ -266,7 +274,7 @@ bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
  *   table      the prepared table
  *   x          state; its attitude within 1e-3 of unit length
  *   tau[8]     N m; drive torques, mount on flywheel
- *   locked[8]  not 0: a lock holds phi'' = 0, whatever its tau; null: no lock
+ *   locked[8]  not 0: a lock holds phi_ddot = 0, whatever its tau; null: no lock
  *   dt         s; time step, greater than 0
  *   order      4: Runge-Kutta, four evaluations; 2: midpoint rule, two
  *   carry      in and out: of the step before; at first all zero; null: what rounding takes is lost
@@ -283,9 +291,9 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
                           const int locked[BENCH8_N], bench8_real dt, int order, bench8_step_carry *carry,
                           bench8_state *next);
 
-/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'.
- * Least residual in the norm of K^-1, then least weighted norm of phi''. What a flywheel at its limit
- * cannot give is shared among the others, (12).
+/* inverse: flywheel accelerations for a wanted motion of the carrier: I phi_ddot = F - K V_dot - M V - J
+ * phi_dot. Least residual in the norm of K^-1, then least weighted norm of phi_ddot. What a flywheel at
+ * its limit cannot give is shared among the others, (12).
  *   table     the prepared table
  *   x         state; its attitude within 1e-3 of unit length
  *   V_dot[6]  m/s2, rad/s2; wanted derivative of the components of V
@@ -309,9 +317,9 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
  * Squares the condition number: as accurate as inverse if singular values differ by a factor of at most
  * some thousand; returns NOT_POSITIVE_DEFINITE if they differ by more and damping is 0.
  * Damping is relative to the norm of W.
- * EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds
- * is left out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides
- * this bit alone.
+ * EXCESSIVE counts Theta_ff phi_ddot and the friction of the motor. What the carrier's motion adds is left
+ * out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides this bit
+ * alone.
  * RANGE also where the answer is no finite number.
  * Returns OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT, EXCESSIVE. Nothing is written when
  * the status is negative.

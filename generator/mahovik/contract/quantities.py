@@ -255,8 +255,8 @@ FLOORS = {
 
 terms    scale of the terms of (8); of a task, of its demand and the motion
 motion   a small part of the acceleration that these terms have together, by the mass matrix
-spin     a small part of phi'^2: a flywheel's own spin makes nothing of it, but sums of it cancel only to rounding
-turning  phi' times the flywheel's momentum without its spin: in axes that turn with it, as in (4), it cancels
+spin     a small part of phi_dot^2: a flywheel's own spin makes nothing of it, but sums of it cancel only to rounding
+turning  phi_dot times the flywheel's momentum without its spin: in axes that turn with it, as in (4), it cancels
 largest  the largest scale in the quantity
 own      nothing: the scale is that of terms that cancel
 """

@@ -116,6 +116,8 @@ class _Printer:
             statuses=statuses(self._names, self._layout, self._program if self._part else None),
             prepares=any(f.name == "prepare" for f in self._code.public),
             takes_root=any(f.name == "sqrt" for f in self._program.functions),
+            held=self._layout.held,
+            stream=self._layout.stream,
             enums=self._enums(),
             structs=self._code.structs(header_structs(self._program)),
             externs=[

@@ -66,7 +66,7 @@ def solve_gram(lib: Library, rows: int = 6) -> Function:
 
 
 def allocate(lib: Library, rows: int = 6) -> Function:
-    """phi'' of a demand in orthogonal rows, the first `rows` of the work."""
+    """phi_ddot of a demand in orthogonal rows, the first `rows` of the work."""
     layout, solve = lib.layout, lib[name_for_rows("solve_gram", rows)]
     N, n = layout.count, int(layout.count)
     regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
@@ -94,7 +94,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         going = 1
         weighted = 1
         square_before = most_real
-        # until the end phi_ddot holds y = D phi''
+        # until the end phi_ddot holds y = D phi_ddot
         for s in range(N):
             phi_ddot[s] = 0
             limited[s] = 0

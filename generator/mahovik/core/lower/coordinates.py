@@ -1,4 +1,4 @@
-"""Generalized coordinates of a free carrier: quaternion of angles; A, D of (10), I0, J0 and q'' of (11); and back.
+"""Generalized coordinates of a free carrier: quaternion of angles; A, D of (10), I0, J0 and q_ddot of (11); and back.
 
 state_from_coordinates gives a wanted motion in generalized coordinates as the twist and its rate that inverse takes.
 """
@@ -57,7 +57,7 @@ def quaternion(lib: Library) -> Function:
 
 
 def add_state_from_coordinates(lib: Library) -> None:
-    """Adds V = A q', V* = A q'' + D q' (10)."""
+    """Adds V = A q_dot, V_dot = A q_ddot + D q_dot (10)."""
     layout, sequence = lib.layout, lib.layout.structure.angles
     given: Any = angles_argument(lib)
 
@@ -70,15 +70,15 @@ def add_state_from_coordinates(lib: Library) -> None:
         x: Any = changed("its position, attitude and V are written; phases and speeds are kept", struct=layout.state),
         V_dot: Reals = result("derivative of the components of V", 6, unit="m/s2, rad/s2"),
     ) -> Status:
-        """State and V* of a wanted motion in generalized coordinates: V = A q', V* = A q'' + D q'."""
+        """State and V_dot of a wanted motion in generalized coordinates: V = A q_dot, V_dot = A q_ddot + D q_dot."""
         check_vector(lib, position, lib.limit("MAX_POSITION"))
         lib["within"](q_dot, 6, lib.limit("MAX_SPEED"))
         lib["within"](q_ddot, 6, lib.limit("MAX_ACCELERATION"))
         attitude = reals(4)
         C = reals(9)
-        v = reals(3)  # C^T r'
-        a = reals(3)  # C^T r''
-        omega = reals(3)  # B (psi', theta', phi')
+        v = reals(3)  # C^T r_dot
+        a = reals(3)  # C^T r_ddot
+        omega = reals(3)  # B (psi_dot, theta_dot, phi_dot)
         lib["quaternion"](angles, attitude)
         numbers = sines_and_cosines(lib, list(angles))
         singular = let("singular", formula(derived.singular(sequence), **numbers))
@@ -89,7 +89,7 @@ def add_state_from_coordinates(lib: Library) -> None:
         a[:] = C.T @ q_ddot[0:3]
         rates = dict(zip(("psi_dot", "theta_dot", "phi_dot"), q_dot[3:6], strict=True))
         omega[:] = formula(derived.angular_velocity(sequence), **numbers, a=q_dot[3:6])
-        # V* = A q'' + D q': v* = C^T r'' - omega x v
+        # V_dot = A q_ddot + D q_dot: v_dot = C^T r_ddot - omega x v
         V_dot[0:3] = cross(v, omega) + a
         turning = derived.angular_acceleration(sequence)
         V_dot[3:6] = formula(turning, **numbers, **rates, a=q_ddot[3:6], b=q_dot[3:6])
@@ -132,7 +132,7 @@ def add_generalized(lib: Library) -> None:
         wrench: Any = lib.wrench,
         out: Any = result("A, D, I0, J0, q_dot, q_ddot", struct=layout.generalized),
     ) -> Status:
-        """The equations in generalized coordinates: A, D, I0, J0, q', and q'' for given phi''."""
+        """The equations in generalized coordinates: A, D, I0, J0, q_dot, and q_ddot for given phi_ddot."""
         y = record(layout.state)  # the state with the attitude of the angles
         V_dot = reals(6)
         m = record(layout.matrices)
@@ -151,17 +151,17 @@ def add_generalized(lib: Library) -> None:
         lib["rotation"](y.attitude, C)
         singular_inv = 1 / singular
         inverse = derived.angle_rates(sequence)
-        # q' = A^-1 V
+        # q_dot = A^-1 V
         out.q_dot[0:3] = C @ x.V[0:3]
         out.q_dot[3:6] = formula(inverse, **numbers, singular_inv=singular_inv, a=x.V[3:6])
         rates = dict(zip(("psi_dot", "theta_dot", "phi_dot"), out.q_dot[3:6], strict=True))
         A, D = derived.kinematics(sequence)
         out.A[:] = formula(A, **numbers, **rates, C=C, omega=x.V[3:6]).square
         out.D[:] = formula(D, **numbers, **rates, C=C, omega=x.V[3:6]).square
-        rest = reals(6)  # V* - D q'
+        rest = reals(6)  # V_dot - D q_dot
         for i in range(6):
             rest[i] = dot((1, *-out.D[i]), (V_dot[i], *out.q_dot))
-        # q'' = A^-1 (V* - D q')
+        # q_ddot = A^-1 (V_dot - D q_dot)
         out.q_ddot[0:3] = C @ rest[0:3]
         out.q_ddot[3:6] = formula(inverse, **numbers, singular_inv=singular_inv, a=rest[3:6])
         products(m, out)

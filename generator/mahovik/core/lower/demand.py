@@ -1,6 +1,6 @@
 """What (12) asks of the flywheels at a state, scaled: shared by inverse and inverse_fast.
 
-K = G G^T, W = G^-1 I D^-1, r = G^-1 b with b = F - K V* - M V - J phi' and D^2 = Theta_ff. The singular values of W are
+K = G G^T, W = G^-1 I D^-1, r = G^-1 b, b = F - K V_dot - M V - J phi_dot, D^2 = Theta_ff. The singular values of W are
 those of K^-1/2 I Theta_ff^-1/2: dimensionless, the same for any units, origin and axes. Of a held carrier these are its
 rows along the freedoms: S^T K S, S^T I and S^T b.
 """
@@ -70,7 +70,7 @@ def add_factor(lib: Library, rows: int = 6) -> None:
 
 @inline
 def right_side(lib: Any, table: Any, x: Any, turns: Any, wrench: Any, name: str, V_dot: Any = None) -> Any:
-    """What is seen at a state; F of K V_r* + I phi'' = F, by `name` in its comment; V_r* of a wanted V*."""
+    """What is seen at a state; F of K V_r_dot + I phi_ddot = F, by `name` in its comment; V_r_dot of a wanted V_dot."""
     seen = scene(lib, table, x, turns=turns)
     moving = None if V_dot is None else relative_rate(x, V_dot, seen.stream)
     sum_up(lib, table, x, seen, None)
@@ -125,11 +125,11 @@ def add_demand(lib: Library) -> None:
         work: Any = argument(struct=layout.inverse_work, direction="out"),
     ) -> Status:
         """Matrix and right-hand side of (12)."""
-        name = "the right-hand side of K V* + I phi'' = F"
+        name = "the right-hand side of K V_dot + I phi_ddot = F"
         seen, F, moving = right_side(lib, table, x, (sine, cosine) if layout.flywheels else (), wrench, name, V_dot)
         S = columns(layout.ways, table) if held else ()
         if held:
-            missing = reals(6)  # K V* - F: what flywheels and hold must give
+            missing = reals(6)  # K V_dot - F: what flywheels and hold must give
             lib["react"](table, seen.sums, moving, F, missing)
             P = reals(place_of(rows, 0))  # S^T K S
             lib["project_mass"](table, seen.sums, P)
@@ -140,7 +140,7 @@ def add_demand(lib: Library) -> None:
                     work.G[k][j] = P[place_of(k, j)]
         else:
             work.G[:] = mass_matrix(lib, table, seen.sums)
-            # b = F - K V*: the wrench demanded of the flywheels
+            # b = F - K V_dot: the wrench demanded of the flywheels
             for i in range(6):
                 demanded = less(F[i], work.G[i], moving)
                 work.b[i] = demanded

@@ -1,6 +1,6 @@
 """torque: what the drives must give for a motion; coupled: the motion that given drive torques make.
 
-V* and phi'' under given torques: free flywheels are eliminated, of a free carrier from its six rows, of a held one from
+V_dot, phi_ddot under given torques: free flywheels are eliminated, from six rows of a free carrier, of a held one from
 the rows along its freedoms.
 """
 
@@ -56,7 +56,7 @@ def with_own(torque: Any, own: Any, s: Any) -> Any:
 
 
 def add_torque(lib: Library) -> None:
-    """Adds the drive torques for given V*, phi''."""
+    """Adds the drive torques for given V_dot, phi_ddot."""
     layout, N = lib.layout, lib.layout.count
     turns: Any = lib.given_turns() or (None, None)
     tau_result: Any = result("drive torques, mount on flywheel, about the spin axis", N, unit="N m")
@@ -87,7 +87,7 @@ def add_torque(lib: Library) -> None:
         wrench: Any = lib.flywheel_wrench,
         tau: Reals = tau_result,
     ) -> Status:
-        """Drive torques for a given motion: tau = f^T (Theta V_s* + Phi(V_s) Z_s - P_s)."""
+        """Drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s)."""
         check_inputs(lib, table, x, phi_ddot, wrench, (sine, cosine) if layout.sine_input else ())
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         if layout.sine_input:
@@ -99,7 +99,7 @@ def add_torque(lib: Library) -> None:
 
 
 def add_coupled(lib: Library) -> None:
-    """Adds V* and phi'' for given tau, from checked inputs, and with checks."""
+    """Adds V_dot and phi_ddot for given tau, from checked inputs, and with checks."""
     layout, N = lib.layout, lib.layout.count
     turns: Any = lib.given_turns() or (None, None)
     torques: Any = argument("drive torques, mount on flywheel", N, unit="N m")
@@ -121,7 +121,7 @@ def add_coupled(lib: Library) -> None:
         phi_ddot: Reals = spins,
         u_dot: Any = lib.u_dot,
     ) -> Status:
-        """V* and phi'' for given drive torques, from checked inputs; results are written where the status is OK."""
+        """V_dot, phi_ddot for given drive torques, from checked inputs; results are written where the status is OK."""
         seen = scene(lib, table, x, turns=(sine, cosine))
         if layout.held:
             freedoms, drift = equations_along(lib, table, x, seen, wrench, None)
@@ -132,7 +132,7 @@ def add_coupled(lib: Library) -> None:
             from_stream(x, seen, V_dot)
         return OK
 
-    purpose = "Motion of the whole system under given drive torques: V* and phi'' together, flywheels eliminated first"
+    purpose = "Motion of the whole system under drive torques: V_dot, phi_ddot together, flywheels eliminated first"
     purpose += ", along the freedoms of the hold." if layout.freedoms else "."
 
     @lib.kernel(statuses=statuses, purpose=purpose, public=True)
@@ -174,9 +174,9 @@ def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> No
 
 @inline
 def without_drives(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> Any:
-    """K and F of K V* + I phi'' = F, before the flywheels are eliminated; their sums are in `seen`."""
+    """K and F of K V_dot + I phi_ddot = F, before the flywheels are eliminated; their sums are in `seen`."""
     sum_up(lib, table, x, seen, None)
-    F = reals(6)  # wrench (7); then the right-hand side of K V* + I phi'' = F
+    F = reals(6)  # wrench (7); then the right-hand side of K V_dot + I phi_ddot = F
     external_wrench(lib, table, x, seen, wrench, F)
     lib["subtract_rates"](table, seen.sums, seen.V, F)
     K = record(lib.layout.schur)  # mass matrix with free flywheels eliminated
@@ -186,14 +186,14 @@ def without_drives(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> 
 
 @inline
 def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any, results: Any) -> None:
-    """V*, phi'' of K, F without drives, for given tau and locks, flywheel by flywheel."""
+    """V_dot, phi_ddot of K, F without drives, for given tau and locks, flywheel by flywheel."""
     layout, N = lib.layout, lib.layout.count
     tau, locked = drives_of
     K, F = system
     V_dot, phi_ddot = results
     drive = record(layout.coupling, N)
     common = common_terms(lib, seen.V, seen.g)
-    rate = reals(N)  # accelerations at V* = 0
+    rate = reals(N)  # accelerations at V_dot = 0
     for s in range(N):
         if locked[s] == 0:
             couple_flywheel(lib, table, s, seen, common, drive[s])
@@ -215,17 +215,17 @@ def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any,
 def solve_held(
     lib: Library, table: Any, seen: Any, drives_of: Any, freedoms: Freedoms, drift: Any, results: Any
 ) -> None:
-    """Writes V*, phi'', u*, for given tau and locks, of the equations for phi'' = 0.
+    """Writes V_dot, phi_ddot, u_dot, for given tau and locks, of the equations for phi_ddot = 0.
 
     `drift`: omega x C^T u of a stream.
     """
     N, m = lib.layout.count, lib.layout.freedoms
     tau, locked = drives_of
     V_dot, phi_ddot, u_dot = results
-    bias = reals(N)  # drive torques at V* = 0, phi'' = 0
+    bias = reals(N)  # drive torques at V_dot = 0, phi_ddot = 0
     inverse = reals(N)  # 1 / Theta_ff; 0 where a lock holds
     columns = reals(N, 6)  # columns of I
-    rate = reals(N)  # accelerations at V* = 0
+    rate = reals(N)  # accelerations at V_dot = 0
     if m:
         projected = reals(N, m)  # S^T I, flywheel by flywheel
     common = common_terms(lib, seen.V, seen.g)

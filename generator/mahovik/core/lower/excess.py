@@ -12,7 +12,7 @@ from mahovik.core.program.kernel import BAD_ARGUMENT, NOT_FINITE, Reals, argumen
 from mahovik.core.program.types import Kind
 
 SPIN_UP_NOTE = (
-    "EXCESSIVE counts Theta_ff phi'' and the friction of the motor. The torque that the carrier's motion adds is left "
+    "EXCESSIVE counts Theta_ff phi_ddot and the friction of the motor. What the carrier's motion adds is left "
     "out: `torque` and `inverse` have it. What the options say of motors is not checked; it decides this bit alone."
 )
 
@@ -38,7 +38,7 @@ def add_excessive(lib: Library) -> None:
         wrench: Any = lib.wrench,
         flags: Any = Argument("flags", Kind.INT, (), "out", purpose="EXCESSIVE, or 0"),
     ) -> None:
-        """Does a motion need more than a motor's torque or speed, or a larger phi'' than `most`? Of checked inputs."""
+        """Does a motion need more than a motor's torque, speed, or a larger phi_ddot than `most`? Of checked inputs."""
         motors = ints()  # flywheels whose motor has a limit
         found = ints()
         motors = 0
@@ -83,7 +83,7 @@ def add_motor_lacks(lib: Library) -> None:
 
 @inline
 def spin_up_excess(lib: Any, table: Any, x: Any, options: Any, phi_ddot: Reals) -> Any:
-    """EXCESSIVE, or 0, by Theta_ff phi'' alone: what the carrier's motion adds is left out, for fast loops.
+    """EXCESSIVE, or 0, by Theta_ff phi_ddot alone: what the carrier's motion adds is left out, for fast loops.
 
     Options of motors that are no numbers or negative are not refused: they decide this bit alone.
     """
@@ -122,7 +122,7 @@ def check_motor(options: Any, s: int) -> None:
 
 @inline
 def check_flywheels(lib: Any, options: Any) -> None:
-    """The same of all motors with their friction, and of the limits of phi''."""
+    """The same of all motors with their friction, and of the limits of phi_ddot."""
     for s in range(lib.layout.count):
         refuse([options.limit[s]], options.limit[s] <= 0)
         check_motor(options, s)

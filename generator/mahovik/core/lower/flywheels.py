@@ -2,8 +2,8 @@
 
 With c = cos phi, s = sin phi and their derivatives along the motion, a row of harmonics gives
   mu = mu_c c + mu_s s,  J = J_c c + J_s s + J_2c cos 2 phi + J_2s sin 2 phi      first moment and inertia about O1
-  I_s phi' = (mu', t) phi',  t = t_0 + t_c c + t_s s,  ' by the phase             momentum of the turning
-and their rates. The torque is tau = mu' . (v* + omega x v - g) + t . omega* + Theta_ff phi'' - omega . J' omega / 2.
+  I_s phi_dot = (mu', t) phi_dot,  t = t_0 + t_c c + t_s s,  ' by the phase             momentum of the turning
+and their rates. Torque: tau = mu' . (v_dot + omega x v - g) + t . omega_dot + Theta_ff phi_ddot - omega . J' omega / 2.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ def sum_mass(lib: Library, apart: bool = False) -> Function:
     N, names = lib.layout.count, INERTIA if apart else MASS
     # In float J goes in a loop: a third of the code, which small processors lack; desktop ones are slower with it.
     short = lib.layout.precision is FLOAT
-    purpose = "Inertia of all bodies and its rate in E1, and their first moment; w = phi'."
+    purpose = "Inertia of all bodies and its rate in E1, and their first moment; w = phi_dot."
 
     @kernel("sum_inertia" if apart else "sum_mass", equation="(2), (6)", purpose=purpose if apart else "")
     def sum_mass(
@@ -128,7 +128,7 @@ def sum_mass(lib: Library, apart: bool = False) -> Function:
         phi_dot: Reals = argument("", N, unit="rad/s"),
         sum_: Any = changed(struct=lib.layout.sums),
     ) -> None:
-        """First moment and inertia of all bodies, and their rates in E1; w = phi'."""
+        """First moment and inertia of all bodies, and their rates in E1; w = phi_dot."""
         start(table, sum_, names)
         for k in range(N):
             row = table.flywheel[k]
@@ -166,8 +166,8 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
     names = (*(("mu_dot",) if apart else ()), *(STEADY_SPIN if steady else SPIN))
     purpose = (
         ("Rate of the first moment, and terms" if apart else "Terms")
-        + " of the flywheels' turning in momentum and forces; w = phi'"
-        + (" is constant." if steady else ", a = phi''.")
+        + " of the flywheels' turning in momentum and forces; w = phi_dot"
+        + (" is constant." if steady else ", a = phi_ddot.")
     )
     name = f"sum_{'steady_' if steady else ''}{'turning' if apart else 'spin'}"
 
@@ -191,10 +191,10 @@ def sum_spin(lib: Library, steady: bool = False, apart: bool = False) -> Functio
             terms = terms_of(row, s, c, w, a, weights(s, c, w, a))
             for name in names:
                 if name == "h_rel":
-                    # moment part of I phi' (its force part is mu_dot)
+                    # moment part of I phi_dot (its force part is mu_dot)
                     sum_.h_rel += terms.h_rel
                 elif name == "a_rel":
-                    # I phi'' + Ls [<e>] Theta f phi'^2, the last two sums of (5)
+                    # I phi_ddot + Ls [<e>] Theta f phi_dot^2, the last two sums of (5)
                     sum_.a_rel += terms.a_rel
                 else:
                     sum_.member(name)[:] += getattr(terms, name)
@@ -221,7 +221,7 @@ def column_of(row: Any, s: Any, c: Any) -> Vector:
 
 
 def couple(lib: Library) -> Function:
-    """I_s, and the torque at V* = 0, phi'' = 0, of one flywheel."""
+    """I_s, and the torque at V_dot = 0, phi_ddot = 0, of one flywheel."""
     displaces = lib.layout.flywheel_displaces
 
     @kernel(equation="(9)", copied=True)
@@ -234,7 +234,7 @@ def couple(lib: Library) -> Function:
         g: Reals = argument("gravity in E1", 3, unit="m/s2"),
         out: Any = result(struct=lib.layout.coupling),
     ) -> None:
-        """Column of I of one flywheel, and its drive torque at V* = 0, phi'' = 0."""
+        """Column of I of one flywheel, and its drive torque at V_dot = 0, phi_ddot = 0."""
         two_c2 = 2 - 4 * (s * s)  # twice the cosine and sine of the double phase
         two_s2 = 4 * c * s
         out.I[:] = column_of(row, s, c)
@@ -262,7 +262,7 @@ def common_terms(lib: Library, V: Reals, g: Reals) -> Any:
     """Both, as locals."""
     v, omega = V[0:3], V[3:6]
     if lib.layout.weight:
-        origin_acceleration: Reals = -g + cross(omega, v)  # acceleration of O1 at V* = 0, minus gravity
+        origin_acceleration: Reals = -g + cross(omega, v)  # acceleration of O1 at V_dot = 0, minus gravity
     else:
         origin_acceleration: Reals = cross(omega, v)  # type: ignore[no-redef]  # omega x v
     spun = reals(6)  # six numbers: J . spun = -omega . J omega / 2 for every inertia J
@@ -279,5 +279,5 @@ def couple_flywheel(lib: Library, table: Any, s: int, seen: Any, common: Any, ou
 
 
 def along(column: Any, V_dot: Any) -> Any:
-    """I_s . V*."""
+    """I_s . V_dot."""
     return dot(V_dot, column)

@@ -128,7 +128,7 @@ def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F:
 
 @inline
 def drift_of(x: Any, stream: Any) -> Any:
-    """omega x C^T u: V_r* = V* + (omega x C^T u, 0)."""
+    """omega x C^T u: V_r_dot = V_dot + (omega x C^T u, 0)."""
     drift = reals(3)  # omega x C^T u
     drift[:] = -cross(stream, x.V[3:6])
     return drift
@@ -136,11 +136,11 @@ def drift_of(x: Any, stream: Any) -> Any:
 
 @inline
 def relative_rate(x: Any, V_dot: Any, stream: Any) -> Any:
-    """V_r* = V* + (omega x C^T u, 0); V* itself where there is no stream."""
+    """V_r_dot = V_dot + (omega x C^T u, 0); V_dot itself where there is no stream."""
     if stream is None:
         return V_dot
     drift = drift_of(x, stream)
-    V_r_dot = reals(6)  # V_r* = V* + (omega x C^T u, 0)
+    V_r_dot = reals(6)  # V_r_dot = V_dot + (omega x C^T u, 0)
     V_r_dot[0:3] = V_dot[0:3] + drift
     V_r_dot[3:6] = V_dot[3:6]
     return V_r_dot
@@ -165,9 +165,9 @@ def all_turns(lib: Library, x: Any, given: Any) -> Any:
 
 @inline
 def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any = None) -> Any:
-    """(8) along the freedoms, P u* = y, without phi_ddot for phi'' = 0; and omega x C^T u of a stream.
+    """(8) along the freedoms, P u_dot = y, without phi_ddot for phi_ddot = 0; and omega x C^T u of a stream.
 
-    `y`: a place for the right-hand side, then for u*.
+    `y`: a place for the right-hand side, then for u_dot.
     """
     if lib.layout.along:
         F = reals(6)  # wrench (7)
@@ -191,16 +191,16 @@ def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, ph
 
 @inline
 def from_stream(x: Any, seen: Any, V_dot: Any) -> None:
-    """V* = V_r* - (omega x C^T u, 0), where there is a stream."""
+    """V_dot = V_r_dot - (omega x C^T u, 0), where there is a stream."""
     if seen.stream is not None:
-        # V* = V_r* - (omega x C^T u, 0)
+        # V_dot = V_r_dot - (omega x C^T u, 0)
         drift = drift_of(x, seen.stream)
         V_dot[0:3] = V_dot[0:3] - drift
 
 
 @inline
 def without_drift(lib: Library, table: Any, x: Any, seen: Any, F: Any) -> Any:
-    """Takes K (omega x C^T u, 0) from F, where there is a stream, so that F belongs to V*; returns omega x C^T u."""
+    """Takes K (omega x C^T u, 0) from F, where there is a stream, so that F belongs to V_dot; returns omega x C^T u."""
     if seen.stream is None:
         return None
     drift = drift_of(x, seen.stream)
@@ -209,14 +209,14 @@ def without_drift(lib: Library, table: Any, x: Any, seen: Any, F: Any) -> Any:
 
 
 def add_forward(lib: Library) -> None:
-    """Adds V* for given phi'' by (8), from checked inputs, and with checks."""
+    """Adds V_dot for given phi_ddot by (8), from checked inputs, and with checks."""
     layout = lib.layout
     statuses = (*STATE_STATUSES, "NOT_POSITIVE_DEFINITE")
     turns: Any = lib.given_turns() or (None, None)
     purpose = (
-        "u* of S^T K S u* = S^T (F - M V - sum(I phi'' + J phi')) from checked inputs; valid if the status is OK."
+        "u_dot of S^T K S u_dot = S^T (F - M V - sum(I phi_ddot + J phi_dot)), inputs checked; valid if OK."
         if layout.held
-        else "K V* = F - M V - sum(I phi'' + J phi') from checked inputs; V_dot is written where the status is OK."
+        else "K V_dot = F - M V - sum(I phi_ddot + J phi_dot) of checked inputs; written where the status is OK."
     )
 
     @lib.kernel(equation="(8)", statuses=statuses, purpose=purpose, short=layout.held)  # few freedoms leave little
@@ -230,7 +230,7 @@ def add_forward(lib: Library) -> None:
         V_dot: Any = None if layout.held else result("derivative of the components of V", 6, unit="m/s2, rad/s2"),
         u_dot: Any = lib.u_dot,
     ) -> Status:
-        """V* for given phi''."""
+        """V_dot for given phi_ddot."""
         seen = scene(lib, table, x, turns=(sine, cosine) if layout.flywheels else ())
         if u_dot is not None:
             equations_along(lib, table, x, seen, wrench, phi_ddot, u_dot)[0].solve()
@@ -251,8 +251,8 @@ def add_forward(lib: Library) -> None:
 
     purpose = (
         "Acceleration of the carrier for given accelerations of the flywheels: "
-        + ("along the freedoms of the hold, S^T: K V* = F" if layout.held else "K V* = F")
-        + " - M V - sum(I phi'' + J phi')."
+        + ("along the freedoms of the hold, S^T: K V_dot = F" if layout.held else "K V_dot = F")
+        + " - M V - sum(I phi_ddot + J phi_dot)."
     )
     overlaps = "derivative of the components of V; may overlap any input"
 

@@ -2,7 +2,7 @@
 
 The pivot slides by w from its home place, in the axes of the home pose: O1 + C pivot = O1_home + C0 (w + pivot). A turn
 about an axis has an angle; all three turns have the quaternion from the home pose. V = S u, and u are the rates of the
-coordinates, but for what slides while its direction turns: w* = R u, R = C0^T C.
+coordinates, but for what slides while its direction turns: w_dot = R u, R = C0^T C.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def add_held_coordinates(lib: Library) -> None:
         x: Any = changed("its position, attitude and V are written; phases and speeds are kept", struct=layout.state),
         V_dot: Reals = result("derivative of the components of V, as inverse takes it", 6, unit="m/s2, rad/s2"),
     ) -> Status:
-        """State and V* of coordinates of the freedoms of the hold and their rates: V = S u, V* = S u*."""
+        """State and V_dot of coordinates of the freedoms of the hold and their rates: V = S u, V_dot = S u_dot."""
         check_coordinates(lib, freedoms, q, orientation)
         lib["within"](q_dot, m, lib.limit("MAX_SPEED"))
         lib["within"](q_ddot, m, lib.limit("MAX_ACCELERATION"))
@@ -129,7 +129,7 @@ def add_held_coordinates(lib: Library) -> None:
         wrench: Any = lib.wrench,
         out: Any = result("coordinates of the freedoms, q_dot, q_ddot", struct=layout.generalized),
     ) -> Status:
-        """Coordinates of the freedoms of the hold at a state, with their rates, for given phi''."""
+        """Coordinates of the freedoms of the hold at a state, with their rates, for given phi_ddot."""
         V_dot = reals(6)
         u_dot = reals(m)
         lib["forward"](table, x, None, None, phi_ddot, wrench, V_dot, u_dot)
@@ -141,14 +141,14 @@ def add_held_coordinates(lib: Library) -> None:
         out.q_dot[:] = u
         out.q_ddot[:] = u_dot
         if turns_slides(ways):
-            # what slides goes along axes that turn: w* = R u, w** = R (u* + omega x u)
+            # what slides goes along axes that turn: w_dot = R u, w_ddot = R (u_dot + omega x u)
             R = reals(9)  # turn from the home pose
             a = reals(3)  # u in E1
-            b = reals(3)  # u* in E1
+            b = reals(3)  # u_dot in E1
             lib["rotation"](turn, R)
             a[:] = freedoms.spread(table.S, u)
             b[:] = freedoms.spread(table.S, u_dot)
-            whole = reals(3)  # u* + omega x u
+            whole = reals(3)  # u_dot + omega x u
             whole[:] = -cross(a, x.V[3:6]) + b
             for name, own in (("q_dot", a), ("q_ddot", whole)):
                 turn_rates(freedoms, table, R, own, name, out)
@@ -259,7 +259,7 @@ def write_position(lib: Library, freedoms: Ways, table: Any, q: Any, attitude: A
 
 @inline
 def turn_rates_back(lib: Library, freedoms: Ways, table: Any, turn: Any, u: Any, u_dot: Any) -> None:
-    """u = R^T w*, u* = R^T w** - omega x u of what slides, in place."""
+    """u = R^T w_dot, u_dot = R^T w_ddot - omega x u of what slides, in place."""
     R = reals(9)  # turn from the home pose
     lib["rotation"](turn, R)
     omega = reals(3)  # angular velocity
@@ -271,7 +271,7 @@ def turn_rates_back(lib: Library, freedoms: Ways, table: Any, turn: Any, u: Any,
     for values, turned in ((u, a), (u_dot, b)):
         home[:] = freedoms.spread(table.S, values)
         lib["rotate_back"](R, home, turned)
-    rate_along = reals(3)  # u* of what slides, in E1
+    rate_along = reals(3)  # u_dot of what slides, in E1
     rate_along[:] = cross(a, omega) + b
     for k in freedoms.slides:
         u[k] = dot(freedoms.direction(k, table.S), a)

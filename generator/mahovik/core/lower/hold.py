@@ -1,11 +1,11 @@
-"""Held carrier: (8) projected to its m freedoms, V* = S u*, and the reaction of the hold, by an m x m solve.
+"""Held carrier: (8) projected to its m freedoms, V_dot = S u_dot, and the reaction of the hold, by an m x m solve.
 
-S^T K S u* = S^T b and R = K V_r* - b; with a stream, K d is taken from b first, and then V* stands in place of V_r*.
+S^T K S u_dot = S^T b and R = K V_r_dot - b; with a stream, K d is taken from b first, then V_dot stands for V_r_dot.
 
 Freedoms whose brackets are freedoms need no six rows. S is constant in E1, so S^T K S and S^T I_s have the harmonics of
 K and I_s, projected once by `prepare`:
-  P(phi) u* = S^T F - P* u - d/dt (S^T I_s phi') - S^T Phi(V) Z,  V = S u,
-the last term by the m momenta S^T Z = P u + S^T sum I_s phi'. It is zero for one freedom.
+  P(phi) u_dot = S^T F - P* u - d/dt (S^T I_s phi_dot) - S^T Phi(V) Z,  V = S u,
+the last term by the m momenta S^T Z = P u + S^T sum I_s phi_dot. It is zero for one freedom.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def results(lib: Library) -> tuple[Argument, ...]:
 
 
 def add_hold(lib: Library) -> None:
-    """Adds the functions of a held carrier; clamped, its V* is zero."""
+    """Adds the functions of a held carrier; clamped, its V_dot is zero."""
     layout, m, ways = lib.layout, lib.layout.freedoms, lib.layout.ways
     size = place_of(m, 0)  # numbers of a symmetric matrix of the freedoms
     least = layout.precision.smallest
@@ -113,8 +113,8 @@ def add_hold(lib: Library) -> None:
         F: Reals = argument("right-hand side of (8), of all that turns as well", 6, unit="N, N m"),
         reaction: Reals = result("must not overlap F", 6, unit="N, N m"),
     ) -> None:
-        """Wrench of the hold on the carrier: K V* - F."""
-        moved: Reals = mass_times(lib, table, sum_, V_dot)  # K V*
+        """Wrench of the hold on the carrier: K V_dot - F."""
+        moved: Reals = mass_times(lib, table, sum_, V_dot)  # K V_dot
         reaction[:] = moved - F
 
     @lib.kernel()
@@ -206,7 +206,7 @@ def allowed_way(lib: Library, table: Any, C: Reals, way: Reals) -> Any:
 
 @inline
 def write_twist(lib: Library, table: Any, u_dot: Sequence[Any], V_dot: Reals) -> None:
-    """V* = S u* of the rates of the freedoms, zero without any."""
+    """V_dot = S u_dot of the rates of the freedoms, zero without any."""
     if u_dot:
         lib["twist_of_freedoms"](table, u_dot[0], V_dot)
     else:
@@ -220,8 +220,8 @@ def sum_along(lib: Library, steady: bool) -> Any:
     """Sums over all bodies, projected to the freedoms; `steady`: at constant speeds."""
     layout, N = lib.layout, lib.layout.count
     momenta = momenta_needed(layout.ways)
-    purpose = "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi'"
-    purpose += " is constant." if steady else ", a = phi''."
+    purpose = "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi_dot"
+    purpose += " is constant." if steady else ", a = phi_ddot."
 
     @kernel("sum_steady_along" if steady else "sum_along", equation="(2), (5), (6)", purpose=purpose)
     def sum_along(
@@ -253,7 +253,7 @@ def sum_along(lib: Library, steady: bool) -> Any:
             for i in list(range(len(sum_.P))):
                 sum_.P[i] += row.P_2c[i] * c2 + row.P_2s[i] * s2 + row.P_c[i] * c + row.P_s[i] * s
                 sum_.P_dot[i] += row.P_2c[i] * dc2 + row.P_2s[i] * ds2 + row.P_c[i] * dc + row.P_s[i] * ds
-            body().note("I phi' along the freedoms, and its rate" if momenta else "rate of I phi' along the freedoms")
+            body().note(("I phi_dot and its rate" if momenta else "rate of I phi_dot") + " along the freedoms")
             for i in list(range(layout.freedoms)):
                 if momenta:
                     sum_.h[i] += row.I_c[i] * ds + w * row.I_0[i] - row.I_s[i] * dc
@@ -277,7 +277,7 @@ def add_right_side(lib: Library) -> None:
         F: Reals = argument("wrench (7)", 6, unit="N, N m"),
         y: Reals = result("", m, unit="SI"),
     ) -> None:
-        """Right-hand side of (8) along the freedoms: S^T (F - Phi Z - K* V) - the flywheels' terms"""
+        """Right-hand side of (8) along the freedoms: S^T (F - Phi Z - K_dot V) - the flywheels' terms"""
         S = columns(ways, table)
         u = reals(m)  # speeds of the freedoms
         u[:] = speeds(ways, S, V)
@@ -362,7 +362,7 @@ class Freedoms:
         if self.count:
             shape = (place_of(self.count, 0),)
             self.P = body.local("P", shape, comment="mass matrix along the freedoms") if P is None else P
-            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u*") if y is None else y
+            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u_dot") if y is None else y
 
     def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
         """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
@@ -376,16 +376,16 @@ class Freedoms:
                 self._body.add(self.P[place_of(i, j)], scaled * projected[j], subtract=True)
 
     def back(self, projected: Place | None) -> Any:
-        """I_s . V* of a flywheel by S^T I_s."""
+        """I_s . V_dot of a flywheel by S^T I_s."""
         return real(0) if projected is None else dot(projected, self.y)
 
     def solve(self) -> None:
-        """u* into y; the caller returns where the mass along the freedoms is not positive."""
+        """u_dot into y; the caller returns where the mass along the freedoms is not positive."""
         if self.count:
             self._body.check(self._lib["solve_freedoms"](self.P, self.y))
 
     def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
-        """V* and u*."""
+        """V_dot and u_dot."""
         if self.count:
             self._body.set(rates[0], self.y)
         write_twist.put_into(self._body, self._lib, self._table, rates, V_dot)

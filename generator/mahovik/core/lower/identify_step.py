@@ -140,13 +140,13 @@ def add_identify_step(lib: Library) -> None:
         sum_up(lib, table, x, seen, phi_ddot)
         F = reals(6)  # wrench (7); then the right-hand side of (8)
         K = record(layout.carrier_factor)
-        model = reals(6)  # V* of the stand in the table
+        model = reals(6)  # V_dot of the stand in the table
         external_wrench(lib, table, x, seen, wrench, F)
         lib["subtract_rates"](table, seen.sums, seen.V, F)
         lib["factor_carrier"](table, seen.sums, K)
         lib["solve_carrier"](table, K, F, model)
         from_stream(x, seen, model)
-        slopes = reals(6, n)  # of V* by the unbalances: -K^-1 Y
+        slopes = reals(6, n)  # of V_dot by the unbalances: -K^-1 Y
         sine, cosine = seen.turns
         for s in range(layout.count):
             Y = reals(2, 6)

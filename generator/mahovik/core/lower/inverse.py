@@ -1,7 +1,7 @@
 """inverse (12): flywheel accelerations for a wanted motion, with diagnostics: of a free carrier, a held one or a task.
 
-W y = r of `demand`, or of a task, by singular values: least |r - W y| first, then least weighted norm of phi'' = D^-1 y
-within the limits (`allocate`). Singular values, rank and what they say are those of the stand, whatever the weights.
+W y = r of `demand`, or of a task, by singular values: least |r - W y| first, then least weighted norm of phi_ddot
+= D^-1 y within the limits (`allocate`). Singular values and rank are those of the stand, whatever the weights.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ POSITIVE = ("NEAR_SINGULAR", "DAMPED", "LIMITED", "UNREACHABLE", "RANK_DEFICIENT
 
 SHARING = " What a flywheel at its limit cannot give is shared among the others."
 PURPOSE = (
-    "Flywheel accelerations for a wanted motion of the carrier: I phi'' = F - K V* - M V - J phi'. "
-    "Least residual in the norm of K^-1, then least weighted norm of phi''." + SHARING
+    "Flywheel accelerations for a wanted motion of the carrier: I phi_ddot = F - K V_dot - M V - J phi_dot. "
+    "Least residual in the norm of K^-1, then least weighted norm of phi_ddot." + SHARING
 )
 PURPOSE_HELD = (
-    "Flywheel accelerations for wanted rates of the freedoms: S^T I phi'' = S^T (F - K V* - M V - J phi'). "
-    "Least residual in the norm of (S^T K S)^-1, then least weighted norm of phi''." + SHARING
+    "Flywheel accelerations for wanted rates of the freedoms: S^T I phi_ddot = S^T (F - K V_dot - M V - J phi_dot). "
+    "Least residual in the norm of (S^T K S)^-1, then least weighted norm of phi_ddot." + SHARING
 )
 PURPOSE_OF_TASK = (
     "Flywheel accelerations for the task {}: what no row names is free, found by the dynamics. "
-    "Least error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi''."
+    "Least error in the norm of (S K^-1 S^T)^-1, then least weighted norm of phi_ddot."
 )
 
 
@@ -66,7 +66,7 @@ def options_argument(lib: Library, task: Rows | None) -> Argument:
 
 @inline
 def accelerate(lib: Any, table: Any, x: Any, turns: Any, phi_ddot: Reals, wrench: Any, V_dot: Any) -> None:
-    """V* that results of phi'', by (8)."""
+    """V_dot that results of phi_ddot, by (8)."""
     rates = None
     if lib.layout.held:
         rates = reals(lib.layout.freedoms)
@@ -158,7 +158,7 @@ def hardest(lib: Any, work: Any, rank: int, last: int, out: Reals) -> None:
 
 
 def add_inverse(lib: Library, task: Rows | None = None) -> None:
-    """phi'' for a wanted V* of a free or held carrier, or for the demand of a task, with diagnostics."""
+    """phi_ddot for a wanted V_dot of a free or held carrier, or for the demand of a task, with diagnostics."""
     layout, N, held = lib.layout, lib.layout.count, lib.layout.held
     m = len(task) if task else layout.inverse_rows
     along, tolerance = bool(task) or held, lib.thresholds.unreachable  # (8) gives the motion that results
@@ -186,7 +186,7 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
         check_demand(lib, table, x, demand, options, wrench, (), ("near_singular", "damping"))
         check_flywheels(lib, options)
         work = record(layout.inverse_work)
-        answer = reals(N)  # phi''
+        answer = reals(N)  # phi_ddot
         limited = ints(N)
         residual = reals(m)
         turns = turns_of(lib, x)
@@ -220,9 +220,9 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
         if rank < demanded and rank < int(N) if task else rank < min(m, int(N)):
             flags = flags | bit("RANK_DEFICIENT")
         if along:
-            moved = reals(6)  # V* that results, by (8)
+            moved = reals(6)  # V_dot that results, by (8)
         else:
-            moved = reals(6)  # V* that results: V_dot + K^-1 residual
+            moved = reals(6)  # V_dot that results: V_dot + K^-1 residual
         left = reals()
         if task:
             left = 0
@@ -282,7 +282,7 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
 
 
 def add_inverse_alone(lib: Library) -> None:
-    """`inverse` of a stand without flywheels: no phi'', and all of the demand is left over."""
+    """`inverse` of a stand without flywheels: no phi_ddot, and all of the demand is left over."""
     layout = lib.layout
 
     @lib.kernel(
@@ -297,7 +297,7 @@ def add_inverse_alone(lib: Library) -> None:
         wrench: Any = lib.wrench,
         out: Any = argument("the wrench that is missing", struct=layout.inverse_result, direction="out"),
     ) -> Status:
-        """The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V* - M V.
+        """The wrench that a wanted motion of the carrier needs and no flywheel gives: F - K V_dot - M V.
 
         UNREACHABLE unless this wrench is zero.
         """

@@ -65,7 +65,7 @@ def solve_definite(lib: Any, gram: Reals, z: Reals) -> Any:
 def wide_answer(
     lib: Any, work: Any, options: Any, rows: int, answer: Reals, use: Any = None, table: Any = None
 ) -> None:
-    """phi'' = D^-1 Omega^-1 W^T z, (W Omega^-1 W^T + lambda^2 E) z = r: not more rows than flywheels.
+    """phi_ddot = D^-1 Omega^-1 W^T z, (W Omega^-1 W^T + lambda^2 E) z = r: not more rows than flywheels.
 
     A row that is free, by `use`, is zero and its z is 0. With `table` W and r lack the norms of spin inertias, of the
     table, and of rows, G. I has had its use: W Omega^-1 takes its place.
@@ -99,7 +99,7 @@ def wide_answer(
 
 @inline
 def tall_answer(lib: Any, work: Any, options: Any, rows: int, answer: Reals) -> None:
-    """phi'' = D^-1 y, (W^T W + lambda^2 E) y = W^T r: more rows than flywheels."""
+    """phi_ddot = D^-1 y, (W^T W + lambda^2 E) y = W^T r: more rows than flywheels."""
     # normal equations: W^T W y = W^T r
     gram = reals(lib.layout.count, lib.layout.count)
     z = reals(lib.layout.count)
@@ -124,7 +124,7 @@ def tall_answer(lib: Any, work: Any, options: Any, rows: int, answer: Reals) -> 
 
 
 def add_inverse_fast(lib: Library, task: Rows | None = None) -> None:
-    """phi'' for a wanted V* of a free or held carrier, or a task, by normal equations: away from singularity."""
+    """phi_ddot for a wanted V_dot of a free or held carrier, or a task, by normal equations: away from singularity."""
     layout, N, held = lib.layout, lib.layout.count, lib.layout.held
     rows = len(task) if task else layout.inverse_rows
     name = f"inverse_fast_{task.name}" if task else "inverse_fast"

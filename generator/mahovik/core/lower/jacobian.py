@@ -1,12 +1,13 @@
-"""forward_jacobian, coupled_jacobian: exact derivatives by V (or u), phi, phi' and phi'' or tau, at fixed attitude.
+"""forward_jacobian, coupled_jacobian: exact derivatives by V (or u), phi, phi_dot, phi_ddot or tau, at fixed attitude.
 
-In motion nothing is left of (8): R = F - Phi Z - K* V - (a_rel, g_rel) - K V_r* = 0. So K dV_r* = dR, where V_r* stays
-in R, and dR is solved by the factors that gave V_r* itself; with free flywheels, whose torques are T = I . V_r* + bias
-+ Theta_ff phi'' - own moment, after these were eliminated. Of all flywheels only s depends on phi_s and phi_s'.
-R and T are functions of the program, and their derivatives are made of them by program/tangent; this file solves.
+In motion nothing is left of (8): R = F - Phi Z - K_dot V - (a_rel, g_rel) - K V_r_dot = 0. So K d(V_r_dot) = dR, where
+V_r_dot stays in R, and dR is solved by the factors that gave V_r_dot itself; with free flywheels, of torques
+T = I . V_r_dot + bias + Theta_ff phi_ddot - own moment, after these were eliminated. Of all flywheels only s depends on
+phi_s and its rate. R and T are functions of the program, and their derivatives are made of them by program/tangent;
+this file solves.
 
-With a stream V_r* = V* + (omega x C^T u, 0). Along the freedoms of a hold V_r* = S u* + (omega x C^T u, 0), V changes
-by S du, and S^T K S du* = S^T (dR - K d(omega x C^T u, 0)).
+With a stream V_r_dot = V_dot + (omega x C^T u, 0). Along freedoms V_r_dot = S u_dot + (omega x C^T u, 0), V changes
+by S du, and S^T K S d(u_dot) = S^T (dR - K d(omega x C^T u, 0)).
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def _add_flywheel(lib: Library, tangents: Tangents) -> None:
     turning = _turning(share)
     by: dict[str, dict[str, Seed]] = {"phi": turning}
     by |= {name: {name: lambda _: real(1)} for name in ("phi_dot", "phi_ddot")}
-    lib.add(partials(flat[share.name], "flywheel_share_by_phase", "phi, phi' and phi''", by))
+    lib.add(partials(flat[share.name], "flywheel_share_by_phase", "phi, phi_dot and phi_ddot", by))
     by = {name: {"V": _unit(j)} for j, name in enumerate(TWIST)} | {"phi": _turning(torque)}
     lib.add(partials(flat[torque.name], "flywheel_torque_by_motion", "V and phi", by))
     if lib.layout.own_turning:
@@ -107,7 +108,7 @@ def _share(lib: Library) -> Function:
         phi_dot: float = argument(),
         phi_ddot: float = argument(),
         V: Reals = argument("", 6),
-        V_dot: Reals = argument("V_r*", 6),
+        V_dot: Reals = argument("V_r_dot", 6),
         g: Reals = argument("gravity in E1", 3, unit="m/s2"),
         R: Reals = result("", 6),
     ) -> None:
@@ -130,7 +131,7 @@ def _share(lib: Library) -> Function:
 
 
 def _torque(lib: Library) -> Function:
-    """T = I . V_r* + bias of one flywheel."""
+    """T = I . V_r_dot + bias of one flywheel."""
 
     @lib.kernel(equation="(9)")
     def flywheel_torque(
@@ -138,7 +139,7 @@ def _torque(lib: Library) -> Function:
         s: float = argument(),
         c: float = argument(),
         V: Reals = argument("", 6),
-        V_dot: Reals = argument("V_r*", 6),
+        V_dot: Reals = argument("V_r_dot", 6),
         g: Reals = argument("gravity in E1", 3, unit="m/s2"),
         T: Result = result(unit="N m"),
     ) -> None:
@@ -153,7 +154,7 @@ def _torque(lib: Library) -> Function:
 
 @dataclass(frozen=True)
 class System:
-    """The equations of the carrier at a state, which are solved for R or its changes: K V_r* = R, or along a hold.
+    """The equations of the carrier at a state, which are solved for R or its changes: K V_r_dot = R, or along a hold.
 
     named   inputs of functions by their names
     R       what is left of (8) (6);  side  its part along the freedoms of a hold (count), else R;  y  solution (count)
@@ -258,8 +259,8 @@ def solve(lib: Library, table: Any, at: System) -> None:
 
 @inline
 def motion_of(lib: Library, table: Any, at: System) -> Any:
-    """V_r* (6) of y."""
-    V_r_dot = reals(6)  # V_r*
+    """V_r_dot (6) of y."""
+    V_r_dot = reals(6)  # V_r_dot
     if lib.layout.held:
         write_twist(lib, table, [at.y], V_r_dot)
     else:
@@ -328,7 +329,7 @@ def slopes_by_speed(lib: Library, at: System) -> Any:
 @inline
 def slopes_by_phase(lib: Library, table: Any, x: Any, at: System, V_r_dot: Reals, phi_ddot: Reals, s: int) -> Any:
     """Derivatives of R by phi_s, phi_s' and phi_s'' (3, 6), without the flywheel's own wrench."""
-    R_by_phase = reals(3, 6)  # derivatives of R by phi, phi' and phi''
+    R_by_phase = reals(3, 6)  # derivatives of R by phi, phi_dot and phi_ddot
     sine, cosine = at.seen.turns
     turn = {"s": sine[s], "c": cosine[s], "phi_dot": x.phi_dot[s], "phi_ddot": phi_ddot[s]}
     at.call(lib, "flywheel_share_by_phase", row=table.flywheel[s], V_dot=V_r_dot, d_R=R_by_phase, **turn)
@@ -360,20 +361,20 @@ def write(lib: Library, at: System, out: Any, by: str, column: int) -> None:
 
 @inline
 def write_stream(lib: Library, at: System, out: Any) -> None:
-    """Take d(omega x C^T u)/d omega from the derivatives by V: V* = V_r* - (omega x C^T u, 0)."""
+    """Take d(omega x C^T u)/d omega from the derivatives by V: V_dot = V_r_dot - (omega x C^T u, 0)."""
     u = at.seen.stream
     if u is not None and not lib.layout.held:
-        # V* = V_r* - (omega x C^T u, 0)
+        # V_dot = V_r_dot - (omega x C^T u, 0)
         for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
             out.V_dot_V[i][3 + j] -= u[k]
             out.V_dot_V[i][3 + k] += u[j]
 
 
 def add_forward_jacobian(lib: Library) -> None:
-    """Adds the derivatives of V*, or u*, of forward."""
+    """Adds the derivatives of V_dot, or u_dot, of forward."""
     layout = lib.layout
     _, speed, words, m = layout.moved
-    by_phase = ", phi, phi' and phi''"
+    by_phase = ", phi, phi_dot and phi_ddot"
 
     @lib.kernel(
         equation="(8)",
@@ -440,12 +441,12 @@ def left_of_drive(side: Any, t: Any, s: Any, back: Any) -> Any:
 
 
 def add_coupled_jacobian(lib: Library) -> None:
-    """Adds the derivatives of V*, or u*, and phi'' of coupled."""
+    """Adds the derivatives of V_dot, or u_dot, and phi_ddot of coupled."""
     layout, N, locks = lib.layout, lib.layout.count, lib.locked_argument()
     _, speed, words, m = layout.moved
 
     @lib.kernel(
-        purpose=f"Derivatives of coupled by {speed}, phi, phi' and tau, at fixed position and attitude.",
+        purpose=f"Derivatives of coupled by {speed}, phi, phi_dot and tau, at fixed position and attitude.",
         notes=NOTES,
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
         public=True,
@@ -456,13 +457,13 @@ def add_coupled_jacobian(lib: Library) -> None:
         tau: Reals = argument("drive torques, mount on flywheel", N, unit="N m"),
         locked: Any = locks,
         wrench: Any = lib.wrench,
-        out: Any = result(f"derivatives of {words} and phi''", struct=layout.coupled_jacobian_result),
+        out: Any = result(f"derivatives of {words} and phi_ddot", struct=layout.coupled_jacobian_result),
     ) -> Status:
         """Derivatives of coupled."""
         check_inputs(lib, table, x, None, wrench, (), tau)
         at = set_up(lib, table, x, None, wrench, True)
         inverse = reals(N)  # 1 / Theta_ff; 0 where a lock holds
-        spins = reals(N)  # accelerations of the flywheels at V_r* = 0, then phi''
+        spins = reals(N)  # accelerations of the flywheels at V_r_dot = 0, then phi_ddot
         common = common_terms(lib, at.seen.V, at.seen.g)
         for s in range(N):
             couple_flywheel(lib, table, s, at.seen, common, at.drives[s])

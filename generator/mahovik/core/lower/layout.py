@@ -26,7 +26,7 @@ class Layout(Tables):
             Field("mu_dot", REAL, (3,), "kg m/s", "its rate in E1"),
             Field("J", REAL, (6,), "kg m2", "inertia about O1"),
             Field("J_dot", REAL, (6,), "kg m2/s", "its rate in E1"),
-            Field("h_rel", REAL, (3,), "kg m2/s", "moment part of sum I phi'"),
+            Field("h_rel", REAL, (3,), "kg m2/s", "moment part of sum I phi_dot"),
             Field("g_rel", REAL, (3,), "N m", "d/dt of the moment part"),
             Field("a_rel", REAL, (3,), "N", "d/dt of the force part"),
         )
@@ -40,20 +40,20 @@ class Layout(Tables):
         fields = [
             Field("P", REAL, (P,), "SI", "S^T K S: mass matrix along the freedoms, lower triangle, row by row"),
             Field("P_dot", REAL, (P,), "SI", "its rate"),
-            Field("g", REAL, (m,), "SI", "d/dt of S^T sum I phi'"),
+            Field("g", REAL, (m,), "SI", "d/dt of S^T sum I phi_dot"),
         ]
         if momenta_needed(self.ways):
-            fields.append(Field("h", REAL, (m,), "SI", "S^T sum I phi'"))
+            fields.append(Field("h", REAL, (m,), "SI", "S^T sum I phi_dot"))
         return Struct("along_sums", "Sums over all bodies along the freedoms at one state.", tuple(fields))
 
     @cached_property
     def coupling(self) -> Struct:
         fields = (
             Field("I", REAL, (6,), "kg m, kg m2", "column of I (9)"),
-            Field("bias", REAL, (), "N m", "drive torque at V* = 0, phi'' = 0"),
+            Field("bias", REAL, (), "N m", "drive torque at V_dot = 0, phi_ddot = 0"),
         )
         return Struct(
-            "coupling", "How one flywheel's drive torque depends on the motion: I . V* + Theta_ff phi'' + bias.", fields
+            "coupling", "One flywheel's drive torque by the motion: I . V_dot + Theta_ff phi_ddot + bias.", fields
         )
 
     @cached_property
@@ -134,9 +134,9 @@ class Layout(Tables):
     @cached_property
     def schur(self) -> Struct:
         fields = (
-            Field("A", REAL, (6,), "kg", "force by v*: 11 22 33 12 13 23"),
-            Field("B", REAL, (9,), "kg m", "moment by v*, row by row"),
-            Field("D", REAL, (6,), "kg m2", "moment by omega*: 11 22 33 12 13 23"),
+            Field("A", REAL, (6,), "kg", "force by v_dot: 11 22 33 12 13 23"),
+            Field("B", REAL, (9,), "kg m", "moment by v_dot, row by row"),
+            Field("D", REAL, (6,), "kg m2", "moment by omega_dot: 11 22 33 12 13 23"),
         )
         return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
 
@@ -148,16 +148,16 @@ class Layout(Tables):
                 REAL,
                 (self.count,),
                 "",
-                f"weight of each flywheel in the norm of phi'': {short(1 / WEIGHT)} to {short(WEIGHT)}, 1 by default",
+                f"weight of each flywheel in the norm of phi_ddot: {short(1 / WEIGHT)} to {short(WEIGHT)}; else 1",
             ),
             Field(
                 "limit",
                 REAL,
                 (self.count,),
                 "rad/s2",
-                "largest magnitude of each phi''; greater than 0; infinity: no limit",
+                "largest magnitude of each phi_ddot; greater than 0; infinity: no limit",
             ),
-            Field("most", REAL, (self.count,), "rad/s2", "EXCESSIVE above this |phi''|; greater than 0"),
+            Field("most", REAL, (self.count,), "rad/s2", "EXCESSIVE above this |phi_ddot|; greater than 0"),
             Field(
                 "motor_torque",
                 REAL,
@@ -228,7 +228,7 @@ class Layout(Tables):
     def inverse_result(self) -> Struct:
         rows = self.inverse_rows
         least = min(rows, int(self.count))
-        left, matrix = "F - K V* - M V - J phi' - I phi''", "K^-1/2 I Theta_ff^-1/2"
+        left, matrix = "F - K V_dot - M V - J phi_dot - I phi_ddot", "K^-1/2 I Theta_ff^-1/2"
         if self.held:
             left, matrix = f"S^T ({left})", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2"
         fields: tuple[Field, ...] = (
@@ -311,7 +311,7 @@ class Layout(Tables):
     @property
     def moved(self) -> tuple[str, str, str, int]:
         """What Jacobians are of: names of its rate and of itself, the symbol of the rate, how many numbers it has."""
-        return ("u_dot", "u", "u*", self.freedoms) if self.held else ("V_dot", "V", "V*", 6)
+        return ("u_dot", "u", "u_dot", self.freedoms) if self.held else ("V_dot", "V", "V_dot", 6)
 
     @cached_property
     def forward_jacobian_result(self) -> Struct:
@@ -330,8 +330,8 @@ class Layout(Tables):
             Field(f"{rate}_phi", REAL, (rows, n), "", f"of {of} by the phases"),
             Field(f"{rate}_phi_dot", REAL, (rows, n), "", "by the speeds"),
             Field(f"{rate}_tau", REAL, (rows, n), "", "by the drive torques"),
-            Field(f"phi_ddot_{speed}", REAL, (n, rows), "", f"of phi'' by {speed}: row s, column j"),
-            Field("phi_ddot_phi", REAL, (n, n), "", "of phi'' by the phases"),
+            Field(f"phi_ddot_{speed}", REAL, (n, rows), "", f"of phi_ddot by {speed}: row s, column j"),
+            Field("phi_ddot_phi", REAL, (n, n), "", "of phi_ddot by the phases"),
             Field("phi_ddot_phi_dot", REAL, (n, n), "", "by the speeds"),
             Field("phi_ddot_tau", REAL, (n, n), "", "by the drive torques"),
         )
@@ -369,7 +369,7 @@ class Layout(Tables):
         if self.coordinates:
             return coordinates_struct(self.ways)
         fields = (
-            Field("A", REAL, (6, 6), "", "V = A q' (10)"),
+            Field("A", REAL, (6, 6), "", "V = A q_dot (10)"),
             Field("D", REAL, (6, 6), "1/s", "A' along the motion (10)"),
             Field("I0", REAL, (6, 6), "", "K A (11)"),
             Field("J0", REAL, (6, 6), "", "K D + M A (11)"),

@@ -98,7 +98,7 @@ class Library(FunctionSet):
 
     def locked_argument(self) -> Argument:
         """Argument: flywheels that a lock holds."""
-        purpose = "not 0: a lock holds phi'' = 0, whatever its tau; null: no lock"
+        purpose = "not 0: a lock holds phi_ddot = 0, whatever its tau; null: no lock"
         return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional="zeros")
 
     def wrench_arguments(self) -> tuple[Argument, ...]:

@@ -44,7 +44,7 @@ def add_matrices(lib: Library) -> None:
     def velocity_matrix(
         V: Reals = argument("", 6), out: Any = changed("in: K, K_dot; out: M", struct=layout.matrices)
     ) -> None:
-        """M = Phi K + K*."""
+        """M = Phi K + K_dot."""
         for j in range(6):  # Phi acts on each column
             for i in list(range(6)):
                 out.M[i][j] = Phi_times(V, out.K[:, j])[i] + out.K_dot[i][j]
@@ -56,7 +56,7 @@ def add_matrices(lib: Library) -> None:
         wrench: Any = lib.wrench,
         out: Any = result("K, K_dot, M, I, J, F", struct=layout.matrices),
     ) -> Status:
-        """The matrices of K V* + M V + I phi'' + J phi' = F at a state."""
+        """The matrices of K V_dot + M V + I phi_ddot + J phi_dot = F at a state."""
         check_inputs(lib, table, x, None, wrench)
         seen = scene(lib, table, x)
         sum_up(lib, table, x, seen, None, mass_alone=True)
@@ -77,7 +77,7 @@ def add_matrices(lib: Library) -> None:
                 column[:] = column_of(row, s_phi, c_phi)
                 rate[0:3] = -row.mu_c * c_phi - row.mu_s * s_phi
                 rate[3:6] = row.t_s * c_phi - row.t_c * s_phi
-                for i in list(range(6)):  # J_s = Phi I_s + (mu'', t') phi'
+                for i in list(range(6)):  # J_s = Phi I_s + (mu'', t') phi_dot
                     out.I[i][s] = column[i]
                     out.J[i][s] = Phi_times(seen.V, column)[i] + rate[i] * x.phi_dot[s]
         return OK
@@ -100,7 +100,7 @@ def add_momentum(lib: Library) -> None:
         C, V, sums = seen.C, seen.V, seen.sums
         Z = reals(6)  # momentum screw (2)
         lib["momentum_screw"](table, sums, V, Z)
-        spin: float = 0.0  # sum phi' (I^T V + Theta_ff phi')
+        spin: float = 0.0  # sum phi_dot (I^T V + Theta_ff phi_dot)
         if layout.flywheels:
             for s in range(layout.count):
                 row = table.flywheel[s]

@@ -66,7 +66,7 @@ def add_mounts(lib: Library) -> None:
             unit="N, N m",
         ),
     ) -> None:
-        """Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s* + Phi(V_s) Z_s - P_s)."""
+        """Wrench of the mount on one flywheel: diag(C1, C1) (Theta V_s_dot + Phi(V_s) Z_s - P_s)."""
         m, b, J = mount.mass, mount.first_moment, mount.inertia
         U = reals(6)  # twist of the mount at Os
         turned = reals(6)  # in Es

@@ -13,7 +13,7 @@ from mahovik.core.program.kernel import OK, Reals, argument, kernel, local, real
 
 
 def reaction(lib: Library) -> Function:
-    """R = K V_r* - (F - M V_r - I phi'' - J phi') of a motion."""
+    """R = K V_r_dot - (F - M V_r - I phi_ddot - J phi_dot) of a motion."""
     purpose = "wrench of the hold on the carrier, in E1 about O1; may overlap any input"
 
     @kernel(equation="(8)", statuses=STATE_STATUSES, public=True)
@@ -27,7 +27,7 @@ def reaction(lib: Library) -> Function:
         wrench: Any = lib.wrench,
         reaction: Reals = result(purpose, 6, unit="N, N m"),
     ) -> Status:
-        """Wrench of the hold on the carrier for a motion: R = K V* - (F - M V - sum(I phi'' + J phi'))."""
+        """Wrench of the hold on the carrier for a motion: R = K V_dot - (F - M V - sum(I phi_ddot + J phi_dot))."""
         check_inputs(lib, table, x, phi_ddot, wrench)
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         seen = scene(lib, table, x, turns=turns_of(lib, x))

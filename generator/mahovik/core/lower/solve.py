@@ -35,7 +35,7 @@ def mass_times(lib: Library, table: Any, sums: Any, six: Any, p: Any = (0, 0, 0)
 
 
 def momentum_parts(lib: Library, table: Any, sums: Any, V: Any) -> Any:
-    """Z = K V + sum I phi' (2)."""
+    """Z = K V + sum I phi_dot (2)."""
     return mass_times(lib, table, sums, V, sums.mu_dot, sums.h_rel)
 
 
@@ -51,7 +51,7 @@ def add_momentum(lib: Library) -> None:
     def momentum_screw(
         table: Any = lib.table, sum_: Any = lib.sums, V: Reals = argument("", 6), Z: Reals = result("", 6)
     ) -> None:
-        """Momentum screw Z = K V + sum I phi' of the sums."""
+        """Momentum screw Z = K V + sum I phi_dot of the sums."""
         Z[:] = momentum_parts(lib, table, sum_, V)
 
     @lib.kernel(equation="(2), (4), (5)")
@@ -61,8 +61,8 @@ def add_momentum(lib: Library) -> None:
         V: Reals = argument("", 6),
         F: Reals = changed("in: wrench (7); out: right-hand side of (8)", 6, unit="N, N m"),
     ) -> None:
-        """Turns F into the right-hand side of (8): F - Phi Z - K* V - the flywheels' terms"""
-        # momentum screw Z = K V + sum I phi'
+        """Turns F into the right-hand side of (8): F - Phi Z - K_dot V - the flywheels' terms"""
+        # momentum screw Z = K V + sum I phi_dot
         Z = momentum_parts(lib, table, sum_, V)
         v, omega, p, h, mu_dot = V[0:3], V[3:6], Z[0:3], Z[3:6], sum_.mu_dot
         F[0:3] = F[0:3] - sum_.a_rel + cross(mu_dot, omega) - cross(omega, p)
@@ -213,7 +213,7 @@ def add_elimination(lib: Library) -> None:
     def eliminate(
         column: Reals = argument("of I", 6),
         spin_inv: float = argument(unit="1/(kg m2)"),
-        rate: float = argument("its acceleration at V* = 0", unit="rad/s2"),
+        rate: float = argument("its acceleration at V_dot = 0", unit="rad/s2"),
         K: Any = changed(struct=lib.layout.schur),
         F: Reals = changed("", 6),
     ) -> None:

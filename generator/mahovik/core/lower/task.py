@@ -1,13 +1,13 @@
-"""Tasks: chosen components a = S V* + s of the carrier's motion, scaled: W y = r, y = Theta_ff^1/2 phi''.
+"""Tasks: chosen components a = S V_dot + s of the carrier's motion, scaled: W y = r, y = Theta_ff^1/2 phi_ddot.
 
-Of O1 a row is a component of V*. With the axes c1, c2, c3 (columns, in E1) and the origin O of a point, its angular row
-k is c_k . omega*, its linear row c_k . v* + (O x c_k) . omega* + s, s = c_k . (omega x (v + omega x O)): its
+Of O1 a row is a component of V_dot. With the axes c1, c2, c3 (columns, in E1) and origin O of a point, its angular row
+k is c_k . omega_dot, its linear row c_k . v_dot + (O x c_k) . omega_dot + s, s = c_k . (omega x (v + omega x O)): its
 acceleration in its own axes.
 
-With K = G G^T, X = G^-1 I D^-1 and x = G^-1 (b - K d), as `demand` has them for V* = 0, and Y = G^-1 S^T = Q R, the
+With K = G G^T, X = G^-1 I D^-1 and x = G^-1 (b - K d), as `demand` has them for V_dot = 0, and Y = G^-1 S^T = Q R, the
 norm is S K^-1 S^T = L L^T with L = R^T, and W = L^-1 S K^-1 I D^-1 = Q^T X, r = Q^T x + L^-1 (s - a): no inverse of K.
 If only turning is demanded, the last three rows of all are enough, and their G is the factor of the inertia about the
-mass centre (with added mass: of what eliminating v* leaves of it).
+mass centre (with added mass: of what eliminating v_dot leaves of it).
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Rows:
 
     @property
     def size(self) -> int:
-        """Components of V* that the rows take: 3 where only turning is demanded, else 6."""
+        """Components of V_dot that the rows take: 3 where only turning is demanded, else 6."""
         return 3 if self.turning else 6
 
     @property
@@ -104,7 +104,7 @@ class Rows:
         ]
 
     def turn(self, table: Place, demand: Any) -> list[Any]:
-        """omega* (3, in E1) of all three rows of turning in one set of axes."""
+        """omega_dot (3, in E1) of all three rows of turning in one set of axes."""
         axes = [self.axis(table, row) for row in self.task.rows]
         return [dot([axis[i] for axis in axes], demand) for i in range(3)]
 
@@ -152,9 +152,9 @@ def substitute3(G: Reals, moment: Reals, out: Any, name: str) -> None:
 def turning_part(
     lib: Any, F: Reals, S: Reals, work: Any, moment_of: Any, flywheel: Any = None, turns: Any = ()
 ) -> None:
-    """The last three rows: the moments of F and of I, whose columns are found by `turns`, when v* is eliminated."""
+    """The last three rows: the moments of F and of I, whose columns are found by `turns`, when v_dot is eliminated."""
     factor3(S, work)
-    moment = reals(3)  # of b, then of each column of I, when v* is eliminated
+    moment = reals(3)  # of b, then of each column of I, when v_dot is eliminated
     moment[:] = moment_of(F)
     substitute3(work.G, moment, work.r[:3], "r")
     for s in range(lib.layout.count):
@@ -178,7 +178,7 @@ def add_demand(lib: Library, task: Rows) -> None:
 
 
 def add_demand_turning(lib: Library) -> None:
-    """U^-1 (moments of I), U^-1 (moment of b), U and D of the inertia U D U^T that is left when v* is eliminated."""
+    """U^-1 (moments of I), U^-1 (moment of b), U and D of the inertia U D U^T that is left when v_dot is eliminated."""
     layout, added = lib.layout, lib.layout.added_mass
 
     @lib.kernel(equation="(12)", statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"))
@@ -192,8 +192,8 @@ def add_demand_turning(lib: Library) -> None:
             "of G, W, r, sigma the first three rows are written", struct=layout.inverse_work, direction="out"
         ),
     ) -> Status:
-        """The turning part of (12) at omega* = 0: moments of I and of the right-hand side, by the inertia's factor U."""  # noqa: E501
-        seen, F, _ = right_side(lib, table, x, (sine, cosine), wrench, "b = F - M V_r - J phi'")
+        """The turning part of (12) at omega_dot = 0: moments of I and of the right-hand side, by the inertia's factor U."""  # noqa: E501
+        seen, F, _ = right_side(lib, table, x, (sine, cosine), wrench, "b = F - M V_r - J phi_dot")
         mu, J = seen.sums.mu, seen.sums.J
         if added:
             B: Reals = lower_left(lib, table, mu).flat  # <mu> + Lambda_21: lower left block of K
@@ -239,7 +239,7 @@ def base_demand(
         if scaled:
             lib["scale_turning"](table, work)
     else:
-        still = reals(6)  # V* = 0
+        still = reals(6)  # V_dot = 0
         for i in [*range(6)]:
             still[i] = 0
         lib["demand"](table, x, *turns, still, wrench, work)
@@ -247,8 +247,8 @@ def base_demand(
 
 @inline
 def turn_all(task: Any, table: Any, demand: Reals, work: Any) -> None:
-    """r = U^-1 moment - D U^T omega* where all of omega* is demanded: the error's norm is the inertia, W stays."""
-    # all of omega* is demanded: r = U^-1 (moment - inertia omega*)
+    """r = U^-1 moment - D U^T omega_dot where all of omega_dot is demanded: the norm is the inertia, W stays."""
+    # all of omega_dot is demanded: r = U^-1 (moment - inertia omega_dot)
     G, r, a = work.G, work.r, [let(f"turn_{i + 1}", value) for i, value in enumerate(task.turn(table, demand))]
     r[0] = r[0] - G[0][0] * (a[0] + G[1][0] * a[1] + G[2][0] * a[2])
     r[1] = r[1] - G[1][1] * (a[1] + G[2][1] * a[2])

@@ -1,9 +1,9 @@
 """torque_for_TASK: drive torques for chosen components of the carrier's motion, within what the motors have.
 
-With the free flywheels eliminated, K_c V* = F_c - I (tau - tau_0)/Theta_ff: the equation of `demand` with
-K_c = K - sum I I^T/Theta_ff in the place of K, and y/Theta_ff^1/2 in that of phi'', tau = tau_0 + Theta_ff^1/2 y. So
+With the free flywheels eliminated, K_c V_dot = F_c - I (tau - tau_0)/Theta_ff: the equation of `demand` with
+K_c = K - sum I I^T/Theta_ff in the place of K, and y/Theta_ff^1/2 in that of phi_ddot, tau = tau_0 + Theta_ff^1/2 y. So
 `project_TASK` makes of X = C^-1 I Theta_ff^-1/2 and x = C^-1 (F_c - K_c d), K_c = C C^T, the rows that are demanded.
-tau_0 gives flywheels their preferred accelerations on a carrier with V* = 0.
+tau_0 gives flywheels their preferred accelerations on a carrier with V_dot = 0.
 
 W y = r is solved within bounds on the torques: least error, then torques nearest to tau_0. Where the demand is out of
 reach and its direction is to be kept, the largest share of it that is not (`largest_share`).
@@ -56,13 +56,13 @@ def add_torque(lib: Library, task: Rows) -> None:
 
 
 def add_torque_demand(lib: Library, turning: bool) -> None:
-    """X, x and C; of the turning part alone, with v* eliminated, where only turning is demanded."""
+    """X, x and C; of the turning part alone, with v_dot eliminated, where only turning is demanded."""
     layout, N = lib.layout, lib.layout.count
     what = "the turning part of the motion" if turning else "the motion"
 
     @lib.kernel(
         "torque_demand_turning" if turning else "torque_demand",
-        purpose=f"How {what} depends on the drive torques, scaled, at V* = 0.",
+        purpose=f"How {what} depends on the drive torques, scaled, at V_dot = 0.",
         statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
     )
     def torque_demand(
@@ -74,7 +74,7 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
         locked: Any = lib.locked_argument(),
         wrench: Any = lib.wrench,
         work: Any = argument("W holds X, r holds x, G holds C; and scale", struct=layout.inverse_work, direction="out"),
-        tau_0: Reals = argument("torques that give these on a carrier with V* = 0", N, direction="out", unit="N m"),
+        tau_0: Reals = argument("torques that give these on a carrier with V_dot = 0", N, direction="out", unit="N m"),
     ) -> Status:
         """How the motion depends on the drive torques."""
         seen, F, _ = right_side(lib, table, x, (sine, cosine), wrench, "F_c")
@@ -96,7 +96,7 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
             for i in range(6):
                 work.I[i][s] = drive.I[i] if locked[s] == 0 else 0.0
         if turning:
-            # v* is eliminated; a stream moves v* alone
+            # v_dot is eliminated; a stream moves v_dot alone
             inverse = reals(6)  # A^-1
             invert_symmetric(lib, K.A, inverse)
             U: Reals = (symmetric(inverse) @ K.B.T).flat  # A^-1 B^T
@@ -104,7 +104,7 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
             turning_part(lib, F, S, work, lambda six: six[3:] - U.T @ six[:3])
             lib["scale_turning"](table, work)
         else:
-            still = reals(6)  # V* = 0
+            still = reals(6)  # V_dot = 0
             for i in [*range(6)]:
                 still[i] = 0
             moving = relative_rate(x, still, seen.stream)
@@ -282,7 +282,7 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                 held[s] = 0
             if held[s] != 0:
                 flags = flags | bit("LIMITED")
-        moved = reals(6)  # V* that results
+        moved = reals(6)  # V_dot that results
         spins = reals(N)
         lib["solve_coupled"](table, x, *turns, tau, locked, wrench, moved, spins, None)
         residual = reals(m)

@@ -149,7 +149,7 @@ def add_own_wrench(lib: Library) -> None:
             twist[0:3] = axes.T @ velocity
             twist[3:6] = axes.T @ V[3:6]
             if layout.own_turning and frame.flywheel >= 0:
-                twist[3] += x.phi_dot[frame.flywheel]  # L^T V + f phi'
+                twist[3] += x.phi_dot[frame.flywheel]  # L^T V + f phi_dot
             damp(lib, table, frame.damper, twist, P)
         if layout.own_inputs and frame.wrench >= 0:
             for i in range(6):

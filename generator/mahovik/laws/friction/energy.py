@@ -12,7 +12,7 @@ from mahovik.proof.second.rotation import Expr, unit
 
 
 def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
-    """Generalized force (6) -dR/dq' of the function R of all frictions, q' = V here."""
+    """Generalized force (6) -dR/dq' of the function R of all frictions, q_dot = V here."""
     frictions, hold = frictions_of(stand), stand.hold
     if not frictions or hold is None:
         return ca.MX.zeros(6)

@@ -162,7 +162,7 @@ class _Former:
                 symbol = "tau"
             else:
                 text, unit, most = (
-                    "acceleration phi'' relative to the mount",
+                    "acceleration phi_ddot relative to the mount",
                     units.ANGULAR_ACCELERATION,
                     "ACCELERATION",
                 )
@@ -199,7 +199,7 @@ class _Former:
         for name, phi in zip(self._names, start.phi, strict=True):
             yield state(f"{name}.phi", units.RADIAN, f"{name}: phase, all turns counted", phi, self._most["MAX_PHASE"])
         for name, phi_dot in zip(self._names, start.phi_dot, strict=True):
-            text = f"{name}: speed phi' relative to the mount"
+            text = f"{name}: speed phi_dot relative to the mount"
             yield state(f"{name}.phi_dot", units.ANGULAR_VELOCITY, text, phi_dot, self._most["MAX_SPEED"])
 
     def _steps(self) -> Iterator[Variable]:
@@ -252,7 +252,7 @@ class _Former:
             text = f"{what}, component {i + 1 if i < 3 else i - 2}"
             yield self._local(f"der({state.name})", unit, text, state.name, depends, direct=True)
         for i, state in enumerate(states[7:13]):
-            text = f"derivative V* of the components of V, {TWIST_LETTERS[i]}*, in E1, by (8)"
+            text = f"derivative V_dot of the components of V, {TWIST_LETTERS[i]}*, in E1, by (8)"
             yield Variable(
                 f"carrier.V_dot[{i + 1}]", units.TWIST_RATE[i], text, "output",
                 derivative=state.name, depends=self._moving(),
@@ -260,16 +260,16 @@ class _Former:
         for name in self._names:
             speed = f"{name}.phi_dot"
             yield self._local(
-                f"der({name}.phi)", units.ANGULAR_VELOCITY, f"{name}: speed phi'", f"{name}.phi", (speed,), direct=True
+                f"der({name}.phi)", units.ANGULAR_VELOCITY, f"{name}: phi_dot", f"{name}.phi", (speed,), direct=True
             )
         for name in self._names:
             speed, unit = f"{name}.phi_dot", units.ANGULAR_ACCELERATION
             if self._inputs == "torque":
-                text = f"{name}: acceleration phi'' relative to the mount, of the coupled equations"
+                text = f"{name}: acceleration phi_ddot relative to the mount, of the coupled equations"
                 yield Variable(f"{name}.phi_ddot", unit, text, "output", derivative=speed, depends=self._moving())
             else:
                 yield self._local(
-                    f"der({speed})", unit, f"{name}: acceleration phi''", speed, (f"{name}.phi_ddot",), direct=True
+                    f"der({speed})", unit, f"{name}: acceleration phi_ddot", speed, (f"{name}.phi_ddot",), direct=True
                 )
 
     @staticmethod

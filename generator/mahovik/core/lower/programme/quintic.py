@@ -1,7 +1,7 @@
 """A programme from nodes: quintic Hermite interpolation of the angles, Lagrange's of the drive torques.
 
 Between two nodes a quintic polynomial has the angle, rate and second derivative of both (h the step, u in [0, 1]):
-phi = p0 + v0 u + a0/2 u^2 + c3 u^3 + c4 u^4 + c5 u^5, v = h phi', a = h^2 phi'', and with d = p1 - p0 - v0 - a0/2,
+phi = p0 + v0 u + a0/2 u^2 + c3 u^3 + c4 u^4 + c5 u^5, v = h phi_dot, a = h^2 phi_ddot, with d = p1 - p0 - v0 - a0/2,
 e = v1 - v0 - a0, g = a1 - a0: c3 = 10 d - 4 e + g/2, c4 = -15 d + 7 e - g, c5 = 6 d - 3 e + g/2. Speed and acceleration
 are its derivatives: the three belong together. A torque is the polynomial through the six nodes about the place.
 """
