@@ -116,7 +116,9 @@ def main() -> int:
         stand = mahovik.example(name)
         costs = measure(stand, pairs, recorder=True)
         if options.accept:
-            before[name] = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
+            now = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
+            changed += changes(name, before.get(name, {}), now)
+            before[name] = now
             continue
         lines = [*differing_bits(name, stand, options.all), *rises(costs, before)]
         print(*(lines or [f"{name}: same bits, no rise of cost on {len(pairs)} targets"]), sep="\n", flush=True)
