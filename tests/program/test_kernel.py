@@ -1,6 +1,7 @@
 """Kernels: what their text becomes in the program, and what it may not hold."""
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -8,14 +9,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mahovik import stands
 from mahovik.contract.status import STATUS_VALUES
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
 from mahovik.core.program.expression import Binary, Place, Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.kernel import RANGE, KernelError, Reals, Result, argument, inline, ints, kernel, let, reals
 from mahovik.core.program.statement import Declare, Let, Loop, Note, Set
-from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+from mahovik.core.program.types import DOUBLE, Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import Vector, cross, dot
+from mahovik.core.stand import load, structure
 from program.small import program
 
 N = NamedCount("N", 3)
@@ -206,3 +211,15 @@ def test_a_wrong_text_is_an_error_with_its_line(text: Callable[..., Any], messag
 def test_an_inline_kernel_is_no_function_of_python() -> None:
     with pytest.raises(TypeError, match="in the text of a kernel"):
         larger(1.0, 2.0)
+
+
+def test_threads_compile_kernels_side_by_side() -> None:
+    """Each into its own function: two stands lowered at once are those lowered one after the other."""
+    layouts = [Layout(structure(load(stands.path(name))), DOUBLE) for name in ("demo3", "shaker2")]
+
+    def texts(layout: Layout) -> list[str]:
+        return [repr(statement) for function in lower_layout(layout).functions for statement in function.body]
+
+    alone = [len(texts(layout)) for layout in layouts]
+    with ThreadPoolExecutor(4) as pool:
+        assert list(map(len, pool.map(texts, layouts * 4))) == alone * 4

@@ -39,6 +39,7 @@ import inspect
 import keyword
 import linecache
 import re
+import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
@@ -161,8 +162,14 @@ def record(struct: Struct, *shape: int | NamedCount) -> Any:
     return Local(shape, struct)
 
 
-_bodies: list[Body] = []
-"""Bodies of the functions that are being compiled, the innermost last."""
+class _Open(threading.local):
+    """The bodies that a thread compiles into, the innermost last."""
+
+    def __init__(self) -> None:
+        self.bodies: list[Body] = []
+
+
+_open = _Open()
 
 
 def let(name: str, value: float, comment: str = "") -> float:
@@ -202,9 +209,9 @@ def refuse(condition: Any, status: Status) -> None:
 
 
 def _body(name: str) -> Body:
-    if not _bodies:
+    if not _open.bodies:
         raise TypeError(f"`{name}` is called in the text of a kernel")
-    return _bodies[-1]
+    return _open.bodies[-1]
 
 
 def bits_of(value: float) -> int:
@@ -402,11 +409,11 @@ class _Compilation:
     def block(self, statements: Sequence[ast.stmt]) -> None:
         """Compile the statements of a block, whose names end with it."""
         scope, variables = dict(self.scope), set(self.variables)
-        _bodies.append(self.body)
+        _open.bodies.append(self.body)
         try:
             self.statements(statements)
         finally:
-            _bodies.pop()
+            _open.bodies.pop()
         self.scope, self.variables = scope, variables
 
     def statements(self, statements: Sequence[ast.stmt]) -> None:
