@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import re
 from html import unescape
-from math import pi
+from math import cos, pi, radians, sin
 
 import pytest
 
 from by_hand.stands import SPIN, stand, wheel
+from mahovik.core.stand.frames import placement
 from mahovik.out.functions.stand_report import Subject, bodies_part, limits_part
 from mahovik.out.report.page import Part
 
@@ -56,3 +57,11 @@ def test_limits_of_a_motor() -> None:
     part = limits_part(Subject(stand(wheel("w", motor={"torque": 0.2, "speed": "3000 rpm"})), "s.toml"))
     assert row_of(part, "along z") == pytest.approx([SPIN * W, 0.2], rel=1e-4)
     assert row_of(part, "in every direction") == [0.0, 0.0]
+
+
+def test_the_second_axis_is_turned_by_the_third_angle_of_the_mounting() -> None:
+    """A wheel with the angles (0, 0, a) has its first axis along x, its second turned from y to z by a."""
+    a = radians(50.0)
+    turned = {key: value for key, value in wheel("w", angles=[0.0, 0.0, a]).items() if key not in ("axis", "zero")}
+    (body,) = stand(turned).flywheels
+    assert placement(body)[1][:, :2].T.ravel().tolist() == pytest.approx([1.0, 0.0, 0.0, 0.0, cos(a), sin(a)])
