@@ -17,7 +17,7 @@ __all__ = [
 
 _STATE = ("table", "x")
 TURNS = ("sine", "cosine")
-"""Of a stand with `phase_input = "sincos"`; they may be left out."""
+"""Arguments of functions of a stand with `phase_input = "sincos"`; a caller may pass null for both."""
 
 _ALL_JUDGES = ("reference", "second", "rigorous")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")

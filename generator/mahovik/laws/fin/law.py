@@ -57,7 +57,7 @@ Ratio = Annotated[float | None, scalar(units.PLAIN, above=0.0)]
 
 
 class FinTable(Mounted):
-    """Aspect ratio and efficiency, of which lift and induced drag follow, and what several keys tell together."""
+    """`[[fin]]`: keys that no field of the data is, as aspect ratio and efficiency, and checks of several keys."""
 
     aspect: Ratio = None
     efficiency: Ratio = None

@@ -242,7 +242,7 @@ SIXES: Mapping[str, Change] = {
     "turned into the axes of E1 though it is given there": lambda x, at: rotate(x, at.C),
     SIGN[0]: SIGN[1],
 }
-"""Of twists and wrenches."""
+"""Wrong readings of twists and wrenches, by their words: what each makes of the right one."""
 TWIST: Mapping[str, Change] = {
     "v taken in the axes of E0, omega in E1": lambda V, at: rotate(V, at.C.T, [0]),
     "omega taken in the axes of E0, v in E1": lambda V, at: rotate(V, at.C.T, [1]),
@@ -271,7 +271,7 @@ VECTORS: Mapping[str, Change] = {
     "not turned into the axes of E1": lambda g, at: at.C @ (g or (0.0, 0.0, 0.0)),
     "turned by C in place of its transpose": lambda g, at: at.C @ at.C @ (g or (0.0, 0.0, 0.0)),
 }
-"""Of gravity and stream in E0."""
+"""Wrong readings of gravity and stream, vectors in E0, by their words."""
 PARTS = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
 """Bodies that share a convention, in words."""
 PLACES = {"centre of mass": "center_of_mass", "position of a body": "position"}

@@ -166,7 +166,7 @@ def largest_damping(scaled: ScaledDemand, rank: int, near_singular: float, dampi
 
 
 def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
-    """Of `inverse_fast`: W Omega^-1 W^T + lambda^2 E with six flywheels and more, W^T W + lambda^2 E with fewer.
+    """Matrix of `inverse_fast`: W Omega^-1 W^T + lambda^2 E of six flywheels and more, W^T W + lambda^2 E of fewer.
 
     lambda^2 is damping^2 times the trace of the matrix without it; Omega = diag(weight).
     """

@@ -171,7 +171,7 @@ class Motion:
         return abs(again - order) if abs(again - seen) < STEADY else math.inf
 
     def _change(self, dt: float, steps: int, order: int) -> Array:
-        """Of the program. Raises StateError."""
+        """Change of the state over the motion by `steps` steps of the program. Raises StateError."""
         given = self._given | {"dt": dt, "order": order}
         if self.carried:
             given["carry"] = {"rounding": [0.0] * self._case.numbers}
@@ -191,7 +191,7 @@ class Motion:
 
     @lru_cache(maxsize=16)  # noqa: B019 - a motion lives as long as its checks are made
     def _reference_change(self, part: float) -> tuple[Array, Array]:
-        """Of the reference, by Gragg's extrapolation of the modified midpoint rule; and the next to last answer of it.
+        """Change of the state by the reference, by Gragg's extrapolation of the midpoint rule; and the one before.
 
         Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9.
         """
