@@ -39,6 +39,7 @@ from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.study.campbell import campbell
 from mahovik.use.study.growth import compare_growth
+from mahovik.use.study.jitter.quantity import ARCSEC
 from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.speeds import read_speeds
@@ -258,7 +259,10 @@ def modes_part(subject: Subject) -> Part | None:
         return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
     swinging = [k for k in range(len(found)) if found.frequency[k] > 0.0][:MOST_ROWS]
     rows = [[_largest_part(found, k), figure(found.frequency[k]), figure(found.damping[k], 3)] for k in swinging]
-    words = f"At rest {len(found) - len(swinging)} of {len(found)} do not swing." if len(swinging) < len(found) else ""
+    still = sum(found.frequency[k] == 0.0 for k in range(len(found)))
+    words = f"{still} of the {len(found)} small motions about rest do not oscillate: free, or damped too much." * bool(
+        still
+    )
     head = ("moves most", "frequency, Hz>", "damping ratio>") if rows else ()
     ends = [figure(found.frequency[k], 3) for k in (swinging[:1] + swinging[-1:])]
     part = Part(
@@ -330,12 +334,14 @@ def requirements_part(subject: Subject) -> Part | None:
     limit = max((row.speed for row in summarize(stand).unbalance), default=0.0)
     point = (subject.at or _measured(stand))[0]
     found = jitter(stand, {"all": f"0..{limit!r} rad/s"}, point, steps=4 * STEPS - 3, require=subject.require)
+    arcsec = found.study.measure.arcsec
+    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, found.unit)
     rows = [
-        [each.requirement.text, figure(each.requirement.limit, 4), figure(each.value, 4), found.study.axes[each.axis],
-         figure(RPM * found.study.value[each.step], 4), "met" if each.met else FAILED]
+        [each.requirement.text, figure(scale * each.requirement.limit, 4), figure(scale * each.value, 4),
+         found.study.axes[each.axis], figure(RPM * found.study.value[each.step], 4), "met" if each.met else FAILED]
         for each in found.verdicts
     ]  # fmt: skip
-    head = ("requirement", f"limit, {found.unit}>", f"largest, {found.unit}>", "axis", "at, rpm>", "")
+    head = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "axis", "at, rpm>", "")
     failures = tuple(f"{point}: {each.requirement.text} is not met" for each in found.verdicts if not each.met)
     words = f"{found.study.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
     met = sum(each.met for each in found.verdicts)

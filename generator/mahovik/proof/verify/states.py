@@ -69,22 +69,27 @@ def identifier(found: dict[str, Any]) -> Any:
 
 
 def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> Request:
-    """The request in a line's object. StateError names the key, what was found and what was expected."""
+    """The request in a line's object. StateError names each wrong key, what was found and what was expected."""
     refuse_duplicates(found)
-    for key, value in found.items():
-        if key not in STATE:
-            raise StateError(f"unknown key {show(key)}{suggestion(key, STATE)}")
-        if isinstance(value, _RepeatedKeys):
-            raise StateError(f'{key}: key "{value.key}" appears twice')
+    faults = [f"unknown key {show(key)}{suggestion(key, STATE)}" for key in found if key not in STATE]
+    faults += [f'{k}: key "{x.key}" appears twice' for k, x in found.items() if isinstance(x, _RepeatedKeys)]
     if "angles" in found and "quaternion" in found:
-        raise StateError("angles, quaternion: both given, expected one of them")
-    want = _want(found)
+        faults.append("angles, quaternion: both given, expected one of them")
+    want, given = tuple[str, ...](), dict[str, Any]()
+    try:
+        want = _want(found)
+    except StateError as error:
+        faults.append(str(error))
     if "generalized" in want and "quaternion" in found and stand.hold is None:
-        raise StateError("quaternion: `generalized` needs `angles`")
-    given: dict[str, Any] = {
-        key: _list_of(found.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
-        for key, count in ((key, len(stand.flywheels) if n == "N" else int(n)) for key, n in INPUTS.items())
-    }
+        faults.append("quaternion: `generalized` needs `angles`")
+    for key, n in INPUTS.items():
+        count = len(stand.flywheels) if n == "N" else int(n)
+        try:
+            given[key] = _list_of(found.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
+        except StateError as error:
+            faults.append(str(error))
+    if faults:
+        raise StateError("; ".join(faults))
     given["angles"] = given["angles"] if "angles" in found else None
     quaternion = _quaternion(found) if "quaternion" in found else None
     task, demand = _task(stand, found, want, real)
