@@ -19,8 +19,8 @@ from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
 from mahovik.use.study.band import rms
 from mahovik.use.study.linear.model import Place, places
-from mahovik.use.study.response.held import REACTION, HeldMotion
 from mahovik.use.study.response.periodic import Periodic, periodic_response
+from mahovik.use.study.response.scene import REACTION, HeldMotion
 from mahovik.use.study.response.speeds import common_period, read_speeds
 
 

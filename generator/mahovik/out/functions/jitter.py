@@ -28,7 +28,7 @@ from mahovik.use.study.jitter.requirement import Requirement, judge, read_requir
 from mahovik.use.study.jitter.sight import read_sight
 from mahovik.use.study.jitter.structure import read_structure
 from mahovik.use.study.jitter.tables import as_object, csv_text, json_text, order_entries, verdict_object
-from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.scene import REACTION
 from mahovik.use.study.response.speeds import ALL
 
 HOLD = "hold"

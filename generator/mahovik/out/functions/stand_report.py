@@ -40,8 +40,7 @@ from mahovik.proof.verify.programme.verification import motion_check, stand_chec
 from mahovik.use.study.campbell import campbell
 from mahovik.use.study.growth import compare_growth
 from mahovik.use.study.jitter.quantity import ARCSEC
-from mahovik.use.study.response.held import REACTION
-from mahovik.use.study.response.periodic import scene_of
+from mahovik.use.study.response.scene import REACTION, Scene
 from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.response.sweep import sweep_outputs
 from mahovik.writing import format_of, write
@@ -270,7 +269,7 @@ def modes_part(subject: Subject) -> Part | None:
     )
     if not stand.flywheels:
         return part
-    scene, limit = scene_of(stand), max(row.speed for row in summarize(stand).unbalance)
+    scene, limit = Scene.of(stand), max(row.speed for row in summarize(stand).unbalance)
     diagram = campbell(scene, np.linspace(0.0, limit, 4 * STEPS - 3))
     if not np.isfinite(diagram.natural).any():
         return part

@@ -18,8 +18,8 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
-from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.outputs import output_of
+from mahovik.use.study.response.scene import REACTION
 from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
 from mahovik.use.study.response.sweep import Sweep
 from mahovik.use.study.response.sweep import sweep as sweep_speeds

@@ -26,11 +26,9 @@ from mahovik.use.balance.influence import INDEPENDENT, Influence
 from mahovik.use.balance.pieces import Made, choose_pieces
 from mahovik.use.balance.polar import Array, Complex
 from mahovik.use.measured import Recording
-from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.plant import Plant
 from mahovik.use.study.jitter.quantity import View
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import Scene
 
 HALF_WIDTH = 1.959963984540054
@@ -145,23 +143,13 @@ def balance_wheels(
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
     found = [first_order(each, stand) for each in recordings]
-    scene, plant = _prepare(stand)
+    scene = Scene.of(stand)
+    plant = Plant.of(scene)
     turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in found], axis=0))
     return tuple(_wheel(scene, plant, int(s), planes.get(stand.flywheels[s].name, Planes()), found) for s in turning)
 
 
-def _prepare(stand: Stand) -> tuple[Scene | HeldScene, Plant | HeldPlant]:
-    """The stand about its rest, and its response. Raises CheckError."""
-    if stand.hold is None:
-        scene = Scene.of(stand)
-        return scene, Plant.of(scene)
-    held = HeldScene.of(stand)
-    return held, HeldPlant.of(held)
-
-
-def _wheel(
-    scene: Scene | HeldScene, plant: Plant | HeldPlant, s: int, planes: Planes, found: Sequence[FirstOrder]
-) -> WheelBalance:
+def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, found: Sequence[FirstOrder]) -> WheelBalance:
     flywheel, positions = scene.stand.flywheels[s], planes.positions
     firsts = tuple(
         First(
@@ -227,9 +215,7 @@ def _quantity(label: str) -> str:
     return quantity if quantity != "reaction" else "force" if component in "xyz" else "moment"
 
 
-def influences(
-    scene: Scene | HeldScene, plant: Plant | HeldPlant, s: int, positions: Sequence[float], found: FirstOrder
-) -> Complex:
+def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], found: FirstOrder) -> Complex:
     """Influence (K, P) of 1 kg m at angle zero in each plane on the channels, at the speeds of a recording."""
     speed, omega = float(found.speeds[s]), np.array([[abs(found.speeds[s])]])
     origin, axes = pose(scene.stand, scene.stand.flywheels[s])
@@ -240,12 +226,12 @@ def influences(
     wrench = np.array([np.concatenate([force, moment]) for moment in moments]).T
     if speed < 0.0:
         wrench = wrench.conj()
-    motion = plant.pose(found.speeds[None], omega, wrench[None, None])[0, 0].T  # (P, 6)
+    moved = plant.pose(found.speeds[None], omega, wrench[None, None])
+    motion = moved[0, 0].T  # (P, 6)
     rows = []
     for channel in found.channels:
         if channel.quantity == "reaction":
-            assert isinstance(plant, HeldPlant)
-            reaction = plant.reaction(found.speeds[None], omega, wrench[None, None])[0, 0]
+            reaction = plant.reaction(found.speeds[None], omega, moved, wrench[None, None])[0, 0]
             rows.append(reaction["xyzkmn".index(channel.component)])
             continue
         (where,) = places(scene.stand, [channel.name])

@@ -8,8 +8,6 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.study.response.held import HeldScene
-from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 
 NODES = 16
@@ -67,9 +65,9 @@ class Campbell:
     crossings: tuple[Crossing, ...]
 
 
-def campbell(stand: Stand | Scene | HeldScene, speed: Array) -> Campbell:
+def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
     """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to linearise about."""
-    scene = scene_of(stand) if isinstance(stand, Stand) else stand
+    scene = Scene.of(stand) if isinstance(stand, Stand) else stand
     natural, damping, growth = natural_at(scene, speed)
     tables = scene.chart.mechanics.tables
     twice = np.abs(tables.Theta[3:]).max(initial=0.0) > ASYMMETRIC * np.abs(scene.K).max()
@@ -78,7 +76,7 @@ def campbell(stand: Stand | Scene | HeldScene, speed: Array) -> Campbell:
     return Campbell(speed, natural, damping, growth, orders, tuple(sorted(found, key=lambda each: each.speed)))
 
 
-def natural_at(scene: Scene | HeldScene, speed: Array) -> tuple[Array, Array, Array]:
+def natural_at(scene: Scene, speed: Array) -> tuple[Array, Array, Array]:
     """Natural frequencies (S, 6; Hz), damping ratios (S, 6), growth (S, 1/s) at speeds (S, rad/s)."""
     values = np.linalg.eigvals(mean_equations(scene, speed))
     size = np.abs(values).max(axis=1, initial=0.0, keepdims=True)
@@ -94,8 +92,8 @@ def natural_at(scene: Scene | HeldScene, speed: Array) -> tuple[Array, Array, Ar
     return natural / (2.0 * np.pi), -chosen.real / natural, growth
 
 
-def mean_equations(scene: Scene | HeldScene, speed: Array) -> Array:
-    """A (S, n, n) of y' = A y about rest, y (n) of `Scene` or `HeldScene`: mean over a turn, at speeds (S, rad/s).
+def mean_equations(scene: Scene, speed: Array) -> Array:
+    """A (S, n, n) of y' = A y about rest, y (n) of `Scene`: mean over a turn, at speeds (S, rad/s).
 
     If no flywheel has a law that is not linear in its twist, A is linear in the speed, and two speeds suffice.
     """
@@ -106,7 +104,7 @@ def mean_equations(scene: Scene | HeldScene, speed: Array) -> Array:
     return np.asarray(still + (speed / fastest)[:, None, None] * (fast - still))
 
 
-def _average_matrices(scene: Scene | HeldScene, speed: Array) -> Array:
+def _average_matrices(scene: Scene, speed: Array) -> Array:
     N, M = scene.chart.mechanics.N, NODES * len(speed)
     phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, len(speed))
     given = scene.drive(np.tile(phi[:, None], N), np.tile(np.repeat(speed, NODES)[:, None], N))
@@ -115,7 +113,7 @@ def _average_matrices(scene: Scene | HeldScene, speed: Array) -> Array:
     return np.asarray(J.reshape(-1, NODES, n, n).mean(axis=1))
 
 
-def _crossings(scene: Scene | HeldScene, speed: Array, natural: Array, order: int) -> list[Crossing]:
+def _crossings(scene: Scene, speed: Array, natural: Array, order: int) -> list[Crossing]:
     """Crossings of one order with all natural frequencies: sign changes on the grid, then secants."""
     above = natural - order * speed[:, None] / (2.0 * np.pi)
     with np.errstate(invalid="ignore"):

@@ -8,7 +8,6 @@ import numpy as np
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.study.campbell import Campbell
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.periodic import Periodic, periodic_response
 from mahovik.use.study.response.scene import Scene
 
@@ -36,7 +35,7 @@ class Growth:
     unstable: float | None
 
 
-def compare_growth(scene: Scene | HeldScene, diagram: Campbell) -> Growth | None:
+def compare_growth(scene: Scene, diagram: Campbell) -> Growth | None:
     """Growth in the means of `diagram`, compared with steady motions; None where nothing grows."""
     growing = np.flatnonzero(diagram.growth)
     if not len(growing):
@@ -56,7 +55,7 @@ def compare_growth(scene: Scene | HeldScene, diagram: Campbell) -> Growth | None
     return Growth(float(diagram.speed[growing[0]]), float(diagram.growth.max()), len(found), multiplier, unstable)
 
 
-def _steady(scene: Scene | HeldScene, speed: float) -> Periodic | None:
+def _steady(scene: Scene, speed: float) -> Periodic | None:
     """The steady motion at a common speed of all flywheels; None where none is found."""
     try:
         return periodic_response(scene, [speed] * scene.chart.mechanics.N, [])

@@ -17,16 +17,14 @@ QUARTERS = np.arange(4) * (np.pi / 2)
 """Phases whose mean removes the first and the second harmonic of a flywheel."""
 
 
-def mean_model(stand: Stand, rest: State, point: str, speeds: Array) -> tuple[Array, Array, Array]:
-    """A, B, and C of the point's velocity of the carrier under turning flywheels, means over phase."""
-    found = []
+def mean_matrix(stand: Stand, rest: State, speeds: Array) -> Array:
+    """A (2 m, 2 m) of the carrier about rest under flywheels at speeds (N, rad/s): y' = A y, mean over phase."""
+    matrices = []
     for phase in QUARTERS:
         N = len(speeds)
         state = replace(rest, phi=(float(phase),) * N, phi_dot=tuple(speeds.tolist()), phi_ddot=(0.0,) * N)
-        model = linear_model(stand, state, [point], locked=True)
-        found.append((model.A, model.B, model.C[3:6]))
-    A, B, C = (np.mean(each, axis=0) for each in zip(*found, strict=True))
-    return A, B, C
+        matrices.append(linear_model(stand, state, [stand.carrier.name], locked=True).A)
+    return np.asarray(np.mean(matrices, axis=0))
 
 
 def unbalance_wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:

@@ -13,8 +13,8 @@ by the lines that the equations still have up to MORE higher orders.
 Directions without a restoring force are kept from drifting: of all motions the one is found whose mean pose is that of
 rest and whose mean rotation is zero, for any phases. Where momentum is conserved nothing is needed for that.
 
-A held carrier has the same equations in the coordinates of its freedoms, see `response.held`; `left_out` then counts
-its reaction too. A clamped one has no motion, and its reaction is all.
+The coordinates are those of the freedoms, see `response.scene`; of a held carrier `left_out` counts the reaction too. A
+clamped one has no motion, and its reaction is all.
 """
 
 from __future__ import annotations
@@ -33,8 +33,6 @@ from mahovik.use.study.jitter.left_out import left_out
 from mahovik.use.study.jitter.linearised import Linearised
 from mahovik.use.study.jitter.torus import Torus, Whole
 from mahovik.use.study.jitter.torus_motion import ROUNDING, Balance, rounding_rates
-from mahovik.use.study.response.held import HeldScene
-from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 
 __all__ = ["Balance", "balance"]
@@ -69,7 +67,7 @@ FIRST, HIGHEST = 2, 8
 
 
 def balance(
-    stand: Stand | Scene | HeldScene,
+    stand: Stand | Scene,
     speeds: Sequence[float],
     phases: Sequence[float] | None = None,
     order: int | None = None,
@@ -82,7 +80,7 @@ def balance(
 
     Raises CheckError: no equilibrium, or no motion is found.
     """
-    scene = scene_of(stand) if isinstance(stand, Stand) else stand
+    scene = Scene.of(stand) if isinstance(stand, Stand) else stand
     N = len(scene.stand.flywheels)
     start = np.zeros(N) if phases is None else np.array(phases, dtype=np.float64)
     search = _Search(scene, np.array(speeds, dtype=np.float64), start)
@@ -102,12 +100,12 @@ def balance(
 class _Search:
     """Newton's method at one order after the other, each from the last."""
 
-    def __init__(self, scene: Scene | HeldScene, speeds: Array, phases: Array) -> None:
+    def __init__(self, scene: Scene, speeds: Array, phases: Array) -> None:
         self.scene, self.speeds, self.phases = scene, speeds, phases
         self.turning = tuple(int(s) for s in np.flatnonzero(speeds))
         self.fastest = float(np.abs(speeds).max(initial=0.0)) or 1.0
         self.before: tuple[Torus, Complex] | None = None
-        self.conserves = isinstance(scene, Scene) and conserves(scene)
+        self.conserves = scene.stand.hold is None and conserves(scene)
         self.rounding = rounding_rates(scene, speeds)
 
     def at(self, order: int) -> Balance:
@@ -166,7 +164,7 @@ class _Search:
         found = solve(own, w, slow, self._start(torus)[:, 3:6])
         if found is None:
             raise self._failure(order)
-        c = own.state(found.r, found.L, slow)
+        x, c = own.state(found.r, found.L, slow)
         self.before = torus, c
         result = self._result(order, torus, c, np.zeros((len(w), 6), dtype=np.complex128))
         larger = self._larger(order)
@@ -174,7 +172,7 @@ class _Search:
             return result
         w, slow = self._frequencies(larger)
         beyond = Conserved.of(larger, self._drive(larger.nodes))
-        missing = beyond.remainder(found.r, found.L, c[:, :3], w, slow, found.near)
+        missing = beyond.remainder(found.r, found.L, x, w, slow, found.near)
         velocities = 1j * w[:, None] * missing
         return _with(result, np.concatenate([missing, velocities], axis=1), w, slow, order + MORE)
 

@@ -11,15 +11,14 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from mahovik.use.plan.array import Array, Complex
-from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.residual.spatial import skew
-from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.lines import TABLE, LineName, Lines
 from mahovik.use.study.jitter.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.study.jitter.plant import Plant
 from mahovik.use.study.jitter.quantity import LinearMotion, Observable
 from mahovik.use.study.jitter.structure import Structure, way_back
 from mahovik.use.study.jitter.torus import Whole
+from mahovik.use.study.response.scene import Scene
 
 CHUNK = 2_000_000
 """Speeds, lines and modes treated at once: their product."""
@@ -47,7 +46,7 @@ class Chain:
     ratios       mass_ratio, gyro_ratio of `structure.way_back`
     """
 
-    plant: Plant | HeldPlant
+    plant: Plant
     seen: Observable
     makers: Makers
     names: tuple[str, ...]
@@ -60,18 +59,16 @@ class Chain:
     ratios: tuple[Array, Array]
 
     @staticmethod
-    def of(plant: Plant | HeldPlant, seen: Observable, makers: Makers, fastest: Array, down: Array) -> Chain:
-        """The chain for speeds of up to `fastest` (N, rad/s); down: gravity (3) in E1 at rest.
+    def of(scene: Scene, seen: Observable, makers: Makers, fastest: Array) -> Chain:
+        """The chain for speeds of up to `fastest` (N, rad/s).
 
         Raises JitterFileError: a shape is missing; UsageError: structural modes, but a load is seen.
         """
-        free = plant.free if isinstance(plant, HeldPlant) else plant
-        mechanics = Mechanics.of(free.stand)
-        tables, names = mechanics.tables, tuple(s.name for s in free.stand.flywheels)
-        N, structure = len(names), makers.structure
+        tables, names = scene.chart.mechanics.tables, tuple(s.name for s in scene.stand.flywheels)
+        plant, N, structure = Plant.of(scene), len(names), makers.structure
         Theta = tables.Theta[0]
-        gyro = np.linalg.inv(free.inverse) @ free.gyro if N else np.zeros((0, 6, 6))
-        tilting = tables.weight[0] @ skew(down)
+        gyro = plant.K @ plant.free.gyro
+        tilting = tables.weight[0] @ skew(scene.chart.C.T @ np.array(scene.stand.gravity))
         if structure is None:
             none = np.zeros((3, 0))
             ratios = (np.zeros(0), np.zeros(0))
@@ -114,8 +111,7 @@ class Chain:
         pose = self.plant.pose(speeds, omega, wrench)
 
         def reaction() -> Complex:
-            assert isinstance(self.plant, HeldPlant)
-            return self.plant.reaction_at(speeds, omega, pose, wrench)
+            return self.plant.reaction(speeds, omega, pose, wrench)
 
         def mount(s: int) -> Complex:
             on_carrier = self.mount_reply(s, speeds, omega, pose) + by_wheel(s)

@@ -24,7 +24,7 @@ from mahovik.use.plan.residual.slopes import rotation_vector_rate
 from mahovik.use.plan.residual.spatial import motor_cross, skew
 from mahovik.use.study.jitter.linearised import Linearised
 from mahovik.use.study.jitter.torus import Torus, Whole
-from mahovik.use.study.response.scene import Scene
+from mahovik.use.study.response.scene import Scene, left_jacobian
 
 EXACT = 1e-12
 """Relative size of a wrench that is rounding."""
@@ -113,13 +113,16 @@ class Conserved:
         chart = -skew(omega) / 2 - (skew(np.cross(r, omega)) + skew(r) @ skew(omega)) / 12
         return turned + chart, B @ self.inertia @ back.as_matrix()
 
-    def state(self, r: Complex, L: Complex, slow: Whole) -> Complex:
-        """y (n, 12) on the torus: x with its constants at rest, r, V."""
+    def state(self, r: Complex, L: Complex, slow: Whole) -> tuple[Complex, Complex]:
+        """x (n, 3) with its constants at rest, and the state y (n, 12) on the torus."""
         at = self.torus.values(r)
         x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
         V = (self.given.inverse @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
-        return np.concatenate([x, r, self.torus.coefficients(V)], axis=1)
+        moved = np.asarray(
+            np.linalg.solve(left_jacobian(at), self.torus.values(x)[:, :, None])[:, :, 0], dtype=np.float64
+        )
+        return x, np.concatenate([self.torus.coefficients(moved), r, self.torus.coefficients(V)], axis=1)
 
     def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:
         """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""

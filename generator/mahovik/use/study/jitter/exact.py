@@ -20,7 +20,6 @@ from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.quantity import FullMotion, Observable, View
 from mahovik.use.study.jitter.torus import Torus
 from mahovik.use.study.jitter.torus_motion import rounding_rates, rounding_wrench
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import Scene
 
 NEGLIGIBLE = 1e-9
@@ -65,7 +64,6 @@ def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMot
     y, V_dot = found.at_nodes(torus, c)
 
     def reaction() -> Array:
-        assert isinstance(found.scene, HeldScene)
         return reactions(found.scene, found, torus, c, h)
 
     def mount(s: int) -> Array:
@@ -75,7 +73,7 @@ def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMot
     return FullMotion(y, V_dot, reaction, mount)
 
 
-def constant_load(scene: Scene | HeldScene, seen: LoadView, speeds: Array, phases: Array) -> Array:
+def constant_load(scene: Scene, seen: LoadView, speeds: Array, phases: Array) -> Array:
     """The constant part (3) to first order: a load at rest under wheels at speeds (N, rad/s), mean over phase."""
     turning = tuple(int(s) for s in np.flatnonzero(speeds))
     torus, m, f = Torus.of(len(turning), 1), scene.count, scene.free.shape[1]
@@ -84,7 +82,7 @@ def constant_load(scene: Scene | HeldScene, seen: LoadView, speeds: Array, phase
 
     def reaction() -> Array:
         """What of it is along the freedoms is no reaction: the carrier gives way."""
-        assert isinstance(scene, HeldScene) and scene.stand.hold is not None
+        assert scene.stand.hold is not None
         found = motion.reaction()
         return np.asarray(found - found @ scene.S @ wrenches(scene.stand.hold).T)
 

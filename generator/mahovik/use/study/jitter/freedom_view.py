@@ -12,8 +12,8 @@ from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.quantity import FullMotion, LinearMotion, Quantity
 from mahovik.use.study.jitter.structure import Structure
-from mahovik.use.study.response.held import coordinates
 from mahovik.use.study.response.outputs import freedom_of
+from mahovik.use.study.response.scene import coordinates
 
 _UNITS = {"turn": "rad", "slide": "m", "twist": "1"}
 _POWERS = {"displacement": 0, "velocity": 1, "acceleration": 2}

@@ -20,7 +20,7 @@ from mahovik.use.study.jitter.torus_motion import (
     rounding_wrench,
     state_at,
 )
-from mahovik.use.study.response.held import HeldScene
+from mahovik.use.study.response.scene import Scene
 
 SAMPLES = 64
 """Random phases at which the literal reference is evaluated."""
@@ -42,19 +42,19 @@ def left_out(found: Balance) -> float:
     left = y_dot[:, 6:] - exact - scene.twist(pushed)
     pose = y_dot[:, :6] - scene.chart.rate(given, y)[:, :6]
     parts = [_largest(found, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
-    if isinstance(scene, HeldScene):
+    if scene.stand.hold is not None:
         parts.append(_reaction_left_out(scene, found, theta, at, y_dot[:, 6:]))
     return max(parts)
 
 
-def reactions(scene: HeldScene, found: Balance, torus: Torus, c: Complex, h: Complex) -> Array:
+def reactions(scene: Scene, found: Balance, torus: Torus, c: Complex, h: Complex) -> Array:
     """Reaction (M, 6) at the nodes of a torus, without the wrench that keeps the mean place; c, h: its coefficients."""
     given = scene.drive(*found.motions(torus.nodes))
     pushed = torus.values(h) @ scene.wrench.T
     return np.asarray(scene.reaction(given, *found.at_nodes(torus, c)) - pushed)
 
 
-def _reaction_left_out(scene: HeldScene, found: Balance, theta: Array, at: Sequence[Pieces], V_dot: Array) -> float:
+def _reaction_left_out(scene: Scene, found: Balance, theta: Array, at: Sequence[Pieces], V_dot: Array) -> float:
     """Largest difference between the reaction's lines and the literal reference, part of the largest that varies."""
     lines = found.torus.coefficients(reactions(scene, found, found.torus, found.c, found.h))
     still = np.zeros(len(found.speeds))

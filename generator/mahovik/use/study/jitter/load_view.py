@@ -15,7 +15,7 @@ from mahovik.errors import UsageError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.quantity import AXES, FullMotion, LinearMotion, Quantity
 from mahovik.use.study.jitter.structure import Structure
-from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.scene import REACTION
 
 LOADS = {"force": Quantity("N", False, 0), "moment": Quantity("N m", False, 0)}
 """Quantities of a load."""

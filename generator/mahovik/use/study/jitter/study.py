@@ -18,14 +18,10 @@ from mahovik.use.plan.array import Array
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
 from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of, rounding_of
-from mahovik.use.study.jitter.held_plant import HeldPlant
 from mahovik.use.study.jitter.lines import CONSTANT, UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.noise import Broadband, broadband
-from mahovik.use.study.jitter.plant import Plant
 from mahovik.use.study.jitter.quantity import Observable, Quantity
-from mahovik.use.study.response.held import HeldScene
-from mahovik.use.study.response.periodic import scene_of
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
 
@@ -169,10 +165,8 @@ def jitter(
     value = np.array(asked.values(steps))
     speeds = np.array([asked.speeds(x) for x in value])
     start = np.zeros(speeds.shape[1]) if phases is None else np.array(phases, dtype=np.float64)
-    scene = scene_of(stand)
-    plant = HeldPlant.of(scene) if isinstance(scene, HeldScene) else Plant.of(scene)
-    down = scene.chart.C.T @ np.array(stand.gravity)
-    chain = Chain.of(plant, seen, makers or Makers(), np.abs(speeds).max(axis=0), down)
+    scene = Scene.of(stand)
+    chain = Chain.of(scene, seen, makers or Makers(), np.abs(speeds).max(axis=0))
     study = _Study(scene, asked, chain, speeds, value, start, order)
     if len(value) == 1 or exact:
         return study.exact(go_on)
@@ -181,7 +175,7 @@ def jitter(
 
 @dataclass(frozen=True, eq=False)
 class _Study:
-    scene: Scene | HeldScene
+    scene: Scene
     asked: SpeedPlan
     chain: Chain
     speeds: Array

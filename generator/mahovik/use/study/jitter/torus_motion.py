@@ -10,7 +10,6 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.state import State
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.torus import Torus
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import Scene
 
 ROUNDING = 1e-15
@@ -25,18 +24,18 @@ class Balance:
     """A motion on the torus of the flywheels that turn.
 
     speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
-    c         (n, 12): coefficients of states y = (x, r, V) in the chart about rest; (n, 2 m): of a held carrier's own
+    c         (n, 2 m): coefficients of states y = (xi, u)
     h         (n, f): constant numbers along the free directions that keep the mean place
     hold      (6; N, N m): the constant wrench in E1 that they are, mean over phases
     left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest;
               of a held carrier also of its reaction, part of the largest that varies
     missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
-    missing_c (m, 12) or (m, 2 m): of the states
+    missing_c (m, 2 m): of the states
     missing_w (m; rad/s): their k . phi', 0 for constants
     short     why no higher order was found though this one leaves out too much; empty: it does not
     """
 
-    scene: Scene | HeldScene
+    scene: Scene
     torus: Torus
     order: int
     speeds: Array
@@ -73,7 +72,7 @@ class Balance:
 
     @property
     def pose(self) -> Complex:
-        """(n, 6): coefficients of the pose (x, r); of a held carrier to first order."""
+        """(n, 6): coefficients of the pose (x, r), to first order."""
         m = self.scene.count
         return self.c[:, :m] @ self.scene.twist(np.eye(m))
 
@@ -105,7 +104,7 @@ class Balance:
         return state_at(self.scene, y, self.motions(theta[None])[0][0], self.speeds)
 
 
-def rounding_wrench(scene: Scene | HeldScene, speeds: Array) -> Array:
+def rounding_wrench(scene: Scene, speeds: Array) -> Array:
     """(6; N, N m): wrench on the carrier in E1 about O1 that is rounding, at speeds (N, rad/s).
 
     In a balanced stand inertia forces of the flywheels about O1 cancel, and so do weights.
@@ -117,24 +116,24 @@ def rounding_wrench(scene: Scene | HeldScene, speeds: Array) -> Array:
     return np.asarray(4.0 * np.finfo(float).eps * size)  # of some sums and products
 
 
-def rounding_rates(scene: Scene | HeldScene, speeds: Array) -> Array:
+def rounding_rates(scene: Scene, speeds: Array) -> Array:
     """(m; m/s2, rad/s2): rates of the speeds in a state by that wrench."""
     still = np.zeros((1, len(speeds)))
     return np.asarray(np.abs(scene.drive(still, still).mobility[0]) @ rounding_wrench(scene, speeds))
 
 
-def gyration_radius(scene: Scene | HeldScene) -> float:
+def gyration_radius(scene: Scene) -> float:
     """Radius of gyration, m."""
     return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
 
 
-def state_at(scene: Scene | HeldScene, y: Array, phi: Array, phi_dot: Array) -> State:
+def state_at(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
     """The state as `eval` takes it, of y (12) in the chart about rest."""
     C = scene.chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
     w, i, j, k = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
     X, Y, Z = (scene.chart.O1 + scene.chart.C @ y[:3]).tolist()
     u, v, a, p, q, r = y[6:].tolist()
-    own = tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist()) if isinstance(scene, HeldScene) else ()
+    own = () if scene.stand.hold is None else tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist())
     return replace(
         scene.rest,
         position=(X, Y, Z),

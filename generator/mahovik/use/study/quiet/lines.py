@@ -12,11 +12,15 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.motion import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.band import in_band
-from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
-from mahovik.use.study.unbalance import mean_model, unbalance_wrenches
+from mahovik.use.study.jitter import LoadView, Makers, View
+from mahovik.use.study.jitter.chain import Chain
+from mahovik.use.study.jitter.quantity import LinearMotion
+from mahovik.use.study.jitter.torus_motion import state_at
+from mahovik.use.study.linear.model import places
+from mahovik.use.study.quiet.options import Interval, QuietOptions
+from mahovik.use.study.response.scene import REACTION, Scene
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,59 +28,42 @@ class Amplitudes:
     """Amplitudes to first order in unbalance, exact in the carrier: suspension, damping, fluid, gyroscopic moments.
 
     Every flywheel s turns at constant speed; its contribution is Re(a_s exp(i |phi_s'| t)), a_s linear in exp(+-i
-    phi_s).
-
-    A0, A1     (12 x 12), (N x 12 x 12): x' = A x + B w of the carrier with locked flywheels, A = A0 + sum A1_s phi_s'
-    B          (12 x 6), by a wrench about O1 in E1
-    turning    (N x 6, complex): w = Re(turning_s exp(i phi_s)) phi_s'^2, centrifugal wrench
-    hanging    (N x 6, complex): the same for weight and other wrenches that turn with the flywheel
-    C          (axes x 12): velocity of the point, or rotation of its axes; differentiated `power` times: the measure
+    phi_s). axes (directions, 3) of the point, or of E1 for the reaction of a hold.
     """
 
-    A0: Array
-    A1: Array
-    B: Array
-    turning: Complex
-    hanging: Complex
-    C: Array
-    power: int
+    scene: Scene
+    chain: Chain
+    axes: Array
 
     @staticmethod
-    def of(stand: Stand, options: QuietOptions, rest: State) -> Amplitudes:
-        """Amplitudes about the pose `rest`. Raises StateError."""
-        N = len(stand.flywheels)
-        measure = MEASURES[options.measure]
-        across = np.array(options.axes)
-        still = mean_model(stand, rest, options.point, np.zeros(N))
-        moving = [mean_model(stand, rest, options.point, row)[0] - still[0] for row in np.eye(N)]
-        C, power = still[2], 1 - measure.integrals
-        if measure.turning:
-            L = point_transfers(stand)[options.point]
-            C, power = np.hstack([np.zeros((3, 9)), L[:3, :3].T]), -measure.integrals
-        turning, hanging = unbalance_wrenches(stand, rest)
-        return Amplitudes(still[0], np.array(moving), still[1], turning, hanging, across @ C, power)
+    def of(stand: Stand, options: QuietOptions) -> Amplitudes:
+        """Amplitudes about the rest. Raises CheckError: no equilibrium; StateError."""
+        scene = Scene.of(stand)
+        seen: View | LoadView
+        if options.point == REACTION:
+            seen = LoadView.of(stand, REACTION, options.measure)
+        else:
+            seen = View.of(places(stand, [options.point])[0], options.measure)
+        chain = Chain.of(scene, seen, Makers(), np.zeros(len(stand.flywheels)))
+        return Amplitudes(scene, chain, np.array(options.axes))
 
     def at(self, speeds: Array) -> Complex:
         """Amplitudes (axes x N) at these speeds (N, rad/s), for phases zero; zero for a flywheel at rest."""
-        return self._solve(speeds)[0]
+        a = self.chain.seen.linear(self._motion(speeds))[0, :, :, 0]
+        return np.asarray(self.axes @ np.where(speeds[:, None] == 0.0, 0.0, a).T)
 
-    def states(self, speeds: Array) -> Complex:
-        """Amplitudes (12 x N) of the carrier's pose and V."""
-        return self._solve(speeds)[1]
+    def start(self, speeds: Array, phases: Array) -> State:
+        """State at t = 0 on the steady motion, to first order; exactly where the hold allows."""
+        motion = self._motion(speeds)
+        pose = np.where(speeds[:, None] == 0.0, 0.0, motion.pose[0, :, :, 0])
+        turned = np.exp(1j * np.sign(speeds) * phases)
+        x, V = (turned @ each for each in (pose, 1j * motion.omega[0][:, None] * pose))
+        own = np.concatenate([x.real, V.real]).reshape(2, 6) @ np.linalg.pinv(self.scene.S).T
+        return state_at(self.scene, self.scene.whole(own.reshape(1, -1))[0], phases, speeds)
 
-    def _solve(self, speeds: Array) -> tuple[Complex, Complex]:
-        A = self.A0 + np.tensordot(speeds, self.A1, axes=1)
-        turning = np.flatnonzero(speeds)
-        y = np.zeros((len(self.C), len(speeds)), dtype=np.complex128)
-        x = np.zeros((12, len(speeds)), dtype=np.complex128)
-        if len(turning) == 0:
-            return y, x
-        omega = np.abs(speeds[turning])
-        w = self.turning[turning] * omega[:, None] ** 2 + self.hanging[turning]
-        w = np.where((speeds[turning] < 0.0)[:, None], w.conj(), w)
-        x[:, turning] = np.linalg.solve(1j * omega[:, None, None] * np.eye(12) - A, (w @ self.B.T)[..., None])[..., 0].T
-        y[:, turning] = self.C @ x[:, turning] * (1j * omega) ** self.power
-        return y, x
+    def _motion(self, speeds: Array) -> LinearMotion:
+        omega, wrench = self.chain.plant.unbalance(speeds[None], np.zeros(len(speeds)))
+        return self.chain.by_unbalance(speeds[None], np.where(omega == 0.0, 1.0, omega), wrench)
 
 
 SWEEPS = 400

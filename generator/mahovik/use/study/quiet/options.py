@@ -18,7 +18,7 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
 from mahovik.use.plan.array import Array
 from mahovik.use.study.band import check_band
-from mahovik.use.study.response.held import REACTION
+from mahovik.use.study.response.scene import REACTION
 
 
 class Measure(NamedTuple):

@@ -22,7 +22,6 @@ from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.band import in_band
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
-from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import (
     Amplitudes,
     Line,
@@ -39,9 +38,7 @@ from mahovik.use.study.quiet.simulation import (
     expected_samples,
     line_amplitude,
     simulate_point,
-    steady_start,
 )
-from mahovik.use.study.rest import rest
 
 AGREE = 0.01
 """Part of the RMS before: a larger difference of simulated and expected RMS in the band means first order fails."""
@@ -141,11 +138,9 @@ def quiet(
         find_compiler()  # before the search, not after it
     wheels = Wheels.of(stand, options)
     tell = progress or (lambda _: None)
-    pose = rest(stand).state
-    amplitudes: Amplitudes | HeldAmplitudes
-    amplitudes = Amplitudes.of(stand, options, pose) if stand.hold is None else HeldAmplitudes.of(stand, options)
+    amplitudes = Amplitudes.of(stand, options)
     tell("searching")
-    natural = _carrier_frequencies(stand, pose)
+    natural = _carrier_frequencies(stand, amplitudes.scene.rest)
     if options.modes:
         around = tuple((f * (1.0 - options.margin), f * (1.0 + options.margin)) for f in natural)
         options = replace(options, avoid=(*options.avoid, *around))
@@ -161,7 +156,7 @@ def quiet(
         found = []
         for name, (now, angles) in {"before": (wheels.start, unheld), "after": (speeds, phases)}.items():
             tell(f"simulating {name}")
-            found.append(_jitter(stand, options, amplitudes, pose, now, angles, by))
+            found.append(_jitter(stand, options, amplitudes, now, angles, by))
         return found
 
     try:
@@ -187,8 +182,7 @@ def _carrier_frequencies(stand: Stand, pose: State) -> tuple[float, ...]:
 def _jitter(
     stand: Stand,
     options: QuietOptions,
-    amplitudes: Amplitudes | HeldAmplitudes,
-    pose: State,
+    amplitudes: Amplitudes,
     speeds: Array,
     phases: Array,
     backend: str | None,
@@ -196,10 +190,7 @@ def _jitter(
     """Jitter by first order, and by simulation."""
     a = amplitudes.at(speeds)
     found = tuple(lines(speeds, phases, a))
-    if isinstance(amplitudes, HeldAmplitudes):
-        start = amplitudes.start(speeds, phases)
-    else:
-        start = steady_start(pose, amplitudes, stand, speeds, phases)
+    start = amplitudes.start(speeds, phases)
     free, rms = (
         math.sqrt(uncontrolled_mean_square(speeds, a, options.band)),
         math.sqrt(mean_square(list(found), options.band)),

@@ -16,7 +16,6 @@ from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.study.band import EDGE, in_band
-from mahovik.use.study.quiet.held_lines import HeldAmplitudes
 from mahovik.use.study.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square
 from mahovik.use.study.quiet.options import QuietOptions, Wheels
 
@@ -146,7 +145,7 @@ class Search:
     def __init__(
         self,
         wheels: Wheels,
-        amplitudes: Amplitudes | HeldAmplitudes,
+        amplitudes: Amplitudes,
         options: QuietOptions,
         seconds: float | None = None,
         tell: Callable[[str], None] | None = None,

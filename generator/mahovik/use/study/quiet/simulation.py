@@ -7,25 +7,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import cast
+from dataclasses import dataclass
 
 import numpy as np
 
 from mahovik.core.motion.laws import Constant
 from mahovik.core.motion.regime import FlywheelRegime, Regime
-from mahovik.core.stand.model import Stand, Vec6
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.study.band import EDGE, in_band
-from mahovik.use.study.quiet.lines import Amplitudes
 from mahovik.use.study.quiet.options import MEASURES, Interval, QuietOptions
-from mahovik.use.study.response.held import REACTION
-from mahovik.use.study.rest import displaced_state
+from mahovik.use.study.response.scene import REACTION
 
 LOBE = 4.0
 """Half width of the window's main lobe, in 1/T; leakage beside it is 92 dB lower."""
@@ -94,14 +90,6 @@ class Sampling:
         until = max(min(until, LONGEST), min(1.5 * LOBE / edges, MOST / rate))
         count = math.ceil(until * rate)
         return Sampling(until, until / count)
-
-
-def steady_start(rest: State, amplitudes: Amplitudes, stand: Stand, speeds: Array, phases: Array) -> State:
-    """State at t = 0 on the steady motion (rad/s, rad), to first order: no mode has to decay first."""
-    x = (amplitudes.states(speeds) * np.exp(1j * np.sign(speeds) * phases)).sum(axis=1).real
-    state = displaced_state(rest, pieces(stand, rest).C, x[:6])
-    V = cast(Vec6, tuple(x[6:].tolist()))
-    return replace(state, V=V, phi=tuple(phases.tolist()), phi_dot=tuple(speeds.tolist()))
 
 
 def regime_of(stand: Stand, speeds: Array, phases: Array) -> Regime:

@@ -10,8 +10,8 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response.held import REACTION
 from mahovik.use.study.response.periodic import QUANTITIES, UNITS
+from mahovik.use.study.response.scene import REACTION
 
 AXES = ("x", "y", "z")
 

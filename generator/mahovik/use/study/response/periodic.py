@@ -22,7 +22,6 @@ from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.forward import Drive
 from mahovik.use.study.linear.model import Place, places
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.scene import FREE, Scene
 from mahovik.use.study.response.speeds import Turning, common_period
 from mahovik.use.study.rest import rest
@@ -198,7 +197,7 @@ class Periodic:
     turning      base frequency and turns; the speeds are turning.speeds
     y, V_dot     (M, 12), (M, 6): states in the chart about rest, y = (x, r, V), and V*
     points       displacement, velocity, acceleration of each point, by name
-    held         of a held carrier its freedoms and the reaction, by name: see `HeldScene.outputs`
+    held         of a held carrier its freedoms and the reaction, by name: see `Scene.outputs`
     hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
                  zero to rounding if momentum is conserved
     multiplier   largest modulus of the multipliers of the linear equations along the course
@@ -206,7 +205,7 @@ class Periodic:
     natural      (Hz): frequencies of the linear equations, mean over the period, ascending, without free ones
     """
 
-    scene: Scene | HeldScene
+    scene: Scene
     turning: Turning
     y: Array
     V_dot: Array
@@ -233,7 +232,7 @@ class Periodic:
 
 
 def periodic_response(
-    stand: Stand | Scene | HeldScene,
+    stand: Stand | Scene,
     speeds: Sequence[float],
     points: Sequence[str] | None = None,
     phases: Sequence[float] | None = None,
@@ -243,7 +242,7 @@ def periodic_response(
     `stand`: or its Scene, for many speeds; `points`: names, None for all; `phases` (N, rad) at t = 0, default 0.
     Raises UsageError: unknown point, no common period. CheckError: no equilibrium, or no steady state is found.
     """
-    scene = scene_of(stand) if isinstance(stand, Stand) else stand
+    scene = Scene.of(stand) if isinstance(stand, Stand) else stand
     seen = places(scene.stand, points)
     turning = common_period(speeds)
     start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
@@ -255,12 +254,7 @@ def periodic_response(
     return search.result(seen)
 
 
-def scene_of(stand: Stand) -> Scene | HeldScene:
-    """The scene of a free or held carrier. Raises CheckError: the stand has no equilibrium."""
-    return Scene.of(stand) if stand.hold is None else HeldScene.of(stand)
-
-
-def flywheel_sums(scene: Scene | HeldScene, turning: Turning, phases: Array, M: int) -> Drive:
+def flywheel_sums(scene: Scene, turning: Turning, phases: Array, M: int) -> Drive:
     """Sums of the flywheels at M nodes of the period."""
     t = np.arange(M)[:, None] / M
     turns = np.array(turning.turns, dtype=np.float64)
@@ -268,21 +262,17 @@ def flywheel_sums(scene: Scene | HeldScene, turning: Turning, phases: Array, M: 
     return scene.drive(phi, np.tile(turning.base * turns, (M, 1)))
 
 
-def _clamped_response(scene: Scene | HeldScene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+def _clamped_response(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
     """Result of a carrier that does not move: wrenches of the flywheels have few waves a turn."""
     M = odd_length(2 * max(8, PER_TURN * max(map(abs, turning.turns))) + 1)
     given = flywheel_sums(scene, turning, phases, M)
     y, V_dot = np.zeros((M, 12)), np.zeros((M, 6))
     motions = {place.name: point_motion(place, y, V_dot) for place in seen}
-    held = _held_motions(scene, given, np.zeros((M, 0)), V_dot)
+    held = scene.outputs(given, np.zeros((M, 0)), V_dot)
     return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), 1.0, 0.0, np.zeros(0), held)
 
 
-def _held_motions(scene: Scene | HeldScene, given: Drive, y: Array, V_dot: Array) -> Mapping[str, Motion]:
-    return scene.outputs(given, y, V_dot) if isinstance(scene, HeldScene) else {}
-
-
-def _at_rest(scene: Scene | HeldScene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
+def _at_rest(scene: Scene, turning: Turning, seen: tuple[Place, ...], phases: Array) -> Periodic:
     """Result with all flywheels at rest: one node, no harmonics."""
     state = rest(scene.stand, phases.tolist()).state
     chart = scene.chart
@@ -294,14 +284,14 @@ def _at_rest(scene: Scene | HeldScene, turning: Turning, seen: tuple[Place, ...]
     J = scene.jacobian(given, own, V_dot) if scene.count else np.zeros((1, 0, 0))
     growing = float(np.linalg.eigvals(J[0]).real.max(initial=0.0)) > np.sqrt(FREE)
     motions = {place.name: point_motion(place, y, V_dot) for place in seen}
-    held = _held_motions(scene, given, own, V_dot)
+    held = scene.outputs(given, own, V_dot)
     return Periodic(scene, turning, y, V_dot, motions, np.zeros(6), np.inf if growing else 1.0, 0.0, natural(J), held)
 
 
 class _Search:
     """Newton's method at a number of harmonics, doubled until the highest ones are negligible."""
 
-    def __init__(self, scene: Scene | HeldScene, turning: Turning, phases: Array) -> None:
+    def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
         self.scene, self.turning, self.phases = scene, turning, phases
         f = scene.free.shape[1]
         self.y, self.h = np.zeros((1, 2 * scene.count)), np.zeros(f)
@@ -371,7 +361,7 @@ class _Search:
         motions = {place.name: point_motion(place, y, V_dot) for place in seen}
         multiplier = largest_multiplier(self.J, self.turning.period)
         hold = self.scene.wrench @ self.h
-        held = _held_motions(self.scene, self.given, self.y, V_dot)
+        held = self.scene.outputs(self.given, self.y, V_dot)
         return Periodic(self.scene, self.turning, y, V_dot, motions, hold, multiplier, self.tail, natural(self.J), held)
 
 

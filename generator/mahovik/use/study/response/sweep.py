@@ -19,9 +19,8 @@ from mahovik.errors import CheckError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.band import check_band, rms
 from mahovik.use.study.linear.model import encode_lines
-from mahovik.use.study.response.held import HeldScene
 from mahovik.use.study.response.outputs import AXES, Output, output_of
-from mahovik.use.study.response.periodic import UNSTABLE, periodic_response, scene_of
+from mahovik.use.study.response.periodic import UNSTABLE, periodic_response
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan, Turning, common_period
 
@@ -189,7 +188,7 @@ def sweep_outputs(
     turnings = [common_period(asked.speeds(value)) for value in values]
     found: list[list[Step]] = []
     try:
-        scene = scene_of(stand)
+        scene = Scene.of(stand)
         for value, turning in zip(values, turnings, strict=True):
             if not go_on(len(found)):
                 break
@@ -210,7 +209,7 @@ def sweep_outputs(
 
 
 def _steps(
-    scene: Scene | HeldScene, value: float, turning: Turning, outputs: Sequence[Output], phases: Sequence[float] | None
+    scene: Scene, value: float, turning: Turning, outputs: Sequence[Output], phases: Sequence[float] | None
 ) -> list[Step]:
     """The steady state at one speed, seen at each output."""
     points = list(dict.fromkeys(name for output in outputs for name in output.points))
