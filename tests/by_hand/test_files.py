@@ -16,7 +16,7 @@ import mahovik
 from by_hand.stands import stand, wheel
 from mahovik.core.stand import rest_state
 from mahovik.out.export.fmu import export_fmu
-from mahovik.proof.evidence.folder import check, seal
+from mahovik.proof.evidence import check, seal
 
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])

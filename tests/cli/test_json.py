@@ -11,7 +11,7 @@ from typing import Any
 import click
 import pytest
 
-import mahovik.proof.evidence.pieces as all_pieces
+import mahovik.proof.evidence as all_pieces
 from cli.run import BENCH8, DEMO3, run
 from mahovik.out.cli import main
 from mahovik.stands import path

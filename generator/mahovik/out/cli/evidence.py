@@ -25,7 +25,7 @@ from mahovik.out.cli.progress import can_show_line, progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.proof.evidence.pieces import Outcome, Piece
+    from mahovik.proof.evidence import Outcome
     from mahovik.proof.verify.delivery import Options
 
 FUZZ_SECONDS = (20, 600)
@@ -81,8 +81,7 @@ def evidence(
         if is_given("real") and real != delivered.real:
             raise UsageError(f"{against}: its C is {delivered.real}, expected {real}: leave --real out")
         stand, options = stand_in(Path(against), stand), delivered
-    from mahovik.proof.evidence.collect import as_dicts, conclusion, failures, select_pieces
-    from mahovik.proof.evidence.pieces import PIECES, Verdict
+    from mahovik.proof.evidence import PIECES, Verdict, as_dicts, conclusion, failures, select_pieces
 
     wanted = select_pieces(PIECES, only, without)
     folder = Path(output if output is not None else f"{stand.name}-evidence")
@@ -91,14 +90,11 @@ def evidence(
         print_json({"folder": str(folder), "conclusion": conclusion(found), "pieces": as_dicts(found)})
     else:
         styles = {Verdict.PASSED: "green", Verdict.FAILED: "red"}
-        rows = [
-            (piece.name, (outcome.verdict.value, styles.get(outcome.verdict, "yellow")), outcome.figure)
-            for piece, outcome in found
-        ]
+        rows = [(x.piece.name, (x.verdict.value, styles.get(x.verdict, "yellow")), x.figure) for x in found]
         print_table(("piece", "verdict", "figure"), rows)
         print_line(conclusion(found), "bold")
         click.echo(click.format_filename(folder / "index.html"))
-    if not any(outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for _, outcome in found):
+    if not any(outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for outcome in found):
         raise CheckError(
             f"{stand.name}: no piece was run, so nothing is shown: install what the page names, or choose other pieces"
         )
@@ -108,7 +104,7 @@ def evidence(
 
 
 def _check(folder: Path, as_json: bool) -> None:
-    from mahovik.proof.evidence.folder import check
+    from mahovik.proof.evidence import check
 
     found = check(folder)
     if found:
@@ -127,11 +123,10 @@ def _collect(
     seconds: int,
     wanted: frozenset[str],
     options: Options,
-) -> list[tuple[Piece, Outcome]]:
+) -> list[Outcome]:
     """Collected pieces; a line on a terminal says what runs, elsewhere there is one line per piece."""
     from mahovik.core.stand.content import content
-    from mahovik.proof.evidence.collect import collect
-    from mahovik.proof.evidence.pieces import PIECES
+    from mahovik.proof.evidence import PIECES, collect
 
     order = [each.name for each in PIECES if each.name in wanted]
     with progress("generate") as stage:
@@ -142,14 +137,5 @@ def _collect(
             elif not can_show_line():
                 click.echo(f"{order.index(name) + 1} of {len(order)}: {name}", err=True)
 
-        return collect(
-            stand,
-            content(Path(stand_file)),
-            folder,
-            PIECES,
-            options,
-            full=full,
-            seconds=seconds,
-            wanted=wanted,
-            say=say,
-        )
+        text = content(Path(stand_file))
+        return collect(stand, text, folder, PIECES, options, full=full, seconds=seconds, wanted=wanted, say=say)
