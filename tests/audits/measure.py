@@ -15,8 +15,9 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.motion import bias
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales_of
 from mahovik.proof.verify.states import Request

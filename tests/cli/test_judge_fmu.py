@@ -17,7 +17,7 @@ from cli.run import BRICK, refused, run
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
-from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.fmu import FmuBackend, read_map
 from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick

@@ -19,7 +19,7 @@ from mahovik.proof.diagnose.answers import Precision, Reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
 from mahovik.proof.diagnose.readings import READINGS, Reading, readings_of
 from mahovik.proof.diagnose.words import as_object, sentences
-from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.second import Second
 from mahovik.proof.verify.states import Request
 from physics.motions import vec

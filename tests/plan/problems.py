@@ -19,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.generalized import answer_generalized, kinematic_matrix, kinematic_matrix_rate
+from mahovik.proof.reference.coordinates import answer_generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import torque
 from mahovik.use.plan.problem import Periodic, Problem

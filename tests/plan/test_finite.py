@@ -13,7 +13,7 @@ from mahovik.core.motion.programme import Angles, load_programme, save_programme
 from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
 from mahovik.core.motion.required.course import SampledCourse
 from mahovik.core.stand import Stand, loads
-from mahovik.proof.reference.hold import acceleration
+from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.programme.mechanics import moment
 from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.plan import PlanOptions, plan_motion
@@ -136,5 +136,5 @@ def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: boo
     for k in range(len(t)):
         now = moment(own, course.q[k], course.q_dot[k], angles.phi[k], angles.phi_dot[k])
         wanted.append(now.V_dot(course.q_ddot[k]))
-        errors.append(acceleration(now.at, own, angles.phi_ddot[k]) - wanted[-1])
+        errors.append(forward(now.at, angles.phi_ddot[k]) - wanted[-1])
     assert np.abs(errors).max() < 1e-5 * np.abs(wanted).max()

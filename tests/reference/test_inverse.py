@@ -98,7 +98,7 @@ def test_equation_13_completes_independent_flywheels_to_the_demand(seed: int) ->
     wanted = demand(at, V_dot)
     scale = np.abs(at.I).max() * np.abs(phi_ddot).max()
     np.testing.assert_allclose(at.I @ phi_ddot, wanted, rtol=0, atol=1e-13 * scale)
-    assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, stand, V_dot).phi_ddot) * 0.1
+    assert np.linalg.norm(phi_ddot) > np.linalg.norm(inverse(at, V_dot).phi_ddot) * 0.1
 
 
 SIX = Task("six", tuple(TaskRow("", name) for name in COMPONENTS))

@@ -20,7 +20,7 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.hold import accelerations
+from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.stands import path
 from mahovik.use.simulate.held import home, move, rates
@@ -210,7 +210,7 @@ def rate(stand: Stand, state: State, tau: Array) -> Array:
     """u* (m) and phi'' (N) by the literal reference."""
     assert stand.hold is not None
     none = np.zeros(len(tau), dtype=bool)
-    V_dot, phi_ddot = accelerations(reference.pieces(stand, state), stand, tau, none)
+    V_dot, phi_ddot = coupled(reference.pieces(stand, state), tau, none)
     return np.concatenate([rates(stand.hold, V_dot), phi_ddot])
 
 

@@ -28,10 +28,11 @@ from mahovik.proof.diagnose.terms.law_term import BodyFaults
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import body_wrench
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import with_drawn_actuators

@@ -10,10 +10,9 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.laws.friction.law import Friction, frictions_of
 from mahovik.proof.reference.array import Array, solve, sqrt, vector
-from mahovik.proof.reference.hold import twists
 from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose
-from mahovik.proof.reference.screw import E, wrench_to_parent
+from mahovik.proof.reference.screw import E, twists, wrench_to_parent
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

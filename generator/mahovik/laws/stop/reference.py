@@ -11,10 +11,9 @@ from mahovik.core.stand.state import State
 from mahovik.laws.stop.law import Stop, stops_of
 from mahovik.proof.reference.array import Array, larger, vector
 from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine
-from mahovik.proof.reference.hold import unit
 from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation
-from mahovik.proof.reference.screw import force_at
+from mahovik.proof.reference.screw import force_at, unit
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

@@ -13,7 +13,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import Array, rotation
-from mahovik.proof.reference.generalized import kinematic_matrix
+from mahovik.proof.reference.coordinates import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from mahovik.use.control.coordinates import coordinates, held_coordinates
 from mahovik.use.plan.residual.held_kinematics import held_slopes

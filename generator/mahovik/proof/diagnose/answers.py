@@ -16,7 +16,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, Values
-from mahovik.proof.reference.hold import held_state
+from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request, stand_at
 

@@ -1,8 +1,7 @@
 """The literal reference: (1)-(13) in plain NumPy, slow, one concept a file, to be read beside the paper."""
 
 from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.evaluate import evaluate
-from mahovik.proof.reference.hold import held_state
+from mahovik.proof.reference.evaluate import evaluate, held_state
 from mahovik.proof.reference.pieces import Pieces
 
 __all__ = ["Pieces", "evaluate", "held_state", "pieces"]

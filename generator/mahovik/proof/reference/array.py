@@ -84,6 +84,8 @@ def solve_symmetric(S: Array, b: Array) -> Array:
     A row of small numbers, such as that of a flywheel beside a carrier of 1e12 kg, then stays small: scaled up on its
     own it would become a pivot, and with it the error of its numbers the error of all.
     """
+    if not len(b):
+        return b
     if object in (S.dtype, b.dtype):
         return _solve_exactly(S, b)
     scale = 1.0 / np.sqrt(np.abs(np.diag(S)))

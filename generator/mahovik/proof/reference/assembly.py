@@ -23,7 +23,7 @@ from mahovik.proof.reference.pieces import (
     velocity_matrix,
 )
 from mahovik.proof.reference.rotation import Pose, carrier_rotation
-from mahovik.proof.reference.screw import wrench_to_parent
+from mahovik.proof.reference.screw import twists, wrench_to_parent
 
 
 def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
@@ -43,6 +43,7 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     return Pieces(
         C=C,
         L1=wrench_to_parent(pose.O1, C),
+        S=twists(stand.hold),
         V=V,
         V_r=V_r,
         bodies=k,

@@ -1,9 +1,9 @@
-"""Coordinates of the freedoms of a held carrier from its home pose, and their rates.
+"""Generalized coordinates: of a free carrier (10)-(11), q = (O1 in E0, psi, theta, phi); of a held one its freedoms'.
 
-The pivot P of E1 is at O1 + C P; w is its way from the home pose in the axes of that pose. R = C0^T C is the turn from
-there. V = S u gives the pivot the velocity C s, s = sum of u_k d_k over what slides, so w' = R s and
-w'' = R (s* + omega x s). The turn about one axis has an angle, with R that of this angle; three turns have no angles
-but R itself, as a quaternion, and as rates omega and omega*.
+Those of freedoms are zero in the home pose. The pivot P of E1 is at O1 + C P; w is its way from the home pose in the
+axes of that pose. R = C0^T C is the turn from there. V = S u gives the pivot the velocity C s, s = sum of u_k d_k over
+what slides, so w' = R s and w'' = R (s* + omega x s). The turn about one axis has an angle, with R that of this angle;
+three turns have no angles but R itself, as a quaternion, and as rates omega and omega*.
 """
 
 from __future__ import annotations
@@ -16,10 +16,12 @@ import numpy as np
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, arctan2, vector
-from mahovik.proof.reference.hold import held_forward, unit
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, solve, stack, vector
+from mahovik.proof.reference.motion import answer_forward
+from mahovik.proof.reference.pieces import Pieces, velocity_matrix
 from mahovik.proof.reference.rotation import (
+    AXES,
+    ELEMENTARY,
     Pose,
     about,
     attitude,
@@ -28,7 +30,68 @@ from mahovik.proof.reference.rotation import (
     quaternion_rotation,
     skew_part,
 )
-from mahovik.proof.reference.screw import E, cross, wrench_to_parent
+from mahovik.proof.reference.screw import E, T, blocks, cross, unit, zero
+
+SINGULAR = 1e-6
+"""|cos theta| (Euler: |sin theta|) below this is an error of `generalized`."""
+
+
+def angle_rates_to_omega(sequence: Sequence, angles: Array, rates: Array) -> tuple[Array, Array]:
+    """B (3x3) of (10): omega = B (psi', theta', phi'), omega in E1; and B' (1/s) along the motion.
+
+    Each rate turns about its own axis, carried to E1 by the rotations that come after it in the sequence, whose rates
+    are R' = R <axis> angle'. `angles`, `rates` (3; rad, rad/s): psi, theta, phi; psi is not in B.
+    """
+    a, b, c = (E[axis] for axis in AXES[sequence])
+    _, Rb, Rc = (ELEMENTARY[axis](angle) for axis, angle in zip(AXES[sequence], angles, strict=True))
+    Rb_dot, Rc_dot = Rb @ cross(b) * rates[1], Rc @ cross(c) * rates[2]
+    B = stack([Rc.T @ Rb.T @ a, Rc.T @ b, c], 3).T
+    return B, stack([Rc_dot.T @ Rb.T @ a + Rc.T @ Rb_dot.T @ a, Rc_dot.T @ b, zero[0]], 3).T
+
+
+def kinematic_matrix(sequence: Sequence, angles: Array) -> Array:
+    """A = diag(C^T, B) (6x6) of (10): V = A q', q = (O1 in E0, psi, theta, phi)."""
+    return blocks(attitude(sequence, *angles).T, zero, zero, angle_rates_to_omega(sequence, angles, zero[0])[0])
+
+
+def kinematic_matrix_rate(sequence: Sequence, angles: Array, rates: Array) -> Array:
+    """D = A' (6x6, 1/s) of (10) along the motion; `rates` (3, rad/s): psi', theta', phi'. C' = C <omega>."""
+    B, B_dot = angle_rates_to_omega(sequence, angles, rates)
+    C_dot = attitude(sequence, *angles) @ cross(B @ rates)
+    return blocks(C_dot.T, zero, zero, B_dot)
+
+
+def check_attitude(sequence: Sequence, angles: Array) -> None:
+    """Raise StateError where A of (10) is singular, or so near to it that q' means nothing."""
+    name, value = ("sin", sin(angles[1])) if sequence == "euler" else ("cos", cos(angles[1]))
+    if abs(value) < SINGULAR:
+        raise StateError(
+            f"angles: singular attitude of the {sequence} sequence, |{name} theta| = {abs(value):.3g}; "
+            f"`generalized` needs at least {SINGULAR:g}"
+        )
+
+
+def _answer_free(at: Pieces, stand: Stand, state: State) -> Values:
+    """A, D of (10), I0, J0 of (11) at V (6x6), q_dot and q_ddot (6; m, rad, s).
+
+    (10): V = A q', D = A'. (11): I0 q'' + J0 q' + I phi'' + J phi' = F, I0 = K A, J0 = K D + M A. With a stream (11) is
+    solved for q relative to the fluid: q' less (u, 0), M and J at V_r, the same q''. StateError for a quaternion, or
+    where A is singular.
+    """
+    if state.quaternion is not None:
+        raise StateError("`generalized` needs `angles`, but the state has `quaternion`")
+    angles = vector(state.angles or (0.0, 0.0, 0.0))
+    check_attitude(stand.angles, angles)
+    A = kinematic_matrix(stand.angles, angles)
+    q_dot, q_r_dot = solve(A, at.V), solve(A, at.V_r)
+    D = kinematic_matrix_rate(stand.angles, angles, q_dot[3:])
+    I0, J0 = at.K @ A, at.K @ D + velocity_matrix(at.K, at.K_dot, at.V) @ A
+    J0_r = at.K @ D + at.M @ A
+    q_ddot = solve(I0, at.F - J0_r @ q_r_dot - at.I @ vector(state.phi_ddot) - at.J @ at.phi_dot)
+    return {"A": A, "D": D, "I0": I0, "J0": J0, "q_dot": q_dot, "q_ddot": q_ddot}
+
+
+# Coordinates of freedoms.
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,16 +134,6 @@ def rates_at(hold: Hold, R: Array, u: Array, u_dot: Array) -> tuple[Array, Array
     return q_dot, q_ddot
 
 
-def answer_coordinates(at: Pieces, stand: Stand, state: State) -> Values:
-    """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
-    assert stand.hold is not None
-    pose = coordinates_at(stand, state)
-    u_dot = held_forward(at, stand.hold, vector(state.phi_ddot)).u_dot
-    q_dot, q_ddot = rates_at(stand.hold, pose.R, vector(state.u), u_dot)
-    values = {"q": pose.q, "orientation": pose.orientation, "q_dot": q_dot, "q_ddot": q_ddot}
-    return {name: value for name, value in values.items() if value is not None and (name != "q" or len(value))}
-
-
 @dataclass(frozen=True, eq=False)
 class HeldPose:
     """Where coordinates and their rates put a carrier: O1 (3) in E0, attitude C (3x3), V and V* (6) in E1."""
@@ -109,7 +162,7 @@ def pose_of(
     R = R if orientation is None else quaternion_rotation(*orientation)
     omega, s = _sum(hold, "turn", q_dot), R.T @ _sum(hold, "slide", q_dot)
     s_dot = R.T @ _sum(hold, "slide", q_ddot) - cross(omega) @ s
-    to_O1 = wrench_to_parent(-P, E).T  # of the twist of the frame at the pivot
+    to_O1 = T(-P).T  # of the twist of the frame at the pivot
     V, V_dot = to_O1 @ np.concatenate([s, omega]), to_O1 @ np.concatenate([s_dot, _sum(hold, "turn", q_ddot)])
     return HeldPose(vector(hold.position) + C0 @ (P + w) - C0 @ R @ P, C0 @ R, V, V_dot)
 
@@ -148,3 +201,18 @@ def _sum(hold: Hold, kind: str, rates: Array) -> Array:
 
 def _of_kind(hold: Hold, kind: str) -> list[int]:
     return [k for k, freedom in enumerate(hold.freedoms) if freedom.kind == kind]
+
+
+def _answer_held(at: Pieces, stand: Stand, state: State) -> Values:
+    """q, orientation of what has them, q_dot, q_ddot (m; m, rad, s). StateError: no coordinates."""
+    assert stand.hold is not None
+    pose = coordinates_at(stand, state)
+    u_dot = answer_forward(at, stand, state)["u_dot"]
+    q_dot, q_ddot = rates_at(stand.hold, pose.R, vector(state.u), u_dot)
+    values = {"q": pose.q, "orientation": pose.orientation, "q_dot": q_dot, "q_ddot": q_ddot}
+    return {name: value for name, value in values.items() if value is not None and (name != "q" or len(value))}
+
+
+def answer_generalized(at: Pieces, stand: Stand, state: State) -> Values:
+    """The equations in generalized coordinates. StateError: no coordinates, or a singular attitude."""
+    return (_answer_free if stand.hold is None else _answer_held)(at, stand, state)

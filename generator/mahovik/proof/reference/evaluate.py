@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, want_fault
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
-from mahovik.proof.reference import coordinates, generalized, hold, inverse, momentum, motion, regressor, tasks
+from mahovik.errors import StateError, count_numbers
+from mahovik.proof.reference import coordinates, inverse, momentum, motion, regressor, tasks
 from mahovik.proof.reference.array import Values, vector
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import twists
 
 ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
     "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},
@@ -26,28 +27,31 @@ ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
         "center_of_mass": momentum.center_of_mass(at),
         "center_of_mass_velocity": momentum.center_of_mass_velocity(at, stand),
     },
-    "forward": lambda at, stand, state: {"V_dot": motion.forward(at, vector(state.phi_ddot))},
+    "forward": motion.answer_forward,
     "torque": lambda at, stand, state: {"tau": motion.torque(at, vector(state.V_dot), vector(state.phi_ddot))},
     "mounts": lambda at, stand, state: {"mount_wrench": motion.mounts(at, vector(state.V_dot), vector(state.phi_ddot))},
-    "coupled": lambda at, stand, state: dict(
-        zip(("V_dot", "phi_ddot"), motion.coupled(at, vector(state.tau)), strict=True)
-    ),
+    "coupled": motion.answer_coupled,
     "reaction": motion.answer_reaction,
     "points": lambda at, stand, state: {"points": motion.points(at, stand, vector(state.V_dot))},
-    "generalized": generalized.answer_generalized,
+    "generalized": coordinates.answer_generalized,
     "regressor": regressor.answer_regressor,
 }
 """The answer to each want by the pieces, the stand and the state: values by the names of the contract."""
 
-OF_HELD: Mapping[str, Callable[..., Values]] = {
-    "forward": lambda at, stand, state: vars(hold.held_forward(at, stand.hold, vector(state.phi_ddot))),
-    "coupled": lambda at, stand, state: hold.answer_held_coupled(at, stand.hold, state),
-    "generalized": coordinates.answer_coordinates,
-}
-"""Wants that a held carrier answers in its freedoms; others are those of the free carrier at V = S u, V* = S u*."""
-
 CHOSEN = ("inverse", "torque_for")
 """Wants that choose accelerations or torques, by thresholds; of a state with a task they answer this."""
+
+
+def held_state(stand: Stand, state: State) -> State:
+    """The state with V = S u, V* = S u*; as it is where the carrier is free. StateError: u of another length."""
+    if stand.hold is None:
+        return state
+    S = twists(stand.hold)
+    for name, rates in (("u", state.u), ("u_dot", state.u_dot)):
+        if len(rates) != S.shape[1]:
+            raise StateError(f"{name}: expected {count_numbers(S.shape[1])}, found {len(rates)}")
+    V, V_dot = (cast(Vec6, tuple((S @ vector(rates)).tolist())) for rates in (state.u, state.u_dot))
+    return replace(state, V=V, V_dot=V_dot)
 
 
 def check_task_want(want: Sequence[str], task: str) -> None:
@@ -88,7 +92,7 @@ def evaluate(
         raise StateError(fault)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
-        state = hold.held_state(stand, state)
+        state = held_state(stand, state)
         at = at or pieces(stand, state)
         check_task_want(want, state.task)
         moved, choose = state, inverse.answer_inverse
@@ -97,10 +101,9 @@ def evaluate(
         chosen = choose(at, stand, state, cuts) if state.task or "inverse" in want else {}
         if state.task:
             moved = replace(state, V_dot=tuple(chosen["V_dot"]), phi_ddot=tuple(chosen["phi_ddot"]))
-        answers = ANSWERS if stand.hold is None else {**ANSWERS, **OF_HELD}
         for name in want:
             asked = moved if name in TASK_TAKERS else state
-            values |= chosen if name in CHOSEN else answers[name](at, stand, asked)
+            values |= chosen if name in CHOSEN else ANSWERS[name](at, stand, asked)
     for name, value in values.items():
         if not finite(value):
             raise StateError(f"{name}: not finite at this state")

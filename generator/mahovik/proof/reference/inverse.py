@@ -17,8 +17,7 @@ from mahovik.core.stand.model import Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
-from mahovik.proof.reference.hold import acceleration, twists
-from mahovik.proof.reference.motion import bias, torque
+from mahovik.proof.reference.motion import bias, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 
 
@@ -94,9 +93,9 @@ def demand(at: Pieces, V_dot: Array) -> Array:
     return at.F - at.K @ at.V_r_dot(V_dot) - bias(at)
 
 
-def scaled_demand(at: Pieces, stand: Stand, V_dot: Array) -> ScaledDemand:
+def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     """S^T I phi'' = S^T (F - K V_r* - M V_r - J phi') for V_dot (6) relative to E0, in the norm of (S^T K S)^-1."""
-    S = twists(stand.hold)
+    S = at.S
     return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
 
 
@@ -121,17 +120,17 @@ def status_of(bits: Mapping[str, Any]) -> str:
     return "|".join(name for name, is_set in bits.items() if is_set) or "OK"
 
 
-def inverse(at: Pieces, stand: Stand, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
+def inverse(at: Pieces, V_dot: Array, cuts: Cuts = CUTS) -> Inverse:
     """(12) of a free or held carrier for a demanded V_dot (6)."""
-    return least_error(scaled_demand(at, stand, V_dot), cuts)
+    return least_error(scaled_demand(at, V_dot), cuts)
 
 
 def answer_inverse(at: Pieces, stand: Stand, state: State, cuts: Cuts = CUTS) -> Values:
     """phi_ddot (N), status, residual (m), sigma (min(m, N)), rank: (12). StateError: no freedoms, or no flywheels."""
     if stand.hold is not None and (fault := inverse_fault(len(stand.hold.freedoms), len(at.phi_dot))):
         raise StateError(f"want: {fault}")
-    answer = inverse(at, stand, vector(state.V_dot), cuts)
-    return vars(answer) | with_excess(answer, at, stand, acceleration(at, stand, answer.phi_ddot))
+    answer = inverse(at, vector(state.V_dot), cuts)
+    return vars(answer) | with_excess(answer, at, stand, forward(at, answer.phi_ddot))
 
 
 # Weights and damping: what the options of the emitted C mean.

@@ -1,4 +1,9 @@
-"""The motion: forward (8), drive torques, all unknowns together, mount wrenches, reaction, and what points measure."""
+"""The motion: forward (8), drive torques, all unknowns together, mount wrenches, reaction, and what points measure.
+
+A carrier moves as V = S u, S (6 x m) constant in E1; a free one as S = E. Its hold exerts a wrench R that does no work,
+S^T R = 0, so (8) holds along the freedoms: S^T (K (S u* + d) + M V_r + I phi'' + J phi') = S^T F, with the stream's
+d = (omega x C^T u, 0).
+"""
 
 from __future__ import annotations
 
@@ -21,7 +26,7 @@ def bias(at: Pieces) -> Array:
 
 def forward(at: Pieces, phi_ddot: Array) -> Array:
     """V* (6; m/s2, rad/s2) in E1 by (8), phi_ddot (N, rad/s2): K V* + M V + sum_s (I_s phi_s'' + J_s phi_s') = F."""
-    return at.V_dot(solve_symmetric(at.K, at.F - bias(at) - at.I @ phi_ddot))
+    return np.asarray(at.S @ rates(at, np.zeros(len(phi_ddot)), phi_ddot, np.full(len(phi_ddot), False))[0])
 
 
 def reaction(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
@@ -63,12 +68,12 @@ def mounts(at: Pieces, V_dot: Array, phi_ddot: Array) -> Array:
     return times(block_diagonal(C1(s.phi)), mounts_on_flywheels(s, at.P_s, at.V, V_dot, phi_ddot))
 
 
-# Coupled: motion of carrier and flywheels for given drive torques, 6 + N unknowns.
+# Coupled: motion of carrier and flywheels for given drive torques, m + N unknowns.
 
 
 def full_mass_matrix(at: Pieces) -> Array:
-    """[[K, I], [I^T, Theta_ff]] ((6+N)x(6+N)), symmetric positive definite."""
-    return np.block([[at.K, at.I], [at.I.T, at.Theta_ff]])
+    """[[S^T K S, S^T I], [I^T S, Theta_ff]] ((m+N)x(m+N)), symmetric positive definite."""
+    return np.block([[at.S.T @ at.K @ at.S, at.S.T @ at.I], [at.I.T @ at.S, at.Theta_ff]])
 
 
 def spin_up_torque(at: Pieces, tau: Array) -> Array:
@@ -80,18 +85,34 @@ def spin_up_torque(at: Pieces, tau: Array) -> Array:
     return np.asarray(tau - mounts_on_flywheels(s, at.P_s, at.V_r, np.zeros(6), np.zeros(len(tau))) @ f)
 
 
+def rates(at: Pieces, tau: Array, phi_ddot: Array, free: Array) -> tuple[Array, Array]:
+    """u* (m) and phi'' (N): of flywheels that are `free` (N, bool) by their torques tau, of the others as given.
+
+    S^T K S u* + S^T I phi'' = S^T (F - M V_r - J phi' - K d);
+    I^T S u* + Theta_ff phi'' = tau - velocity terms + f^T P_s - I^T d.
+
+    Solved for u* + S^T d, with d - S S^T d in the place of d: of a free carrier that is V_r*, and nothing is left of d.
+    """
+    m, d = at.S.shape[1], at.stream_rate()
+    moved = at.S.T @ d
+    d = d - at.S @ moved
+    unknown = np.concatenate([np.full(m, True), free])
+    carrier = at.S.T @ (at.F - bias(at) - at.K @ d - at.I @ np.where(free, 0.0, phi_ddot))
+    right = np.concatenate([carrier, spin_up_torque(at, tau) - at.I.T @ d])
+    found = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype)
+    found[unknown] = solve_symmetric(full_mass_matrix(at)[np.ix_(unknown, unknown)], right[unknown])
+    return found[:m] - moved, found[m:]
+
+
 def coupled(at: Pieces, tau: Array, locked: Array | None = None) -> tuple[Array, Array]:
     """V* (6; m/s2, rad/s2) in E1 and phi'' (N, rad/s2) for the whole drive torques tau (N, N m).
 
-    K V* + I phi'' = F - M V - J phi';  I^T V* + Theta_ff phi'' = tau - velocity terms + f^T P_s.
-    With a stream, for V_r. `locked` (N, bool): flywheels held at phi'' = 0, whatever their tau, without their rows and
-    columns, since their torques are reactions.
+    `locked` (N, bool): flywheels held at phi'' = 0, whatever their tau, without their rows and columns, since their
+    torques are reactions.
     """
-    free = np.concatenate([np.full(6, True), np.full(len(tau), True) if locked is None else np.logical_not(locked)])
-    right = np.concatenate([at.F - bias(at), spin_up_torque(at, tau)])
-    solution = np.zeros(len(free), right.dtype)
-    solution[free] = solve_symmetric(full_mass_matrix(at)[np.ix_(free, free)], right[free])
-    return at.V_dot(solution[:6]), solution[6:]
+    free = np.full(len(tau), True) if locked is None else np.logical_not(locked)
+    u_dot, phi_ddot = rates(at, tau, np.zeros(len(tau)), free)
+    return at.S @ u_dot, phi_ddot
 
 
 # Points: pose, twist and what an accelerometer reads, at every instrument and named point.
@@ -129,6 +150,30 @@ def point_values(at: Pieces, L: Array, V_dot: Array) -> dict[str, Array]:
 def points(at: Pieces, stand: Stand, V_dot: Array) -> dict[str, dict[str, Array]]:
     """Values of every instrument and point by name."""
     return {name: point_values(at, L, V_dot) for name, L in point_transfers(stand).items()}
+
+
+# Answers to wants.
+
+
+def answer_forward(at: Pieces, stand: Stand, state: State) -> Values:
+    """V_dot (6) for the phi_ddot of the state; of a held carrier u_dot (m) and the reaction (6) as well."""
+    phi_ddot = vector(state.phi_ddot)
+    none = np.zeros(len(phi_ddot))
+    return _motion(at, stand, *rates(at, none, phi_ddot, none.astype(bool)))
+
+
+def answer_coupled(at: Pieces, stand: Stand, state: State) -> Values:
+    """What `forward` answers and phi_ddot (N), for the drive torques of the state."""
+    tau = vector(state.tau)
+    u_dot, phi_ddot = rates(at, tau, np.zeros(len(tau)), np.full(len(tau), True))
+    return _motion(at, stand, u_dot, phi_ddot) | {"phi_ddot": phi_ddot}
+
+
+def _motion(at: Pieces, stand: Stand, u_dot: Array, phi_ddot: Array) -> Values:
+    V_dot = at.S @ u_dot
+    if stand.hold is None:
+        return {"V_dot": V_dot}
+    return {"u_dot": u_dot, "V_dot": V_dot, "reaction": reaction(at, V_dot, phi_ddot)}
 
 
 def answer_reaction(at: Pieces, stand: Stand, state: State) -> Values:

@@ -24,6 +24,7 @@ class Pieces:
     """Terms of the equations at one state, SI.
 
     C, L1        3x3, 6x6: attitude and transfer from E1 to E0
+    S            6xm: V = S u of the carrier's freedoms; E of a free one
     V, V_r       6: twist of E1 relative to E0, and to the fluid, V_r = V - (C^T u, 0)
     bodies       carrier, instruments, flywheels, with L, Theta, Lambda, phi, phi_dot
     K_bodies     6x6, (2) without added mass
@@ -39,6 +40,7 @@ class Pieces:
 
     C: Array
     L1: Array
+    S: Array
     V: Array
     V_r: Array
     bodies: Bodies

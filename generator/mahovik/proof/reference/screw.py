@@ -9,7 +9,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from mahovik.proof.reference.array import Array
+from mahovik.core.stand.model import Freedom, Hold
+from mahovik.proof.reference.array import Array, stack, vector
 
 E, E6 = np.eye(3), np.eye(6)
 zero = np.zeros((3, 3))
@@ -72,3 +73,29 @@ def force_at(force: Array, point: Array) -> Array:
 
 
 spin = block_diagonal(cross(e1))  # [<e>] of (5), (6), (9): Ls* = Ls [<e>] phi_s'
+
+
+def unit(freedom: Freedom) -> Array:
+    """Direction of a freedom (3), of length 1."""
+    d = vector(freedom.direction)
+    d = d / np.max(np.abs(d))
+    return np.asarray(d / np.sqrt(d @ d))
+
+
+def twists(hold: Hold | None) -> Array:
+    """S (6 x m) of V = S u, constant in E1: a frame at the pivot r has the twist L^T V of the carrier, L = T(r).
+
+    A turn is (0; axis) of that frame, so V = T(-r)^T (0; axis); a slide is (direction; 0) of any frame. A free carrier
+    has S = E.
+    """
+    if hold is None:
+        return E6
+    to_O1, still = T(-vector(hold.pivot)).T, zero[0]
+    columns = []
+    for freedom in hold.freedoms:
+        if freedom.kind == "twist":
+            columns.append(vector(freedom.twist))
+        else:
+            parts = (unit(freedom), still) if freedom.kind == "slide" else (still, unit(freedom))
+            columns.append(to_O1 @ np.concatenate(parts))
+    return stack(columns, 6).T

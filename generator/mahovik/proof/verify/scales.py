@@ -24,9 +24,10 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.hold import held_state, twists
+from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.inverse import Cuts, inverse_root
 from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.states import stand_at
 
 ORDINARY = 2
@@ -222,7 +223,7 @@ class Scales:
 
         Where nothing acts along a freedom, or all that acts cancels, solving leaves rounding of what the hold bears.
         """
-        S = np.eye(6) if self.stand.hold is None else twists(self.stand.hold)
+        S = twists(self.stand.hold)
         if not S.size:
             return 0.0
         root = inverse_root(at.K)

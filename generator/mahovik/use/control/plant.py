@@ -20,7 +20,7 @@ from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.reference.hold import accelerations
+from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart
@@ -155,7 +155,7 @@ class PlantByReference:
             phi_dot=tuple(y[13 + N :].tolist()),
         )
         at, driven = reference.pieces(self.stand, state), self._torques(command, y[13 + N :])
-        V_dot, phi_ddot = accelerations(at, self.stand, driven, np.zeros(N, dtype=bool))
+        V_dot, phi_ddot = coupled(at, driven, np.zeros(N, dtype=bool))
         turning = quaternion_rate(np.array([w, a, b, c]), y[10:13])
         return np.concatenate([quaternion_rotation(w, a, b, c) @ y[7:10], turning, V_dot, y[13 + N :], phi_ddot])
 

@@ -10,8 +10,7 @@ from scipy.integrate import DOP853
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.hold import acceleration, twists
-from mahovik.proof.reference.motion import bias, full_mass_matrix, spin_up_torque
+from mahovik.proof.reference.motion import rates
 from mahovik.proof.reference.rotation import attitude, quaternion_rotation
 from mahovik.use.simulate.case import Array, Case, Moment
 
@@ -24,7 +23,6 @@ class SciPyMotion:
     def __init__(self, case: Case) -> None:
         self.case = case
         self._given = np.array(case.regime.has_speed_law, dtype=bool)
-        self._free = np.flatnonzero(~self._given)
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
         """One moment for every time of output. Raises StateError if the motion leaves the computable range."""
@@ -61,23 +59,10 @@ class SciPyMotion:
         at = reference.pieces(self.case.stand, state)
         tau = np.array(self.case.torques(t, np.array(state.phi_dot)))
         phi_ddot = self.case.motion(np.array([t]))[2][0]
-        if not self.case.regime.by_torque:
-            return acceleration(at, self.case.stand, phi_ddot), phi_ddot, tau
-        known = np.where(self._given, phi_ddot, 0.0)
-        right = np.concatenate([at.F - bias(at) - at.I @ known, spin_up_torque(at, tau)])
-        rows = np.concatenate([np.arange(6), 6 + self._free])  # a flywheel with given speed has no unknown and no row
-        full, right = full_mass_matrix(at)[np.ix_(rows, rows)], right[rows]
-        if self.case.stand.hold is None:
-            solution = np.linalg.solve(full, right)
-            V_dot = at.V_dot(solution[:6])
-        else:  # V* = S u*, and S^T of the carrier's rows
-            S, count = twists(self.case.stand.hold), len(self._free)
-            free = np.block([[S, np.zeros((6, count))], [np.zeros((count, S.shape[1])), np.eye(count)]])
-            right = right - full[:, :6] @ at.stream_rate()
-            solution = free @ np.linalg.solve(free.T @ full @ free, free.T @ right)
-            V_dot = solution[:6]
-        phi_ddot[self._free] = solution[6:]
-        return V_dot, phi_ddot, tau
+        u_dot, phi_ddot = rates(
+            at, tau, phi_ddot, ~self._given if self.case.regime.by_torque else np.full(len(tau), False)
+        )
+        return at.S @ u_dot, phi_ddot, tau
 
     def _rate(self, t: float, y: Array) -> Array:
         """dy/dt: position rate C v, quaternion rate q (0, omega) / 2, (8)."""

@@ -14,8 +14,7 @@ from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.hold import twists
-from mahovik.proof.reference.screw import T
+from mahovik.proof.reference.screw import T, twists
 
 LEAST = 1e-12
 """Length below which a direction is none."""

@@ -17,7 +17,7 @@ from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.hold import acceleration, accelerations
+from mahovik.proof.reference.motion import coupled, forward
 from mahovik.proof.reference.rotation import quaternion_of, quaternion_rotation, skew_part
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.check import Check
@@ -223,10 +223,10 @@ class Motion:
         at = reference.pieces(case.stand, state, self._bodies)
         if self._driven:
             phi_ddot = np.array(state.phi_ddot, dtype=np.float64)
-            V_dot = acceleration(at, case.stand, phi_ddot)
+            V_dot = forward(at, phi_ddot)
         else:
             locked = np.zeros(N, dtype=bool) if self._locked is None else self._locked
-            V_dot, phi_ddot = accelerations(at, case.stand, np.array(state.tau), locked)
+            V_dot, phi_ddot = coupled(at, np.array(state.tau), locked)
         return np.concatenate([C @ V[:3], (C @ cross(V[3:])).ravel(), V_dot, y[18 + N :], phi_ddot])
 
 

@@ -22,7 +22,6 @@ from mahovik.core.stand.model import COMPONENTS, Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.hold import acceleration
 from mahovik.proof.reference.inverse import (
     ScaledDemand,
     largest_damping,
@@ -31,7 +30,7 @@ from mahovik.proof.reference.inverse import (
     shares_of,
     weighted_solution,
 )
-from mahovik.proof.reference.motion import coupled, torque
+from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.backends import turns
@@ -100,7 +99,7 @@ class Question:
     def scaled(self, stand: Stand, at: Pieces) -> ScaledDemand:
         """W y = r for accelerations."""
         if not self.state.task:
-            return scaled_demand(at, stand, vector(self.state.V_dot))
+            return scaled_demand(at, vector(self.state.V_dot))
         return scaled_task(at, self.rows(stand, at), self.wanted)
 
 
@@ -283,7 +282,7 @@ def answer_of(
     if phi_ddot is None:
         phi_ddot = weighted_solution(scaled, question.weight, rank, near, damping)
         values = {"phi_ddot": phi_ddot, "limited": np.zeros(len(phi_ddot), dtype=np.int64)}
-    V_dot = acceleration(at, stand, phi_ddot)
+    V_dot = forward(at, phi_ddot)
     if question.state.task:
         left = np.zeros(len(question.state.demand))
         left[slice(None) if question.use is None else question.use] = question.wanted - question.rows(
@@ -433,7 +432,7 @@ def _motors(case: Case, number: int, at: Pieces, phi_ddot: Array, fast: bool) ->
     By torque; with friction; near the speed at which a driving motor has no torque left; and by both.
     """
     N, s, rng, found = case.count, number % case.count, case.random(600 + number), {}
-    tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, acceleration(at, case.stand, phi_ddot), phi_ddot)
+    tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
     reach = np.abs(at.phi_dot) + 1.0
     friction = {
         "motor_viscous": 0.3 * np.abs(tau) / reach * rng.uniform(0.5, 2.0, N),

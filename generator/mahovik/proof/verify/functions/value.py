@@ -22,12 +22,11 @@ from mahovik.core.stand.write import dumps
 from mahovik.errors import StandError, StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, vector
-from mahovik.proof.reference.coordinates import pose_of
-from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
-from mahovik.proof.reference.hold import accelerations, twists
+from mahovik.proof.reference.coordinates import check_attitude, kinematic_matrix, kinematic_matrix_rate, pose_of
+from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.regressor import identify_step, slopes
 from mahovik.proof.reference.rotation import C1, attitude, quaternion_rotation
-from mahovik.proof.reference.screw import block_diagonal
+from mahovik.proof.reference.screw import block_diagonal, twists
 from mahovik.proof.second import Second
 from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.backends import turns
@@ -105,7 +104,7 @@ def locked_trials(case: Case) -> Iterator[Trial]:
         locked = case.lock_pattern(number)
 
         def equation(stand: Stand, state: State, at: reference.Pieces, locked: Array = locked) -> Values:
-            V_dot, phi_ddot = accelerations(at, stand, vector(state.tau), locked)
+            V_dot, phi_ddot = coupled(at, vector(state.tau), locked)
             return {"V_dot": V_dot, "phi_ddot": phi_ddot}
 
         yield Trial(name, state, case.backend.arguments(state) | {"locked": [int(x) for x in locked]}, equation)

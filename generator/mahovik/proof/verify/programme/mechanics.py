@@ -24,12 +24,11 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.generalized import check_attitude, kinematic_matrix, kinematic_matrix_rate
-from mahovik.proof.reference.hold import acceleration, twists
+from mahovik.proof.reference.coordinates import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
-from mahovik.proof.reference.motion import torque
+from mahovik.proof.reference.motion import forward, torque
 from mahovik.proof.reference.rotation import attitude, rotation_vector
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.screw import cross, twists
 
 
 def largest(values: Array) -> float:
@@ -110,7 +109,7 @@ class Moment(NamedTuple):
 
     def q_ddot(self, phi_ddot: Array) -> Array:
         """q'' (m; m, rad, s) by (8) under accelerations of the flywheels (N)."""
-        moved = acceleration(self.at, self.stand, phi_ddot) - self.carrier.drift
+        moved = forward(self.at, phi_ddot) - self.carrier.drift
         return np.asarray(np.linalg.lstsq(self.carrier.A, moved, rcond=None)[0])
 
     def torque(self, q_ddot: Array, phi_ddot: Array) -> Array:
@@ -223,7 +222,7 @@ def scale_of(stand: Stand, motion: RequiredMotion, programme: Programme) -> Scal
 
     still = [now.at for now in locked(mean, np.zeros_like(mean))]
     K0 = np.mean([at.K for at in still], axis=0)
-    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    S = twists(stand.hold)
     if not np.any(course.q_dot):
         omega = 2 * math.pi * max(1, *(abs(n) for n in programme.winding)) / motion.span
         forces = wrench_norm(K0, S, np.mean([np.abs(at.I) for at in still], axis=0).T)

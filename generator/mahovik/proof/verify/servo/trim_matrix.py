@@ -22,7 +22,7 @@ from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.hold import twists
+from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.programme.mechanics import free_acceleration, moment
 from mahovik.proof.verify.servo.law import coefficients, waves
 

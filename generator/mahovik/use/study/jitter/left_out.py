@@ -7,8 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.hold import acceleration
-from mahovik.proof.reference.motion import reaction
+from mahovik.proof.reference.motion import forward, reaction
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.jitter.torus import Torus
@@ -38,7 +37,7 @@ def left_out(found: Balance) -> float:
     given = scene.drive(phi, phi_dot)
     pushed = (scene.effect_of_wrench(given) @ found.torus.at(found.h, theta)[:, :, None])[:, scene.count :, 0]
     at = [pieces(scene.stand, state_at(scene, y[i], phi[i], found.speeds)) for i in range(len(theta))]
-    exact = np.array([acceleration(each, scene.stand, np.zeros(phi.shape[1])) for each in at])
+    exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
     left = y_dot[:, 6:] - exact - scene.twist(pushed)
     pose = y_dot[:, :6] - scene.chart.rate(given, y)[:, :6]
     parts = [_largest(found, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
