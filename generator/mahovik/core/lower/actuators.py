@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.contract.laws import BODY_LAWS, parts
+from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.expression import Status, real
-from mahovik.core.program.kernel import OK, body
+from mahovik.core.program.kernel import OK
 from mahovik.core.stand.structure_facts import Structure
 
 
@@ -32,5 +33,5 @@ def add_check(lib: Library) -> None:
         """Are inputs of laws in their ranges?"""
         for each, limit in zip(inputs, limits, strict=True):
             for k in range(each.count):
-                lib.check_number(body(), table.member(each.array)[k].member(each.member), limit)
+                check_number(lib, table.member(each.array)[k].member(each.member), limit)
         return OK

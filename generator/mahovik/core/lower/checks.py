@@ -37,6 +37,16 @@ def within(lib: Library) -> Function:
 
 
 @inline
+def check_number(lib: Library, value: float, limit: float) -> Any:
+    """Returns NOT_FINITE or RANGE where a number is not within a limit."""
+    if not (value >= -limit and value <= limit):
+        if value >= -lib.largest and value <= lib.largest:
+            return RANGE
+        return NOT_FINITE
+    return None
+
+
+@inline
 def check_vector(lib: Library, values: Reals, limit: float) -> None:
     """Returns the status of the first bad one of a few values, which are looked at if their squares are not small."""
     if not (dot(values, values) < limit * limit):

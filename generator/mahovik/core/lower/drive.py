@@ -24,8 +24,6 @@ from mahovik.core.lower.hold import Freedoms
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import start_blocks
 from mahovik.core.lower.wrenches import flywheel_wrenches
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Status, real
 from mahovik.core.program.kernel import OK, Reals, argument, inline, reals, record, result
 
@@ -163,13 +161,6 @@ def add_coupled(lib: Library) -> None:
         for s in range(N):
             phi_ddot[s] = phi_result[s]
         return OK
-
-
-def check_drive(lib: Library, body: Body, arguments: tuple[Argument, ...]) -> None:
-    """Checks of state, torques and run-time wrenches, of the arguments of `coupled` or `step`."""
-    by_name = {a.name: a for a in arguments}
-    turns = tuple(by_name[name] for name in ("sine", "cosine") if name in by_name)
-    check_inputs(lib, body, by_name["table"], by_name["x"], None, by_name.get("wrench"), turns, by_name["tau"])
 
 
 @inline

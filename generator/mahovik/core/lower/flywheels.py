@@ -14,7 +14,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from mahovik.core.lower.library import Library
-from mahovik.core.program.expression import Expr, Place
+from mahovik.core.program.expression import Place
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Reals, argument, changed, inline, kernel, reals, result
 from mahovik.core.program.types import FLOAT
@@ -33,12 +33,6 @@ def turns_of(lib: Library, x: Any) -> Any:
     cosine = reals(lib.layout.count)
     lib["sincos_each"](x.phi, sine, cosine)
     return sine, cosine
-
-
-def turn_of(turns: Turns, s: Expr) -> dict[str, Expr]:
-    """s, c of flywheel s."""
-    sine, cosine = turns
-    return {"s": sine[s], "c": cosine[s]}
 
 
 def named_turns(turns: Turns) -> dict[str, Place]:

@@ -8,7 +8,6 @@ from typing import Any
 from mahovik.core.lower import flywheels, hold
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.library import Library
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Given, Status
 from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, body, inline, local, reals, record, result
 from mahovik.core.program.vector import cross
@@ -33,13 +32,6 @@ class Scene:
     turns: Any
 
 
-def place_in(value: Any) -> Any:
-    """The place of an argument, or of the one in a tuple; None of an empty one. A place is what it is."""
-    if isinstance(value, tuple | list):
-        return place_in(value[0]) if value else None
-    return value.place if isinstance(value, Argument) else value
-
-
 @inline
 def check_inputs(
     lib: Library, table: Any, x: Any, phi_ddot: Any = None, wrench: Any = None, turns: Any = (), tau: Any = None
@@ -48,16 +40,16 @@ def check_inputs(
 
     Accelerations or torques are looked at together with the state, where nothing has its turn between them.
     """
-    state, N = place_in(x), lib.layout.count
+    N = lib.layout.count
     rows = ((phi_ddot, N, "MAX_ACCELERATION"), (wrench, 0, "MAX_WRENCH"), (tau, N, "MAX_WRENCH"))
-    rest = [(place_in(v), count, lib.limit(bound)) for v, count, bound in rows if place_in(v) is not None]
+    rest = [(v, count, lib.limit(bound)) for v, count, bound in rows if v is not None]
     together = rest and rest[0][1] is N and "check_motion" in lib and not lib.layout.stream
     if together:
-        lib["check_motion"](state, rest[0][0], rest[0][2])
+        lib["check_motion"](x, rest[0][0], rest[0][2])
     else:
-        lib["check_state"](state)
+        lib["check_state"](x)
     if turns:
-        sine, cosine = place_in(turns[0]), place_in(turns[1])
+        sine, cosine = turns
         if Given(sine):
             if not Given(cosine):
                 return BAD_ARGUMENT
@@ -65,9 +57,9 @@ def check_inputs(
         elif Given(cosine):
             return BAD_ARGUMENT
     if lib.layout.stream:
-        lib["within"](place_in(table).stream, 3, lib.limit("MAX_VELOCITY"))
+        lib["within"](table.stream, 3, lib.limit("MAX_VELOCITY"))
     if lib.layout.structure.stream_stations:
-        lib["check_depth"](place_in(table), state)
+        lib["check_depth"](table, x)
     for values, count, most in rest[1:] if together else rest:
         lib["within"](values, count or len(values), most)
     return None
@@ -121,7 +113,7 @@ def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F:
     """F of (7), or zero where the stand has none."""
     if lib.layout.wrenches:
         turns = seen.turns or (None, None)
-        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V, seen.g, place_in(wrench), F, seen.own)
+        lib["external"](table, x, *turns, seen.sums, seen.C, seen.V, seen.g, wrench, F, seen.own)
     else:
         F[:] = [0] * 6
 
@@ -151,7 +143,7 @@ def all_turns(lib: Library, x: Any, given: Any) -> Any:
     """Sines and cosines as internal functions take them: those of arguments that a caller gives, or of the phases."""
     if not given:
         return turns_of(lib, x)
-    sine, cosine = place_in(given[0]), place_in(given[1])
+    sine, cosine = given
     sines = reals(lib.layout.count)
     cosines = reals(lib.layout.count)
     if Given(sine):  # the phases of x are checked, but not used

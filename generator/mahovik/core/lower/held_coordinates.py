@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.formula.derived import hold as derived
+from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedom_coordinates import (
     in_words,
@@ -23,7 +24,7 @@ from mahovik.core.lower.freedoms import TURNS, columns, speeds
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Status
-from mahovik.core.program.kernel import OK, RANGE, Reals, argument, body, changed, inline, let, local, reals, result
+from mahovik.core.program.kernel import OK, RANGE, Reals, argument, changed, inline, let, local, reals, result
 from mahovik.core.program.vector import Matrix, Vector, cross, dot
 from mahovik.core.stand.hold import FREEDOMS
 
@@ -209,7 +210,7 @@ def check_coordinates(lib: Library, freedoms: Ways, q: Any, orientation: Any) ->
     angle = "MAX_PHASE" if lib.layout.precision.name == "float" else "MAX_POSITION"  # the narrower of both
     for way in own_coordinates(freedoms.ways):
         k = freedoms.ways.index(way)
-        lib.check_number(body(), q[freedoms.number(k)], lib.limit("MAX_POSITION" if k in freedoms.slides else angle))
+        check_number(lib, q[freedoms.number(k)], lib.limit("MAX_POSITION" if k in freedoms.slides else angle))
     if orientation is not None:
         lib["within"](orientation, 4, 2)
         norm2 = dot(orientation, orientation)

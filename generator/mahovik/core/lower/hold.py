@@ -19,7 +19,6 @@ from mahovik.core.lower.freedoms import columns, element, momenta_needed, place_
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import mass_times
 from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Not, Place, Status, real
 from mahovik.core.program.kernel import (
     NOT_POSITIVE_DEFINITE,
@@ -36,7 +35,6 @@ from mahovik.core.program.kernel import (
     refuse,
     result,
 )
-from mahovik.core.program.types import Kind
 from mahovik.core.program.vector import Matrix, Vector, cross, dot, symmetric
 
 OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
@@ -44,13 +42,6 @@ OF_COORDINATES = frozenset(("generalized", "state_from_coordinates"))
 
 OF_FREEDOMS = frozenset(("inverse", "inverse_fast", "forward_jacobian", "coupled_jacobian"))
 """Names of functions that the C of a clamped carrier does not have: they are along the freedoms."""
-
-
-def results(lib: Library) -> tuple[Argument, ...]:
-    """u_dot, which `forward` and `coupled` of a held carrier with freedoms give besides."""
-    if not lib.layout.freedoms:
-        return ()
-    return (Argument("u_dot", Kind.REAL, (lib.layout.freedoms,), "out", "SI", "rates of the freedoms"),)
 
 
 def add_hold(lib: Library) -> None:

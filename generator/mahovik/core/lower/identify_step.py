@@ -9,18 +9,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, external_wrench, from_stream, scene, sum_up
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.regressor import flywheel_arguments, proper_acceleration
+from mahovik.core.lower.regressor import add_proper_acceleration
 from mahovik.core.program.expression import Status
-from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, argument, body, changed, reals, record, result
+from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, argument, changed, reals, record, result
 from mahovik.core.program.vector import cross
 
 
 def add_all(lib: Library) -> None:
     """Add the function with its internal ones."""
     if "proper_acceleration" not in lib:
-        lib.add(proper_acceleration(lib))
+        add_proper_acceleration(lib)
     add_unbalance_columns(lib)
     add_take_channel(lib)
     add_identify_step(lib)
@@ -28,18 +29,17 @@ def add_all(lib: Library) -> None:
 
 def add_unbalance_columns(lib: Library) -> None:
     """Adds the wrenches of a first moment of 1 kg m along the second and the third axis of a flywheel."""
-    given: Any = flywheel_arguments(lib)
 
     @lib.kernel()
     def unbalance_columns(
-        mount: Any = given[0],
-        s: float = given[1],
-        c: float = given[2],
-        phi_dot: float = given[3],
-        phi_ddot: float = given[4],
-        V: Reals = given[5],
-        V_dot: Reals = given[6],
-        g: Reals = given[7],
+        mount: Any = argument(struct=lib.layout.mount),
+        s: float = argument("sin phi"),
+        c: float = argument("cos phi"),
+        phi_dot: float = argument(unit="rad/s"),
+        phi_ddot: float = argument(unit="rad/s2"),
+        V: Reals = argument("", 6),
+        V_dot: Reals = argument("", 6),
+        g: Reals = argument("gravity in E1", 3),
         Y: Reals = result("in E1 about O1", 2, 6),
     ) -> None:
         """Wrench on the carrier by the static unbalance of one flywheel along its second and third axis."""
@@ -133,7 +133,7 @@ def add_identify_step(lib: Library) -> None:
             lib["within"](values, 6, limit("MAX_ACCELERATION"))
         if not (forget >= 0 and forget <= 1):
             return BAD_ARGUMENT
-        lib.check_number(body(), estimate.largest, limit("MAX_PARAMETER"))
+        check_number(lib, estimate.largest, limit("MAX_PARAMETER"))
         for values in (estimate.unbalance, estimate.variance, estimate.factor):
             lib["within"](values, len(values), limit("MAX_PARAMETER"))
         seen = scene(lib, table, x)

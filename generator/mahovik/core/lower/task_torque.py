@@ -15,6 +15,7 @@ from typing import Any
 
 from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand, less, right_side, substitute
 from mahovik.core.lower.excess import bit, check_motor, refuse
 from mahovik.core.lower.flywheels import common_terms, couple_flywheel, turns_of
@@ -29,7 +30,7 @@ from mahovik.core.program.kernel import (
     OK,
     Reals,
     argument,
-    body,
+    block,
     inline,
     ints,
     reals,
@@ -138,8 +139,8 @@ def check_options(lib: Any, options: Any) -> Any:
         refuse([options.motor_power[s]], options.motor_power[s] < 0)
     lib["within"](options.target_speed, lib.layout.count, lib.limit("MAX_SPEED"))
     for number in (options.target_rate, options.avoid_speed):
-        with body().block():
-            lib.check_number(body(), number, lib.limit("MAX_SPEED"))
+        with block():
+            check_number(lib, number, lib.limit("MAX_SPEED"))
     if options.target_rate < 0 or options.avoid_speed < 0:
         return BAD_ARGUMENT
 

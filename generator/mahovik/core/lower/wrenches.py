@@ -6,7 +6,6 @@ from typing import Any
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.formula.derived import wrench as derived
-from mahovik.core.lower.forward import place_in
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import formula
@@ -75,7 +74,7 @@ def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) 
     if seen.own is not None:
         scratch = reals(6)  # wrench on the carrier, not used here
         scratch[:] = [0] * 6
-        given = place_in(wrench)
+        given = wrench
         if lib.layout.own_inputs and given is None:
             none = reals(6 * len(lib.layout.inputs))  # wrenches on bodies that are no flywheels
             for i in range(len(none)):

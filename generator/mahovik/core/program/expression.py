@@ -156,7 +156,9 @@ class Place(Expr):
         return Place(self.root, (*self.path, name), field.type, field.shape)
 
     def __getitem__(self, index: Any) -> Place:
-        """An element; of a slice a vector, of `[:, j]` a column."""
+        """An element; of a slice a vector, of `[:, j]` a column; of a struct `[:]` is the whole."""
+        if not self.shape and isinstance(self.type, Struct) and index == slice(None):
+            return self
         if not self.shape:
             raise TypeError(f"{self!r} is not an array")
         if isinstance(index, slice):

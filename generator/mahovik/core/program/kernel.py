@@ -16,8 +16,8 @@ What the text may hold, and what it becomes:
 * `=`, `+=`, `-=` to variables, elements `a[i]` and members `a.b`; calls of functions, as statements or in expressions.
   A call that returns a status, as a statement: where that is not OK, the function returns it.
 * Vectors (program/vector): arrays, slices `V[0:3]`, columns `I[:, s]` with + - * @, `C.T @ a`, `cross`, `dot`. Assigned
-  to an array or a slice, one statement an element; `x: Reals = e` is a local array; `x = e` of what is computed are
-  temporaries x1, x2, ...; of places, a name for them.
+  to an array or a slice, one statement an element; `a[:] = b` of structs is a copy. `x: Reals = e` is a local array;
+  `x = e` of what is computed are temporaries x1, x2, ...; of places, a name for them.
 * `for i in range(...)` a loop; over anything else the body is repeated, with the value in its place. `if` and `else`,
   `return`; where the condition is a truth value of Python, one branch is taken, and its names stay. A status that an
   inline kernel returns is what the function returns, any other value that of its call.
@@ -185,6 +185,11 @@ def local(name: str, *shape: int | NamedCount, comment: str = "") -> Any:
 def shortcut() -> AbstractContextManager[None]:
     """`with shortcut():` a quick way to return what the statements after it would return as well."""
     return _body("shortcut").shortcut()
+
+
+def block() -> AbstractContextManager[None]:
+    """`with block():` statements whose names end with them."""
+    return _body("block").block()
 
 
 def check_as(status: Status, call: Any) -> None:
