@@ -18,9 +18,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
-from mahovik.proof.cost import measure as measuring
-from mahovik.proof.cost import page as cost_page
-from mahovik.proof.cost.measure import USUAL, Costs, FunctionCost, TargetCost
+from mahovik.proof import cost as measuring
+from mahovik.proof.cost import USUAL, Costs, FunctionCost, TargetCost
 from mahovik.proof.verify import delivery
 from mahovik.stands import path
 
@@ -66,7 +65,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     def made(stand: Stand, real: str, only: tuple[str, ...]) -> SimpleNamespace:
         return SimpleNamespace(files=generated_files(stand.name, real))
 
-    monkeypatch.setattr(cost_page, "generate_all", made)
+    monkeypatch.setattr(measuring, "generate_all", made)
     delivery.deliver(tmp_path / "out", load(DEMO3), generated_files("demo3", "double"))
     return tmp_path / "out"
 

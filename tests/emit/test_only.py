@@ -14,7 +14,7 @@ from emit.stands import generated, stand, write
 from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
-from mahovik.proof.cost.page import require_place
+from mahovik.proof.cost import require_place
 from mahovik.proof.verify.delivery import delivered_options
 from mahovik.stands import path
 from toolchain.tools import compile_c, require, run

@@ -16,7 +16,7 @@ from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.stand import load
-from mahovik.proof.cost.page import read_accepted_costs
+from mahovik.proof.cost import read_accepted_costs
 from mahovik.proof.verify.delivery import FIGURES, deliver, differences
 from mahovik.stands import path
 

@@ -19,8 +19,7 @@ from typing import Any
 import mahovik
 from mahovik.core.stand import Stand
 from mahovik.core.toolchain.targets import TARGETS, Target
-from mahovik.proof.cost.measure import USUAL, Costs, TargetCost, measure
-from mahovik.proof.cost.page import COMPARED_FIGURES, compare
+from mahovik.proof.cost import COMPARED_FIGURES, USUAL, Costs, TargetCost, compare, measure
 from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.targets import parse_targets, verify_targets
 from net import HERE, record

@@ -12,9 +12,8 @@ import pytest
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
 from mahovik.errors import UsageError
-from mahovik.proof.cost import measure as measuring
-from mahovik.proof.cost.measure import Costs, FunctionCost, TargetCost, measure, parse_targets
-from mahovik.proof.cost.page import as_json, compare, page
+from mahovik.proof import cost as measuring
+from mahovik.proof.cost import Costs, FunctionCost, TargetCost, as_json, compare, measure, page, parse_targets
 from toolchain.tools import require, target
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 
 from campaigns import Rows, Table
 from mahovik.core.stand import load
-from mahovik.proof.cost.measure import measure as measure_costs
-from mahovik.proof.cost.measure import parse_targets
+from mahovik.proof.cost import measure as measure_costs
+from mahovik.proof.cost import parse_targets
 from mahovik.stands import names, path
 
 OPTIONS = {"targets": "m4,m7", "functions": "forward,torque,coupled,inverse,inverse_fast,step,prepare"}

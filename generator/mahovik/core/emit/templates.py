@@ -46,6 +46,7 @@ def environment() -> Environment:
     found.globals["version"] = __version__
     found.globals["release"] = [int(part) for part in re.findall(r"\d+", __version__)[:3]]
     found.filters["indented"] = lambda lines, by: "\n".join(" " * by + line for line in lines)
+    found.filters["thousands"] = "{:,}".format
     found.filters["wrapped"] = lambda text, by: "\n".join(wrap_statement(text, " " * by))
     return found
 

@@ -16,7 +16,7 @@ from mahovik.out.cli.progress import progress
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.core.toolchain.targets import Target
-    from mahovik.proof.cost.measure import Costs
+    from mahovik.proof.cost import Costs
     from mahovik.proof.verify.delivery import Options
 
 
@@ -44,9 +44,8 @@ def cost(
     """
     if check and accept:
         raise UsageError("--check, --accept: give only one of them")
-    from mahovik.proof.cost.measure import USUAL, available, parse_targets
-    from mahovik.proof.cost.page import as_json as json_text
-    from mahovik.proof.cost.page import page, read_accepted_costs, require_place
+    from mahovik.proof.cost import USUAL, available, page, parse_targets, read_accepted_costs, require_place
+    from mahovik.proof.cost import as_json as json_text
     from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, Options, delivered_options, stand_in
     from mahovik.writing import write_all
 
@@ -89,7 +88,7 @@ def _compare(
     found: Costs, before: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]], quiet: bool
 ) -> None:
     """Print differences from the accepted figures. Raises CheckError if the cost has risen or is not accepted."""
-    from mahovik.proof.cost.page import compare
+    from mahovik.proof.cost import compare
 
     result = compare(found, before, required)
     for title, lines in (("rise", result.rises), ("not accepted", result.missing), ("not compared", result.other)):
@@ -102,7 +101,7 @@ def _compare(
 
 
 def _measure(stand: Stand, pairs: Sequence[tuple[Target, str]], options: Options) -> Costs:
-    from mahovik.proof.cost.measure import measure
+    from mahovik.proof.cost import measure
 
     with progress(f"cost of {stand.name}", len(pairs)) as stage:
         return measure(stand, pairs, stage.at, options.only, "recorder" in options.additions)

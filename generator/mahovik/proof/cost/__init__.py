@@ -1,1 +1,0 @@
-"""Cost of the emitted C on a processor: instructions, stack, code, constants."""
