@@ -8,7 +8,7 @@ from pathlib import Path
 from emit.stands import stand, write
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.proof.verify.selftest_log import SelfTestLog, read_log
+from mahovik.proof.verify.selftest import SelfTestLog, read_log
 from toolchain.tools import compile_c
 
 

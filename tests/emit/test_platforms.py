@@ -20,7 +20,7 @@ from mahovik.core.emit.templates import folders
 from mahovik.core.stand.read import loads
 from mahovik.errors import StandError
 from mahovik.out.export.fmu import export_fmu
-from mahovik.proof.verify.selftest_log import problems, read_log
+from mahovik.proof.verify.selftest import problems, read_log
 from toolchain.quick import quick
 from toolchain.tools import require, require_32_bit, run
 

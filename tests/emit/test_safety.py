@@ -14,7 +14,7 @@ from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import RESERVED
 from mahovik.core.toolchain.compiler import BITS
-from mahovik.proof.verify.selftest_log import problems, read_log
+from mahovik.proof.verify.selftest import problems, read_log
 from toolchain.tools import require
 
 LEAVE = "-DBENCH8_ALLOW_FAST_MATH"

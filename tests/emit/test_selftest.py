@@ -9,9 +9,9 @@ import pytest
 from emit.selftests import failed, generate_with_selftest, in_function, replaced, run_selftest
 from emit.stands import write
 from mahovik.core.emit.literal import hex_literal
-from mahovik.core.lower.golden import golden, sweep_hashes
+from mahovik.core.lower.golden import Player, golden
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
-from mahovik.proof.verify.selftest_log import RIGHT, problems, read_log
+from mahovik.proof.verify.selftest import RIGHT, problems, read_log
 from toolchain.quick import quick
 from toolchain.tools import SSE, compile_c, require, require_32_bit, run
 
@@ -55,7 +55,7 @@ def test_the_sweep_is_that_of_the_interpreter(name: str, real: str, tmp_path: Pa
     states = 20
     _, printed = run_selftest(files, name, tmp_path, "gcc", "-O1", f"-D{name.upper()}_SELFTEST_SWEEP={states}ul")
     (log,) = read_log(printed, name)
-    expected = sweep_hashes(generated.program, generated.values, states)
+    expected = Player(generated.program, generated.values).sweep(states)
     assert log.sweep == states
     assert log.hashes == {f: f"{value:08x}" for f, value in expected.items()}
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
 from fuzz.reading import READERS, fuzzed, read_or_refuse
-from mahovik.proof.verify.selftest_log import judge_log
+from mahovik.proof.verify.selftest import judge_log
 from mahovik.use.simulate import flight_log
 from mahovik.use.simulate.flight_log import Damage, Start, records
 from mahovik.use.simulate.replay import CMachine, check_stand, replay

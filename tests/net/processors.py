@@ -21,7 +21,7 @@ from mahovik.core.stand import Stand
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.proof.cost import COMPARED_FIGURES, USUAL, Costs, TargetCost, compare, measure
 from mahovik.proof.verify.check import conclusion
-from mahovik.proof.verify.targets import parse_targets, verify_targets
+from mahovik.proof.verify.selftest import parse_targets, verify_targets
 from net import HERE, record
 
 COSTS = HERE / "cost.json"

@@ -8,7 +8,7 @@ from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.model import Stand
 from mahovik.out.export import target as project
-from mahovik.proof.verify import targets
+from mahovik.proof.verify import selftest
 
 KNOWN: dict[str, dict[str, str]] = {}
 
@@ -23,5 +23,5 @@ def delivered_once(monkeypatch: pytest.MonkeyPatch) -> None:
             KNOWN[source] = selftest_files(stand, generated)
         return dict(KNOWN[source])
 
-    monkeypatch.setattr(targets, "selftest_files", once)
+    monkeypatch.setattr(selftest, "selftest_files", once)
     monkeypatch.setattr(project, "selftest_files", once)

@@ -12,7 +12,7 @@ from mahovik.core.toolchain import board
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
 from mahovik.proof.verify.check import Check, Report, conclusion
-from mahovik.proof.verify.targets import (
+from mahovik.proof.verify.selftest import (
     NOT_INSTALLED,
     QUICK,
     parse_targets,

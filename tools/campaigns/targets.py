@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from campaigns import REALS, Row, Rows, Table
 from mahovik.core.stand import load
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.targets import SWEEP, parse_targets, verify_targets
+from mahovik.proof.verify.selftest import SWEEP, parse_targets, verify_targets
 from mahovik.stands import path
 
 OPTIONS = {"stand": "bench8", "states": SWEEP}

@@ -31,7 +31,7 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import read, workload
 from mahovik.errors import ToolchainError, UsageError
-from mahovik.proof.verify import targets
+from mahovik.proof.verify import selftest
 from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, require_own
 
 STATES = 4
@@ -110,7 +110,7 @@ def parse_targets(names: str | None, real: str | None) -> list[tuple[Target, str
     """Targets and element types of `--targets`, `--real`. Raises UsageError."""
     if names is None:
         return [(TARGETS[name], real or usual) for name, usual in USUAL]
-    pairs = targets.parse_targets(names, (real,) if real else None)
+    pairs = selftest.parse_targets(names, (real,) if real else None)
     for target, _ in pairs:
         if target.linker or target.compiler[0] == "clang":
             raise UsageError(f"--targets: {target.name} compiles by clang; frames of the stack are known of gcc only")

@@ -42,7 +42,7 @@ from mahovik.core.toolchain.static_checks import ANALYSER, CPPCHECK, DEVIATIONS,
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.delivery import Options, deliver, provenance
-from mahovik.proof.verify.targets import parse_targets
+from mahovik.proof.verify.selftest import parse_targets
 from mahovik.writing import write, write_folder
 
 RECORD, SUMS = "evidence.json", "SHA256SUMS"

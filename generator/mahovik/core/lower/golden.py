@@ -87,7 +87,7 @@ def fnv1a_words(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
 
 def golden(program: Program, values: Values) -> Golden:
     """Golden vectors of a stand's program."""
-    player = _Player(program, values)
+    player = Player(program, values)
     planned, public = player.plan, player.functions
     cases = tuple(_cases(planned, program.precision))
     answers: dict[str, list[Answer]] = {f.name: [] for f in public}
@@ -119,11 +119,6 @@ def tested_functions(program: Program) -> tuple[Function, ...]:
     )
 
 
-def sweep_hashes(program: Program, values: Values, states: int) -> dict[str, int]:
-    """Hashes of a sweep by function, from the interpreter: some hundredths of a second a state."""
-    return _Player(program, values).sweep(states)
-
-
 def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[str, Any]]:
     """The golden inputs, in the order of CASES, by a generator of their own."""
     generator = Generator(0x9E3779B9)
@@ -137,7 +132,7 @@ def _cases(planned: tuple[Input, ...], precision: Precision) -> Iterator[dict[st
     yield draw(planned, generator, precision, beyond)
 
 
-class _Player:
+class Player:
     """Calls the functions of a program with drawn inputs."""
 
     def __init__(self, program: Program, values: Values) -> None:

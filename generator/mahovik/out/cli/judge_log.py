@@ -35,7 +35,7 @@ def judge_log(
     """
     from mahovik.core.stand.content import TABLE, content
     from mahovik.errors import CheckError
-    from mahovik.proof.verify.selftest_log import judge_log as judge
+    from mahovik.proof.verify.selftest import judge_log as judge
 
     stand_file, (log,) = stand_first(stand_file, further, {"--log": log_file}, former=("--log", STAND), least=1)
     text = content(Path(log), TABLE).decode("utf-8", "replace")

@@ -178,7 +178,7 @@ def _verify_on_targets(
     1: bits differ. 2: a compiler or an emulator is missing, or the processor lacks a feature of the only target; then
     nothing is known.
     """
-    from mahovik.proof.verify.targets import SWEEP, parse_targets, verify_targets
+    from mahovik.proof.verify.selftest import SWEEP, parse_targets, verify_targets
 
     pairs = parse_targets(names, reals)
     with progress(f"verify {stand.name} on targets", len(pairs)) as stage:

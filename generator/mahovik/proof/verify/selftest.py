@@ -1,24 +1,140 @@
-"""The log of a self-test from a real board: read, then judged by itself, by the stand file and by the sweep run here.
+"""The same bits everywhere: a stand's self-test, built for targets and run on their emulators, or logged by a board.
 
-The text is that which the head of `<stand>_selftest.c` describes. A terminal may put words before a line, end lines
-with CR, LF or both, lose some, and begin or end in the middle: other lines are ignored, and missing lines are reported.
+What it prints is compared with the host's line by line; a log is judged by itself, by the stand file and by the sweep
+run here. A terminal may put words before a line of a log, end lines with CR, LF or both, lose some, and begin or end in
+the middle: other lines are ignored, and missing lines are reported.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from mahovik import __version__
+from mahovik.contract.functions import ALL
+from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.core.lower.golden import CASES, sweep_hashes, tested_functions
+from mahovik.core.lower.golden import CASES, tested_functions
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.targets import TARGETS
-from mahovik.errors import UsageError
+from mahovik.core.toolchain.board import build, build_version, run, selftest_main
+from mahovik.core.toolchain.process import side_by_side
+from mahovik.core.toolchain.targets import TARGETS, Target
+from mahovik.errors import ToolchainError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.delivery import under_name
-from mahovik.proof.verify.targets import run_selftest, selftest_sources
+
+REALS = ("double", "float")
+
+QUICK = (("host", "double"), ("host", "float"), ("m4", "float"), ("m7", "double"), ("rv64gc", "double"))
+"""Targets and element types of `quick`: the host, and each kind of FPU."""
+
+SWEEP = 20
+"""Pseudo-random states, beside the golden vectors, on which every function is called."""
+
+NOT_INSTALLED = "not installed"
+"""Verdict on a target whose compiler or emulator is not here: nothing is known, which is no pass."""
+
+TIMEOUT = 300.0
+"""Longest run on an emulator, s; the machine may be busy."""
+
+
+def parse_targets(names: str, reals: Sequence[str] | None = None) -> list[tuple[Target, str]]:
+    """Targets and element types of `all`, `quick`, or a list of names. Raises UsageError.
+
+    Without `reals`, both of them; `quick` has its own.
+    """
+    if names == "quick" and reals is None:
+        return [(TARGETS[name], real) for name, real in QUICK]
+    groups = {"quick": [name for name, _ in QUICK], "all": [*TARGETS]}
+    words = groups.get(names, [word.strip() for word in names.split(",")])
+    for word in words:
+        if word not in TARGETS:
+            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, [*TARGETS, *groups])}')
+    return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
+
+
+def verify_targets(
+    stand: Stand,
+    pairs: Sequence[tuple[Target, str]],
+    sweep: int = SWEEP,
+    progress: Callable[[int, int], None] = lambda done, count: None,
+    only: tuple[str, ...] = ALL,
+) -> Report:
+    """Builds and runs the self-test for each target and element type; compares the text with the host's.
+
+    A check for each; its `states` are functions with the right bits, its `state` is compiler and optimisation. Where
+    the processor lacks what the target wants, nothing is compared.
+
+    `only`: of C with these public functions alone, as of `generate`.
+
+    The golden vectors in the self-test are the interpreter's: a line reads PASS only if all bits equal its bits.
+    Raises ToolchainError where the host itself has no gcc or cannot run the test.
+    """
+    sources = {real: selftest_sources(stand, real, sweep, only) for real in dict.fromkeys(real for _, real in pairs)}
+    expected = {real: run_selftest(TARGETS["host"], stand.name, files).splitlines() for real, files in sources.items()}
+    rows = []
+    with side_by_side() as pool:
+        tasks = [pool.submit(_check, t, real, stand.name, sources[real], expected[real]) for t, real in pairs]
+        for done, task in enumerate(tasks, start=1):
+            rows.append(task.result())
+            progress(done, len(pairs))
+    return report(stand, "self-test", 0, sweep, 0.0, rows)
+
+
+def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...]) -> dict[str, str]:
+    """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
+    made = generate_all(stand, real, only)
+    return {**made.files, **selftest_files(stand, made), "main.c": selftest_main(stand.name, sweep)}
+
+
+def _check(target: Target, real: str, name: str, files: Mapping[str, str], expected: Sequence[str]) -> Check:
+    """The self-test of the stand `name` on one target, against what it printed on the host."""
+    row = Check(f"{target.name} {real}", target.title, state=" ".join((*target.compiler[:1], target.optimisation)))
+    if missing := target.missing_commands():
+        row.verdict, row.words = NOT_INSTALLED, f"no {', '.join(missing)}: make targets"
+        return row
+    row.state = build_version(target)
+    if unable := target.obstacle():
+        row.words = unable
+        return row
+    try:
+        found = run_selftest(target, name, files).splitlines()
+    except ToolchainError as error:
+        row.verdict, row.words = "FAILED", str(error)
+        return row
+    row.words, row.states = next(_problems(expected, found), ""), sum(" PASS " in line for line in found)
+    row.verdict = "FAILED" if row.words else "ok"
+    return row
+
+
+def run_selftest(target: Target, name: str, files: Mapping[str, str], timeout: float = TIMEOUT) -> str:
+    """Output of the self-test of a stand, built for a target. Raises ToolchainError."""
+    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
+        return run(target, build(target, files, Path(scratch)), timeout)
+
+
+def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
+    """Problems of a printed self-test: fast math and golden vectors first, then differences from the host."""
+    for line in found:
+        if line.startswith("wrong results"):
+            yield line
+        if " FAIL " in line:
+            yield f"not the interpreter's bits: {line}"
+    for ours, theirs in zip(expected, found, strict=False):
+        if ours != theirs:
+            yield f'the host has "{ours}", the target "{theirs}"'
+    if len(expected) != len(found):
+        yield f"{len(found)} lines, the host has {len(expected)}"
+    if not any(line == "failures 0" for line in found):
+        yield "no line says that there were no failures"
+
+
+# -- logs of boards ----------------------------------------------------------------------------------------------------
 
 LONGEST_SWEEP = 1_000_000
 """Most states of a sweep that is judged, which take minutes. More come from a damaged line or another test."""
@@ -41,10 +157,7 @@ _LINES = {
 HOSTS = ("host", "host-clang")
 """Targets that are this machine, in the order in which they are tried."""
 
-INTERPRETED_STATES = 200
-"""States of a sweep up to which the interpreter takes the place of a missing compiler."""
-
-TIMEOUT = 600.0
+SWEEP_TIMEOUT = 600.0
 """Longest sweep on this machine, s."""
 
 
@@ -149,21 +262,21 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
         checked = ["identities", f"every function{part} there", *checked]
     faults: list[str] = []
     sweeps: dict[tuple[str, str, int], Mapping[str, str]] = {}  # hashes here, none where nothing can compute them
-    for number, run in enumerate(runs, start=1):
-        named = stand and (under_name(stand, run.stand, run.physics) or stand)
-        lines = identity_problems(run, named) if named else []
+    for number, log in enumerate(runs, start=1):
+        named = stand and (under_name(stand, log.stand, log.physics) or stand)
+        lines = identity_problems(log, named) if named else []
         if named is None or lines:
-            lines += problems(run)
+            lines += problems(log)
         else:
-            made = generate_all(named, run.real, only=only)
-            wanted, key = [f.name for f in tested_functions(made.program)], (run.stand, run.real, run.sweep or 0)
-            alike = set(wanted) == {*run.functions}  # inputs of a sweep are drawn for all functions that were generated
-            if alike and run.sweep is not None and run.sweep <= LONGEST_SWEEP and key not in sweeps:
-                sweeps[key], maker = _hashes(named, made, run.sweep)
-                by = f", by {maker}" if maker else ": no C compiler here, and too long for the interpreter"
-                (checked if maker else unchecked).append(f"sweep of {run.sweep} states, {run.real}{by}")
-            lines = problems(run, wanted, sweeps.get(key, {}) if alike else {})
-            lines += [] if alike else [f"C of `generate --only`? give --only {','.join(run.functions)}"]
+            made = generate_all(named, log.real, only=only)
+            wanted, key = [f.name for f in tested_functions(made.program)], (log.stand, log.real, log.sweep or 0)
+            alike = set(wanted) == {*log.functions}  # inputs of a sweep are drawn for all functions that were generated
+            if alike and log.sweep is not None and log.sweep <= LONGEST_SWEEP and key not in sweeps:
+                sweeps[key], maker = _hashes(named, made, log.sweep)
+                by = f", by {maker}" if maker else ": no C compiler here"
+                (checked if maker else unchecked).append(f"sweep of {log.sweep} states, {log.real}{by}")
+            lines = problems(log, wanted, sweeps.get(key, {}) if alike else {})
+            lines += [] if alike else [f"C of `generate --only`? give --only {','.join(log.functions)}"]
         faults += [f"run {number} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
     return LogVerdict(runs, tuple(faults), tuple(checked), tuple(unchecked))
 
@@ -180,13 +293,10 @@ def identity_problems(run: SelfTestLog, stand: Stand) -> list[str]:
 
 
 def _hashes(stand: Stand, made: Generated, sweep: int) -> tuple[Mapping[str, str], str]:
-    """Hashes of a sweep by function, and what computed them: nothing if no tool on this machine can."""
-    real = made.program.precision.name
+    """Hashes of a sweep by function, and the compiler of what computed them: nothing if there is none here."""
     target = next((TARGETS[name] for name in HOSTS if not TARGETS[name].missing_commands()), None)
-    if target is not None:
-        printed = run_selftest(target, stand.name, selftest_sources(stand, real, sweep, made.only), TIMEOUT)
-        return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
-    if sweep <= INTERPRETED_STATES:
-        hashes = sweep_hashes(made.program, made.values, sweep)
-        return {name: f"{value:08x}" for name, value in hashes.items()}, "the interpreter"
-    return {}, ""
+    if target is None:
+        return {}, ""
+    sources = selftest_sources(stand, made.program.precision.name, sweep, made.only)
+    printed = run_selftest(target, stand.name, sources, SWEEP_TIMEOUT)
+    return read_log(printed, target.name)[-1].hashes, f"{target.compiler[0]} on this machine"
