@@ -10,9 +10,10 @@ import pytest
 from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.laws.leg.law import Leg, Legs
-from mahovik.use.study.campbell import NODES, _average_matrices, campbell, mean_equations, natural_at
+from mahovik.use.study.campbell import NODES, average_matrices, campbell, mean_equations, natural_at
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.response.scene import Scene
+from mahovik.use.study.response.speeds import SpeedPlan
 
 
 def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:
@@ -30,13 +31,16 @@ def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:
 @pytest.mark.parametrize("speed", [0.0, 200.0])
 def test_natural_frequencies_are_those_of_the_linear_model(name: str, speed: float) -> None:
     stand = load(stands.path(name))
-    natural = natural_at(Scene.of(stand), np.array([speed]))[0][0]
+    natural = natural_at(Scene.of(stand), SpeedPlan.common(stand, (0.0, speed)), np.array([speed]))[0][0]
     assert natural[np.isfinite(natural)] == pytest.approx(linear_frequencies(stand, speed), rel=1e-6)
 
 
 def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
     scene, speed = Scene.of(load(stands.path("bench8"))), np.array([0.0, 11.0, 120.0, 300.0])
-    assert np.allclose(mean_equations(scene, speed), _average_matrices(scene, speed), rtol=1e-9, atol=1e-9)
+    plan = SpeedPlan.common(scene.stand, (0.0, 300.0))
+    assert np.allclose(
+        mean_equations(scene, plan, speed), average_matrices(scene, plan.rows(speed)), rtol=1e-9, atol=1e-9
+    )
 
 
 def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
@@ -60,7 +64,7 @@ def test_a_free_stand_nutates() -> None:
     H = speed * own.tables.Theta_ff @ own.tables.axis
     cross = np.array([[0, -H[2], H[1]], [H[2], 0, -H[0]], [-H[1], H[0], 0]])
     expected = np.abs(np.linalg.eigvals(np.linalg.solve(J, cross)).imag).max() / (2 * np.pi)
-    natural = natural_at(scene, np.array([0.0, speed]))[0]
+    natural = natural_at(scene, SpeedPlan.common(stand, (0.0, speed)), np.array([0.0, speed]))[0]
     assert not np.isfinite(natural[0]).any() and np.isfinite(natural[1]).sum() == 1
     assert natural[1][-1] == pytest.approx(expected, rel=1e-4)
 
@@ -83,6 +87,7 @@ def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
     assert scene.free.shape[1] >= 6 - ties
     found = campbell(scene, np.linspace(0.0, 100.0, 60))
     for each in found.crossings:
-        natural = natural_at(scene, each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4]))[0][:, each.mode - 1]
+        near = each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4])
+        natural = natural_at(scene, SpeedPlan.common(stand, (0.0, 100.0)), near)[0][:, each.mode - 1]
         assert natural == pytest.approx(each.frequency, rel=1e-2)
         assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-5)

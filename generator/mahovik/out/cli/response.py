@@ -92,7 +92,7 @@ def response(
             click.echo(numbers)
     if found.interrupted:
         cut = "--time cut the sweep" if limit.is_over() else "interrupted"
-        done = f"{len(found.steps)} of {steps} speeds are done"
+        done = f"{len(found.steps)} of {found.planned} speeds are done"
         click.echo(f"{'warning' if cut[0] == '-' else 'error'}: {cut}: {done}", err=True)
         if cut == "interrupted":
             raise SystemExit(INTERRUPTED)
@@ -144,6 +144,8 @@ def _remarks(found: Sweep) -> None:
     lost = [step for step in found.steps if step.problem is not None]
     if lost:
         click.echo(f"warning: {lost[0].problem}" + (f"; so at {len(lost)} speeds" if len(lost) > 1 else ""), err=True)
+    if found.coarse is not None:
+        click.echo(f"warning: coarse near {RPM * found.coarse:.6g} rpm: the largest amplitude may be above", err=True)
     growing = [RPM * step.value for step in found.steps if step.problem is None and not step.stable]
     if growing:
         many = f", {len(growing)} in all," if len(growing) > 1 else ""

@@ -19,7 +19,7 @@ SHOWN = 12
 
 STEPS = option(
     "--steps",
-    "Divide the sweep into this number of speeds.",
+    "Divide the sweep into this number of speeds; more are added at resonances.",
     metavar="N",
     type=click.IntRange(2, 100000),
     default=61,

@@ -212,10 +212,9 @@ def jitter(
         None if modes is None else read_structure(Path(modes), own),
     )
     asked = planned_speeds(own, speeds)
-    count, words = 1 if asked.sweep is None else steps, f"jitter of {own.name}, speeds"
 
-    def shall_go_on(done: int) -> bool:
-        tell(progress, Progress(words, done, count))
+    def shall_go_on(done: int, planned: int) -> bool:
+        tell(progress, Progress(f"jitter of {own.name}, speeds", done, planned))
         return go_on is None or go_on(done)
 
     phi = by_flywheel("phases", phases, own)

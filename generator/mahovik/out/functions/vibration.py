@@ -86,7 +86,8 @@ def response(
     speeds   by flywheel: `{"w1": "0..6000rpm", "w2": "-0.5*w1", "w3": 100.0}`; rad/s, or a text as of `--speed`; one
              may be swept; those not named stand still; "all" is every flywheel
     at       a point or instrument, "carrier" for O1; of a held carrier also a freedom, "hold.pitch", or the wrench of
-             the hold on the carrier about O1 in E1, "hold.reaction"; steps of the sweep
+             the hold on the carrier about O1 in E1, "hold.reaction"
+    steps    of a sweep, evenly; more are added at resonances, so that its largest amplitude is the true one
     quantity "acceleration" (default), "velocity", "displacement"; of a freedom that turns "acceleration" (default),
              "rate", "angle"; of the reaction "force" (default), "moment"
     band     Hz, of a second RMS
@@ -98,10 +99,9 @@ def response(
     own = Stand.of(stand)
     output_of(own, at, quantity)
     asked = planned_speeds(own, speeds)
-    count, words = 1 if asked.sweep is None else steps, f"response of {own.name}, speeds"
 
-    def shall_go_on(done: int) -> bool:
-        tell(progress, Progress(words, done, count))
+    def shall_go_on(done: int, planned: int) -> bool:
+        tell(progress, Progress(f"response of {own.name}, speeds", done, planned))
         return go_on is None or go_on(done)
 
     phi = by_flywheel("phases", phases, own)

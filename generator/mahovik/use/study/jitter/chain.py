@@ -86,6 +86,14 @@ class Chain:
         return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, shown, modes, ratios)
 
     @property
+    def modes(self) -> list[tuple[float, float]]:
+        """Natural frequency (rad/s) and damping of all internal and structural modes."""
+        modes = [mode for inner in self.makers.inner.values() for mode in inner.modes.values()]
+        if self.makers.structure is not None:
+            modes += list(zip(self.makers.structure.omega, self.makers.structure.damping, strict=True))
+        return modes
+
+    @property
     def one_way(self) -> bool:
         """Whether mount wrenches drive anything beside the rigid carrier."""
         return bool(self.makers.inner) or self.makers.structure is not None

@@ -46,7 +46,7 @@ def broadband(chain: Chain, speeds: Array) -> Broadband | None:
     if not tables:
         return None
     f = _grid(chain)
-    for natural, damping in _modes(chain):
+    for natural, damping in chain.modes:
         hertz = natural / (2.0 * np.pi)
         if damping == 0.0 and f[0] <= hertz <= f[-1]:
             raise CheckError(f"noise drives a mode of {hertz:.6g} Hz without damping: expected a damping above 0")
@@ -73,21 +73,13 @@ def _density(table: Noise, f: Array, chain: Chain, s: int, speeds: Array, omega:
     return np.asarray((gain * source[:, None, :]).sum(axis=2))
 
 
-def _modes(chain: Chain) -> list[tuple[float, float]]:
-    """Natural frequency (rad/s) and damping of all modes."""
-    modes = [mode for inner in chain.makers.inner.values() for mode in inner.modes.values()]
-    if chain.makers.structure is not None:
-        modes += list(zip(chain.makers.structure.omega, chain.makers.structure.damping, strict=True))
-    return modes
-
-
 def _grid(chain: Chain) -> Array:
     """Frequencies from the lowest to the highest of the tables, dense about modes."""
     tables = list(chain.makers.noise.values())
     low = min(float(table.frequency[0]) for table in tables)
     high = max(float(table.frequency[-1]) for table in tables)
     found = [np.geomspace(low, high, GRID), *(table.frequency for table in tables)]
-    for omega, damping in _modes(chain):
+    for omega, damping in chain.modes:
         found.append(omega / (2.0 * np.pi) * (1.0 + max(damping, 1e-4) * AROUND))
     all_of = np.unique(np.concatenate(found))
     return all_of[(all_of >= low) & (all_of <= high)]

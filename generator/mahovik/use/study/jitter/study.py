@@ -15,6 +15,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, whole_number
 from mahovik.use.plan.array import Array
+from mahovik.use.study.campbell import orders_of
 from mahovik.use.study.jitter.balance import Balance, balance
 from mahovik.use.study.jitter.chain import Chain, Makers, undamped_mode
 from mahovik.use.study.jitter.exact import constant_load, exact_lines, left_out_of, rounding_of
@@ -22,6 +23,7 @@ from mahovik.use.study.jitter.lines import CONSTANT, UNBALANCE, LineName, Lines
 from mahovik.use.study.jitter.load_view import LoadView
 from mahovik.use.study.jitter.noise import Broadband, broadband
 from mahovik.use.study.jitter.quantity import Observable, Quantity
+from mahovik.use.study.peaks import ROUNDS, merged, resonances, unsettled
 from mahovik.use.study.response.scene import Scene
 from mahovik.use.study.response.speeds import SpeedPlan
 
@@ -149,9 +151,10 @@ def jitter(
     makers: Makers | None = None,
     order: int | None = None,
     exact: bool = False,
-    go_on: Callable[[int], bool] = lambda done: True,
+    go_on: Callable[[int, int], bool] = lambda done, planned: True,
 ) -> Jitter:
-    """Jitter at `steps` speeds (one without a sweep). `go_on` (speeds done) is called before each exact one.
+    """Jitter at `steps` speeds (one without a sweep). `go_on` (exact ones done, planned) is called before each
+    exact one.
 
     makers   tables of the wheels' disturbances and of structural modes; an order in a wheel's table replaces its own
     order    of the harmonic balance, the largest sum of |k_s|; None: raised until at most 1e-6 is left out
@@ -163,11 +166,22 @@ def jitter(
     if order is not None:
         whole_number("order", order, 1, 20)
     value = np.array(asked.values(steps))
-    speeds = np.array([asked.speeds(x) for x in value])
-    start = np.zeros(speeds.shape[1]) if phases is None else np.array(phases, dtype=np.float64)
+    fastest = np.abs(asked.rows(value)).max(axis=0)
+    start = np.zeros(len(fastest)) if phases is None else np.array(phases, dtype=np.float64)
     scene = Scene.of(stand)
-    chain = Chain.of(scene, seen, makers or Makers(), np.abs(speeds).max(axis=0))
-    study = _Study(scene, asked, chain, speeds, value, start, order)
+    chain = Chain.of(scene, seen, makers or Makers(), fastest)
+    if asked.sweep is not None:
+        tables = chain.makers.harmonics
+        orders = [
+            {*orders_of(scene), *tables[name].order} if name in tables else orders_of(scene) for name in asked.names
+        ]
+        value = merged(asked, value, resonances(scene, asked, steps, orders, chain.modes))
+        for _ in range(ROUNDS):
+            more = merged(asked, value, unsettled(value, _Study(scene, asked, chain, value, start, order).sizes()))
+            if len(more) == len(value):
+                break
+            value = more
+    study = _Study(scene, asked, chain, value, start, order)
     if len(value) == 1 or exact:
         return study.exact(go_on)
     return study.first_order(go_on)
@@ -178,10 +192,19 @@ class _Study:
     scene: Scene
     asked: SpeedPlan
     chain: Chain
-    speeds: Array
     value: Array
     phases: Array
     order: int | None
+
+    @property
+    def speeds(self) -> Array:
+        """Speeds (S, N; rad/s)."""
+        return self.asked.rows(self.value)
+
+    def sizes(self) -> Array:
+        """RMS (S) over all phases to first order, root of the sum of squares over the axes; NaN at a resonance."""
+        lines = self.linear_lines().join(self.chain.table_lines(self.speeds))
+        return np.where(lines.is_finite, np.linalg.norm(lines.rss(), axis=1), np.nan)
 
     def _balance(self, i: int) -> Balance:
         return balance(self.scene, self.speeds[i].tolist(), self.phases.tolist(), self.order)
@@ -198,13 +221,13 @@ class _Study:
         ]
         return lines.select(np.array(which, dtype=bool))
 
-    def exact(self, go_on: Callable[[int], bool]) -> Jitter:
+    def exact(self, go_on: Callable[[int, int], bool]) -> Jitter:
         """The full equations at every speed. Raises CheckError if there is a steady state at none."""
         found: list[tuple[Balance, Lines] | None] = []
         problems: list[tuple[int, str]] = []
         try:
             for i in range(len(self.value)):
-                if not go_on(i):
+                if not go_on(i, len(self.value)):
                     break
                 try:
                     one = self._balance(i)
@@ -254,7 +277,7 @@ class _Study:
                 found.append((i, f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"))
         return found
 
-    def first_order(self, go_on: Callable[[int], bool]) -> Jitter:
+    def first_order(self, go_on: Callable[[int, int], bool]) -> Jitter:
         """The linear equations at every speed, compared with the full ones at some."""
         own = self.linear_lines()
         total = np.linalg.norm(own.rms(), axis=1)
@@ -265,7 +288,7 @@ class _Study:
         problems, interrupted = [], False
         try:
             for n, i in enumerate(chosen):
-                if not go_on(n):
+                if not go_on(n, len(chosen)):
                     interrupted = True
                     break
                 try:

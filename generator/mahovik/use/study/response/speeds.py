@@ -16,6 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import SPEED, QuantityError, number
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
+from mahovik.use.plan.array import Array
 
 MOST_TURNS = 1000
 """Most turns of the fastest flywheel in a common period; longer periods count as none."""
@@ -87,6 +88,16 @@ class SpeedPlan:
     def speeds(self, value: float) -> tuple[float, ...]:
         """Speeds (N, rad/s) for a value of the swept speed."""
         return tuple(c + k * value for c, k in zip(self.constant, self.factor, strict=True))
+
+    def rows(self, values: Array) -> Array:
+        """Speeds (S, N; rad/s) for values (S) of the swept speed."""
+        return np.asarray(np.array(self.constant) + values[:, None] * np.array(self.factor))
+
+    @staticmethod
+    def common(stand: Stand, sweep: tuple[float, float]) -> SpeedPlan:
+        """All flywheels at one speed, swept (rad/s)."""
+        N = len(stand.flywheels)
+        return SpeedPlan(tuple(s.name for s in stand.flywheels), (0.0,) * N, (1.0,) * N, sweep, 0)
 
     def values(self, steps: int) -> tuple[float, ...]:
         """Values of the swept speed, evenly spaced; without a sweep only that of `swept`. Raises UsageError."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import io
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -15,10 +16,12 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
-from mahovik.errors import CheckError
+from mahovik.errors import CheckError, UsageError
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.band import check_band, rms
+from mahovik.use.study.campbell import orders_of
 from mahovik.use.study.linear.model import encode_lines
+from mahovik.use.study.peaks import ROUNDS, merged, resonances, unsettled
 from mahovik.use.study.response.outputs import AXES, Output, output_of
 from mahovik.use.study.response.periodic import UNSTABLE, periodic_response
 from mahovik.use.study.response.scene import Scene
@@ -32,6 +35,9 @@ SMALLEST_LINE = 1e-6
 
 ROUNDING = 1e-12
 """Part of the largest mean below which a line is rounding, and left out: a balanced wheel shakes a mount by nothing."""
+
+STILL = 1e-15
+"""SI: a smaller RMS is rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +95,11 @@ class OrderLine:
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """Steps over a range of speeds, seen at a point. `interrupted`: some steps are missing."""
+    """Steps over a range of speeds, seen at a point.
+
+    planned   number of steps, of which some are missing where the sweep was ended
+    coarse    a speed (rad/s) near which the largest amplitude is not known to be the true one; None: it is
+    """
 
     stand: Stand
     plan: SpeedPlan
@@ -97,9 +107,15 @@ class Sweep:
     quantity: str
     band: tuple[float, float] | None
     steps: tuple[Step, ...]
-    interrupted: bool = False
+    planned: int
     axes: tuple[str, ...] = AXES
     unit: str = ""
+    coarse: float | None = None
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether some steps are missing."""
+        return len(self.steps) < self.planned
 
     @property
     def values(self) -> Array:
@@ -159,9 +175,11 @@ def sweep(
     quantity: str | None = None,
     band: tuple[float, float] | None = None,
     phases: Sequence[float] | None = None,
-    go_on: Callable[[int], bool] = lambda done: True,
+    go_on: Callable[[int, int], bool] = lambda done, planned: True,
 ) -> Sweep:
-    """Steady states at `steps` speeds. `go_on` (steps done) is called before each; Ctrl-C or False ends early.
+    """Steady states at `steps` even speeds and at resonances between them.
+
+    `go_on` (steps done, planned) is called before each; Ctrl-C or False ends early.
 
     `point`: or another name of `output_of`. Raises UsageError before anything is computed: unknown point, speeds
     without a common period. CheckError: no equilibrium, or no step has a steady state.
@@ -178,34 +196,80 @@ def sweep_outputs(
     *,
     band: tuple[float, float] | None = None,
     phases: Sequence[float] | None = None,
-    go_on: Callable[[int], bool] = lambda done: True,
+    go_on: Callable[[int, int], bool] = lambda done, planned: True,
 ) -> list[Sweep]:
     """A sweep of each output, a name and its quantity, of the same steady states; otherwise as `sweep`."""
     if band is not None:
         check_band("band", band)
     outputs = [output_of(stand, point, quantity) for point, quantity in seen]
-    values = asked.values(steps)
-    turnings = [common_period(asked.speeds(value)) for value in values]
-    found: list[list[Step]] = []
+    values = np.array(asked.values(steps))
+    for value in values:
+        common_period(asked.speeds(float(value)))
+    found: dict[float, list[Step]] = {}
+    coarse = np.zeros(0)
     try:
         scene = Scene.of(stand)
-        for value, turning in zip(values, turnings, strict=True):
-            if not go_on(len(found)):
+        orders = [orders_of(scene)] * len(stand.flywheels)
+        values = merged(asked, values, _periodic(asked, resonances(scene, asked, steps, orders)))
+        for _ in range(ROUNDS):
+            for value in values:
+                if float(value) not in found:
+                    if not go_on(len(found), len(values)):
+                        break
+                    turning = common_period(asked.speeds(float(value)))
+                    found[float(value)] = _steps(scene, float(value), turning, outputs, phases)
+            coarse = _unsettled(found, len(outputs))
+            more = merged(asked, values, _periodic(asked, coarse))
+            if len(found) < len(values) or len(more) == len(values):
                 break
-            found.append(_steps(scene, value, turning, outputs, phases))
+            values = more
     except KeyboardInterrupt:
         if not found:
             raise
-    if found and all(each[0].problem is not None for each in found):
-        raise CheckError(str(found[0][0].problem))
-    missing = len(found) < len(values)
+    rows = [found[float(value)] for value in values if float(value) in found]
+    if rows and all(each[0].problem is not None for each in rows):
+        raise CheckError(str(rows[0][0].problem))
     return [
         Sweep(
-            stand, asked, output.name, output.quantity, band, tuple(each[k] for each in found), missing, output.axes,
-            output.unit,
+            stand, asked, output.name, output.quantity, band, tuple(each[k] for each in rows), len(values), output.axes,
+            output.unit, float(coarse[0]) if len(coarse) else None,
         )
         for k, output in enumerate(outputs)
     ]  # fmt: skip
+
+
+FINER = 100
+"""Parts of a speed that is kept constant, to which an added speed is rounded: both then have a common period."""
+
+
+def _periodic(asked: SpeedPlan, values: Array) -> Array:
+    """Values of the swept speed, rounded where it must be, at which the flywheels have a common period."""
+    base = common_period(asked.constant).base / FINER
+    near = [float(round(x / base) * base) if base else float(x) for x in values]
+    return np.array([x for x in near if _has_period(asked.speeds(x))])
+
+
+def _has_period(speeds: Sequence[float]) -> bool:
+    try:
+        common_period(speeds)
+    except UsageError:
+        return False
+    return True
+
+
+def _unsettled(found: dict[float, list[Step]], outputs: int) -> Array:
+    """Speeds to be added about the largest RMS of every output."""
+    values = sorted(found)
+    sizes = [[_size(found[value][k]) for value in values] for k in range(outputs)]
+    return np.concatenate([unsettled(np.array(values), np.array(each)) for each in sizes])
+
+
+def _size(step: Step) -> float:
+    """RMS, root of the sum of squares over the axes; NaN without a steady state, 0 where it is rounding."""
+    if step.problem is not None:
+        return math.nan
+    size = float(np.linalg.norm(rms(step.amplitudes, step.frequencies)))
+    return size if size > max(STILL, ROUNDING * float(step.sizes[0])) else 0.0
 
 
 def _steps(
