@@ -10,7 +10,7 @@ import pytest
 
 from export.programmes import PERIOD, exported, motion, spin, stand, started, swaying, written
 from mahovik import stands
-from mahovik.core.lower.programme.play import Player
+from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.programme import Fourier, Programme, Samples
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities

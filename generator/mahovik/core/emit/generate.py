@@ -15,7 +15,7 @@ from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
 from mahovik.core.lower.program import lower_layout
-from mahovik.core.lower.programme.form import RESERVED as OF_PROGRAMMES
+from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrict import restrict_program

@@ -13,9 +13,8 @@ from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
-from mahovik.core.lower.programme.clock import CLOCK
-from mahovik.core.lower.programme.play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
-from mahovik.core.lower.programme.program import Course, ProgrammeProgram
+from mahovik.core.lower.programme import CLOCK, Course, ProgrammeProgram
+from mahovik.core.lower.programme_play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.program.types import Kind, numbers
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

@@ -72,7 +72,11 @@ def allocate(lib: Library, rows: int = 6) -> Function:
     regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
     most_real, largest = layout.precision.largest, lib.limits["LARGEST"].expression
 
-    @kernel(name_for_rows("allocate", rows), equation="(12)")
+    purpose = (
+        "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share."
+    )
+
+    @kernel(name_for_rows("allocate", rows), equation="(12)", purpose=purpose)
     def allocate(
         work: Any = argument("orthogonal rows W, their sizes sigma, demand r, scale", struct=layout.inverse_work),
         options: Any = argument("weights and limits", struct=layout.inverse_options),
@@ -80,7 +84,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         phi_ddot: Reals = argument("flywheel accelerations", N, direction="out", unit="rad/s2"),
         limited: Ints = argument("1 where a flywheel is held at its limit", N, direction="out"),
     ) -> None:
-        """Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share."""  # noqa: E501
+        """Distributes a demand among the flywheels."""
         share = reals(N)  # 1/weight
         give = reals(N)  # 1/weight of a free flywheel, 0 for one held at its limit
         step = reals(N)  # increment of the free flywheels

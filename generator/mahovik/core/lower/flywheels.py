@@ -258,7 +258,7 @@ def common_terms(lib: Library, V: Reals, g: Reals) -> Any:
     if lib.layout.weight:
         origin_acceleration: Reals = -g + cross(omega, v)  # acceleration of O1 at V_dot = 0, minus gravity
     else:
-        origin_acceleration: Reals = cross(omega, v)  # type: ignore[no-redef]  # omega x v
+        origin_acceleration: Reals = cross(omega, v)  # omega x v
     spun = reals(6)  # six numbers: J . spun = -omega . J omega / 2 for every inertia J
     spun[0:3] = [-0.5 * (w * w) for w in omega]
     spun[3:6] = [-omega[i] * omega[j] for i, j in ((0, 1), (0, 2), (1, 2))]

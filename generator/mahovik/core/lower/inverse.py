@@ -79,7 +79,7 @@ def accelerate(lib: Any, table: Any, x: Any, turns: Any, phi_ddot: Reals, wrench
 def sort(work: Any, rows: int) -> None:
     """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
     # sort the singular values in descending order, by exchanging neighbours
-    for pass_ in range(rows - 1):  # noqa: B007
+    for pass_ in range(rows - 1):
         for i in range(rows - 1):
             if work.sigma[i] < work.sigma[i + 1]:
                 for name in ("sigma", "r"):

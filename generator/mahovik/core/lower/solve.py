@@ -129,7 +129,7 @@ def add_solution(lib: Library) -> None:
             S: Reals = sum_.J - (B.square @ K.U.square).six  # J - B A^-1 B^T
         else:
             K.rho[:] = table.mass_inverse * sum_.mu
-            S: Reals = about_mass_center(sum_, K.rho)  # type: ignore[no-redef]  # inertia about the mass centre
+            S: Reals = about_mass_center(sum_, K.rho)  # inertia about the mass centre
         factor3(S, K.L)
         return OK
 

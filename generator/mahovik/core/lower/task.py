@@ -181,7 +181,12 @@ def add_demand_turning(lib: Library) -> None:
     """U^-1 (moments of I), U^-1 (moment of b), U and D of the inertia U D U^T that is left when v_dot is eliminated."""
     layout, added = lib.layout, lib.layout.added_mass
 
-    @lib.kernel(equation="(12)", statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"))
+    @lib.kernel(
+        equation="(12)",
+        statuses=(*STATE_STATUSES, "NOT_POSITIVE_DEFINITE"),
+        purpose="The turning part of (12) at omega_dot = 0: moments of I and of the right-hand side, by the inertia's "
+        "factor U.",
+    )
     def demand_turning(
         table: Any = lib.table,
         x: Any = lib.x,
@@ -192,7 +197,7 @@ def add_demand_turning(lib: Library) -> None:
             "of G, W, r, sigma the first three rows are written", struct=layout.inverse_work, direction="out"
         ),
     ) -> Status:
-        """The turning part of (12) at omega_dot = 0: moments of I and of the right-hand side, by the inertia's factor U."""  # noqa: E501
+        """Moments of I and of the right-hand side."""
         seen, F, _ = right_side(lib, table, x, (sine, cosine), wrench, "b = F - M V_r - J phi_dot")
         mu, J = seen.sums.mu, seen.sums.J
         if added:
@@ -202,7 +207,7 @@ def add_demand_turning(lib: Library) -> None:
             turning_part(lib, F, S, work, lambda six: six[3:] - U.T @ six[:3], table.flywheel, seen.turns)
         else:
             rho: Reals = table.mass_inverse * mu  # mass centre from O1, in E1
-            S: Reals = about_mass_center(seen.sums, rho)  # type: ignore[no-redef]  # inertia about the mass centre
+            S: Reals = about_mass_center(seen.sums, rho)  # inertia about the mass centre
             turning_part(lib, F, S, work, lambda six: cross(six[:3], rho) + six[3:], table.flywheel, seen.turns)
         return OK
 
@@ -294,7 +299,7 @@ def add_project(lib: Library, task: Rows) -> None:
             # orthogonal to the rows before, twice, so that no digit is lost
             for i in range(j):
                 G[j][i] = 0
-            for pass_ in range(2):  # noqa: B007
+            for pass_ in range(2):
                 for i in range(j):
                     along: float = 0.0
                     for k in range(size):

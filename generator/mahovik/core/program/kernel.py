@@ -157,6 +157,11 @@ def ints(*shape: int | NamedCount) -> Any:
     return Local(shape, Kind.INT)
 
 
+def words(*shape: int | NamedCount) -> Any:
+    """A local array of words, or a variable."""
+    return Local(shape, Kind.WORD)
+
+
 def record(struct: Struct, *shape: int | NamedCount) -> Any:
     """A local struct, or an array of them."""
     return Local(shape, struct)
@@ -230,8 +235,13 @@ def real_of_bits(value: int) -> float:
 
 
 def word(value: int) -> int:
-    """An unsigned literal of the element type's width."""
-    return cast(int, Const(value, Kind.WORD))
+    """An int, or a literal, as an unsigned integer of the element type's width."""
+    return cast(int, Convert(value, Kind.WORD) if isinstance(value, Expr) else Const(value, Kind.WORD))
+
+
+def int_of(value: int) -> int:
+    """An unsigned integer as an int."""
+    return cast(int, Convert(cast(Expr, value), Kind.INT))
 
 
 def kernel(
@@ -277,7 +287,7 @@ def kernel(
     return compiled
 
 
-class inline:  # noqa: N801
+class inline:  # noqa: N801  # a decorator
     """A kernel without arguments of its own in C: its statements are put in where it is called."""
 
     def __init__(self, function: Callable[..., Any]) -> None:
@@ -335,10 +345,8 @@ def _module(file: str) -> _Module:
     beside: dict[int, str] = {}
     before: dict[int, str] = {}
     for number, line in enumerate(lines, 1):
-        if "#" in line and (comment := _COMMENT.match(line)):
-            words = re.sub(r"^type: ignore\[[\w-]+\]", "", comment[2]).lstrip("# ").split("# noqa")[0].strip()
-            if words and not words.startswith(("noqa", "fmt: ")):
-                (beside if comment[1].strip() else before)[number] = words
+        if "#" in line and (comment := _COMMENT.match(line)) and not comment[2].startswith("fmt: "):
+            (beside if comment[1].strip() else before)[number] = comment[2]
     return _Module(functions, beside, before)
 
 
@@ -566,15 +574,12 @@ class _Compilation:
         return eval(_code(node), self.scope)  # text of the house, which is imported anyway
 
 
+@cache
 def _code(node: ast.expr) -> CodeType:
-    """The code of an expression, which is kept in its node."""
-    code: CodeType | None = getattr(node, "_code", None)
-    if code is None:
-        if isinstance(node, ast.Name | ast.Attribute | ast.Subscript):
-            node.ctx = ast.Load()  # a target is a place as well
-        code = compile(ast.Expression(_Operators().visit(node)), "<kernel>", "eval")
-        node._code = code  # type: ignore[attr-defined]
-    return code
+    """The code of an expression."""
+    if isinstance(node, ast.Name | ast.Attribute | ast.Subscript):
+        node.ctx = ast.Load()  # a target is a place as well
+    return compile(ast.Expression(_Operators().visit(node)), "<kernel>", "eval")
 
 
 class _Operators(ast.NodeTransformer):

@@ -149,11 +149,12 @@ class Matrix:
     def _times(self, column: Iterable[Scalar]) -> Vector:
         """The product with a vector."""
         factors = tuple(column)
-        orders = (sorted(range(len(row)), key=lambda j, i=i: j != i) for i, row in enumerate(self.rows))  # type: ignore[misc]
-        indices = orders if self.symmetric else (range(len(row)) for row in self.rows)
+        if not self.symmetric:
+            return Vector(dot(row, factors) for row in self.rows)
+        orders = [[i, *(j for j in range(len(factors)) if j != i)] for i in range(len(factors))]
         return Vector(
             dot([row[j] for j in order], [factors[j] for j in order])
-            for row, order in zip(self.rows, indices, strict=True)
+            for row, order in zip(self.rows, orders, strict=True)
         )
 
 

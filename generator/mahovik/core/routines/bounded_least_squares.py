@@ -49,7 +49,7 @@ def bounded_least_squares(rows: int, count: NamedCount, regular: float) -> Funct
         largest = largest_diagonal(W, weight, rows)
         lambda_ = regular * largest if largest > 0 else 1.0
         going: int = 1
-        for pass_ in range(passes(int(count))):  # noqa: B007
+        for pass_ in range(passes(int(count))):
             if going > 0:
                 make_gram(W, weight, held, gram, free, many, lambda_)
                 unknowns = many if many < rows else rows
@@ -226,7 +226,7 @@ def unknown_to_release(W: Reals, weight: Reals, y: Reals, held: Ints, z: Reals) 
     freed = -1
     best = 0
     for s in range(len(y)):
-        if not held[s] == 0:  # noqa: SIM201
+        if not held[s] == 0:
             pull = reals()  # W^T z - Omega y: where the objective falls
             size = reals()  # sum of its terms, for rounding
             pull = -(weight[s] * y[s])

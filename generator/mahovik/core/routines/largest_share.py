@@ -197,7 +197,7 @@ def exchange(
             tableau[leave][j] = tableau[leave][j] / unit
         tableau[leave][n + 1] = begun + moved
         for i in range(rows):
-            if not i == leave:  # noqa: SIM201
+            if not i == leave:
                 share = tableau[i][enter]
                 for j in range(n + 1):
                     tableau[i][j] -= share * tableau[leave][j]

@@ -9,8 +9,7 @@ each flywheel's angle; what is applied follows them smoothly.
 from __future__ import annotations
 
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.programme.clock import MOST
-from mahovik.core.lower.programme.place import check_phase
+from mahovik.core.lower.programme import MOST, check_phase
 from mahovik.core.lower.servo.form import ServoForm, TrimForm
 from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.lower.programme.play import Player
-from mahovik.core.lower.programme.program import Course
+from mahovik.core.lower.programme import Course
+from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.programme import Angles, RunUpTable
 from mahovik.core.program.types import Precision
 from mahovik.out.export.programme.tables import Array, Table

@@ -19,9 +19,8 @@ from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.programme import Facts, programme_files
 from mahovik.core.emit.reading import read_header
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.programme.form import Form
-from mahovik.core.lower.programme.play import Player
-from mahovik.core.lower.programme.program import ProgrammeProgram, lower_programme
+from mahovik.core.lower.programme import Form, ProgrammeProgram, lower_programme
+from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.programme import Angles, Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.identity import identities

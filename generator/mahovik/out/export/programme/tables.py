@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.lower.programme.form import Form
+from mahovik.core.lower.programme import Form
 from mahovik.core.motion.programme import Angles, Fourier, Programme
 from mahovik.core.program.types import NamedCount
 

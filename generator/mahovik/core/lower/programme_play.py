@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.lower.programme.program import Course, ProgrammeProgram
+from mahovik.core.lower.programme import Course, ProgrammeProgram
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import Kind, Precision
 

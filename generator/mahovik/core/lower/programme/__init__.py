@@ -1,1 +1,0 @@
-"""Functions that evaluate a flywheel programme from tables: what `core/emit/programme.py` prints."""
