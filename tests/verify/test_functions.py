@@ -95,7 +95,7 @@ def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str,
 
 
 def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(JUDGES, "wrap", FunctionJudge("exact", lambda *_: [Check("wrap", "nothing", 1.0)], ""))
+    monkeypatch.setitem(JUDGES, "wrap", FunctionJudge("exact", lambda _, rows: rows.add(Check("wrap", "nothing"))))
     assert [row.verdict for row in checks_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
 
 

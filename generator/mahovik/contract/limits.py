@@ -24,6 +24,7 @@ class Limits:
     law          of a servo's law, relative to its terms
     order        between the order with which errors of steps fall and that of the method
     promise      of an error over what the header promises
+    exact        of words, bits, flags and counts: only equality is right
     real         element type
     floor        least scale: below it products of inputs are subnormal and have lost their digits
     """
@@ -37,6 +38,7 @@ class Limits:
     law: float
     order: float = 0.6
     promise: float = 1.0
+    exact: float = 0.0
     real: str = "double"
     floor: float = 1e-290
 
@@ -69,7 +71,7 @@ RESTING = 2.0**-8
 """Least scale of a component, a part of the largest in its quantity: what symmetry makes zero is left with rounding."""
 
 MOST_SKIPPED = 0.02
-"""Part of the states of a check that may be left out, since rounding decides a word of the answer there."""
+"""Part of the states of a check that may be left out, as no answer is right there or rounding decides its words."""
 
 MOST_SCALE = 1e3
 """Largest scale, over the size of the quantity, both by their medians: beyond, a check would see no error."""

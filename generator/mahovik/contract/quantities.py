@@ -232,6 +232,24 @@ QUANTITIES = {
 }
 """Quantities by symbol. Others than these are results, or of ordinary magnitude 1 and drawn as reals."""
 
+EXPORTED = {
+    row.symbol: row
+    for row in (
+        Quantity("phi_ref", "rad", "flywheels", "N", ("MAX_PHASE",)),
+        Quantity("phi_dot_ref", "rad/s", "flywheels", "N", ("MAX_SPEED",)),
+        Quantity("tau_ff", "N m", "flywheels", "N", ("MAX_WRENCH",)),
+        Quantity("integral", "N m", "flywheels", "N", ("MAX_WRENCH",)),
+        Quantity("torque", "N m", "flywheels", "N", ("MAX_WRENCH",)),
+        Quantity("speed", "rad/s", "flywheels", "N", invalid=((-2.01e5, "RANGE"), (2.01e5, "RANGE"))),
+        Quantity("phase", "", "part of the period", "", invalid=tuple((bad, "RANGE") for bad in (-0.01, 1.01, 7.0))),
+        Quantity("ticks", "", "", "", invalid=_bad_arguments(-1, 0, 1)),
+        Quantity("periods", "", "", "", invalid=_bad_arguments(-1, 0)),
+        Quantity("sample", "", "", "", invalid=_bad_arguments(-1)),
+        Quantity("rounds", "", "", "", invalid=_bad_arguments(-1)),
+    )
+}
+"""Arguments of functions of servos and programmes alone; the error of a speed has two speeds' bounds."""
+
 BESIDE = {
     **dict.fromkeys(("phi_ddot", "tau", "mount_wrench", "sigma", "u_dot", "q", "residual", "Y_flywheel", "Y_drive"), 0),
     **dict.fromkeys(("I", "J", "I0", "J0"), 1),

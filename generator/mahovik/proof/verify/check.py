@@ -6,11 +6,14 @@ import json
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from statistics import median
 from typing import Any
 
 import numpy as np
 
+from mahovik.contract.limits import MOST_SCALE, MOST_SKIPPED
+from mahovik.contract.quantities import FLOORS
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.states import Request, state_line
@@ -18,8 +21,8 @@ from mahovik.proof.verify.states import Request, state_line
 FLOOR = 1e-290
 """Least scale of a difference: below it products of inputs are subnormal and have lost their digits."""
 
-MOST_SKIPPED = 0.02
-"""Part of the states of a check that may be left out, since no answer is right there or rounding decides it."""
+ENOUGH = 20
+"""States from which on a median is taken: among few, extreme ones may be the most."""
 
 
 @dataclass
@@ -35,6 +38,8 @@ class Check:
     state         name of the state where the difference was largest for its limit; `request`: what `eval` takes
     second        largest difference of the second derivation from the reference; None where it has no such quantity
     second_limit  accepted `second`; None: as `limit`
+    floor         least scale
+    amplified     scales over the sizes of their quantities
     """
 
     judged: str
@@ -50,6 +55,7 @@ class Check:
     second: float | None = None
     second_limit: float | None = None
     floor: float = FLOOR
+    amplified: list[float] = field(default_factory=list, repr=False)
 
     @classmethod
     def of(cls, quantity: str, value: float, limit: float, words: str = "") -> Check:
@@ -112,6 +118,20 @@ class Check:
         self._decide()
         if self.failed and self.share <= 1:
             self.state, self.words = state, f"{self.skipped} of {self.states + self.skipped} states left out: {words}"
+
+    def note_scale(self, quantity: str, value: Any, scale: Any) -> None:
+        """Keep how large a scale is for its quantity, but of one that may be zero by its structure."""
+        if scale is None or isinstance(value, Mapping) or quantity in FLOORS:
+            return
+        size = float(np.max(np.abs(value), initial=0.0))
+        if size:
+            self.amplified.append(float(np.max(scale, initial=0.0)) / size)
+
+    def settle(self) -> None:
+        """Fail where the median of the scales is beyond MOST_SCALE: no error would be seen."""
+        if len(self.amplified) >= ENOUGH and (scale := median(self.amplified)) > MOST_SCALE:
+            self.demand(False, "", f"its scale is {scale:.0e} times its size: no error would be seen")
+        self.amplified = []
 
     def _decide(self) -> None:
         if self.states:

@@ -5,28 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
-from statistics import median
 from typing import Any
 
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
-from mahovik.contract.limits import DOUBLE, MOST_SCALE, Limits
-from mahovik.contract.quantities import FLOORS
+from mahovik.contract.limits import DOUBLE, Limits
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import Measured, Scales
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 
 HALF_TURN = 1e-9
 """Distance from half a turn, rad, at which its angle may be of either sign."""
-
-ENOUGH = 20
-"""States from which on a median is taken: among few, extreme ones may be the most."""
 
 LAST_PLACES, NEIGHBOURS, ROUNDINGS = 2.0**-51, 3, 16.0
 """Relative distance of states by which rounding is measured, how many there are, and how much larger it may be."""
@@ -73,7 +68,6 @@ class Judge:
         self._second = None if second is None else CasadiBackend(stand, second)
         self.scales = scales or Scales(stand, limits.real)
         self._checks: dict[tuple[str, str], Check] = {}
-        self._amplified: dict[tuple[str, str], list[float]] = {}
         self._answered: set[str] = set()
         self._one_sided: dict[str, list[tuple[Check, float, Request, str]]] = {}
 
@@ -101,7 +95,6 @@ class Judge:
             return
         second, refusal = self._second_values(request.state, want)
         for quantity, value in values.items():
-            self._note_scale(want, quantity, measured)
             off, reason, between = math.inf, words, math.inf
             scale, floor = measured.scales[quantity], self._limits.floor
             if found is not None:
@@ -109,6 +102,7 @@ class Judge:
                     found = {**found, "q": _half_turns_as(value, found.get("q"))}
                 off, reason = difference(found.get(quantity), value, scale, floor)
             check = self._check(want, quantity)
+            check.note_scale(quantity, value, scale)
             if refusal and found is None:
                 self._note(check, (off, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif refusal:
@@ -131,15 +125,6 @@ class Judge:
         accepted = max(check.limit, check.accepted_of_second)
         odd = odd_one(off / check.limit, other / check.accepted_of_second, between / accepted, self._judged)
         check.note(off, _name(request), ": ".join(filter(None, (odd, reason))), request, other)
-
-    def _note_scale(self, want: str, quantity: str, measured: Measured) -> None:
-        """Keep how large the scale of a quantity is for the quantity, but of one that may be zero by its structure."""
-        value, scale = measured.values[quantity], measured.scales[quantity]
-        if scale is None or isinstance(value, Mapping) or quantity in FLOORS:
-            return
-        size = float(np.max(np.abs(value), initial=0.0))
-        if size:
-            self._amplified.setdefault((want, quantity), []).append(float(np.max(scale, initial=0.0)) / size)
 
     def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
         """Values of the second derivation, none where it does not offer the want, and the words of a refusal."""
@@ -167,10 +152,8 @@ class Judge:
         """All checks, in the order in which the quantities came."""
         skipped = [self._settle(want) for want in self._one_sided]
         self._one_sided = {}
-        for key, check in self._checks.items():
-            sizes = self._amplified.get(key, [])
-            if len(sizes) >= ENOUGH and (scale := median(sizes)) > MOST_SCALE:
-                check.demand(False, "", f"its scale is {scale:.0e} times its size: no error would be seen")
+        for check in self._checks.values():
+            check.settle()
         return [*self._checks.values(), *(check for check in skipped if check is not None)]
 
     def _settle(self, want: str) -> Check | None:

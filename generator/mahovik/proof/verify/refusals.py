@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any
 
 from mahovik.contract.functions import TURNS, row_of
-from mahovik.contract.quantities import BOUNDS, QUANTITIES, TABLES, UNIT_LENGTH, limits_of
+from mahovik.contract.quantities import BOUNDS, EXPORTED, QUANTITIES, TABLES, UNIT_LENGTH
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
@@ -102,25 +102,37 @@ def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tupl
         return
     if a.name == "attitude" and len(path) > 1:
         yield from (WrongValue(path, [x * (1 + sign * 10 * UNIT_LENGTH) for x in value], "RANGE") for sign in (1, -1))
-    limits = (BOUNDS["MAX_PARAMETER"].at(real),) if path[0] == "parameters" else limits_of(a.name, real)
     for place, _ in _elements(value):
-        limit = limits[(place[-1] if place else 0) % len(limits)] if limits else None
-        yield from (WrongValue((*path, *place), bad, status) for bad, status in _wrong_numbers(a, path, limit))
+        where = *path, *place
+        wrong = wrong_numbers(a.name, a.type is Kind.REAL, limit_at(a.name, where, real), path[0] == "parameters")
+        yield from (WrongValue(where, number, status) for number, status in wrong)
 
 
 def _elements(value: Any) -> Iterator[tuple[tuple[int, ...], float]]:
     """Indices and numbers of a scalar, a vector or a matrix."""
     if isinstance(value, list | tuple):
-        for k, each in enumerate(value):
-            yield from (((k, *index), number) for index, number in _elements(each))
+        for k, item in enumerate(value):
+            yield from (((k, *index), number) for index, number in _elements(item))
     else:
         yield (), value
 
 
-def _wrong_numbers(a: Argument | Field, path: Path, limit: float | None) -> Iterator[tuple[float, str]]:
-    """Wrong values of one number, with the statuses that are due."""
-    row = QUANTITIES.get(a.name)
-    if a.type is Kind.REAL:
+def limit_at(symbol: str, path: Path, real: str) -> float | None:
+    """The bound on the magnitude of a number of a quantity, where it has one."""
+    row = QUANTITIES.get(symbol) or EXPORTED.get(symbol)
+    limits: tuple[float, ...] = () if row is None else row.limits(real)
+    if path[0] == "parameters":
+        limits = (BOUNDS["MAX_PARAMETER"].at(real),)
+    number = path[-1] if isinstance(path[-1], int) else 0
+    return limits[number % len(limits)] if limits else None
+
+
+def wrong_numbers(
+    symbol: str, is_real: bool, limit: float | None, of_parameters: bool = False
+) -> Iterator[tuple[float, str]]:
+    """Wrong values of one number of a quantity, with the statuses that are due."""
+    row = QUANTITIES.get(symbol) or EXPORTED.get(symbol)
+    if is_real:
         yield math.nan, "NOT_FINITE"
         if row is None or not row.infinite:
             yield math.inf, "NOT_FINITE"
@@ -129,7 +141,7 @@ def _wrong_numbers(a: Argument | Field, path: Path, limit: float | None) -> Iter
             yield limit * BEYOND, "RANGE"
             if row is None or all(value >= 0 for value, _ in row.invalid):
                 yield -limit * BEYOND, "RANGE"
-    if row is not None and (path[0] != "parameters" or a.name == "mass"):
+    if row is not None and (not of_parameters or symbol == "mass"):
         yield from row.invalid
 
 

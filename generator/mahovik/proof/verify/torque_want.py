@@ -73,7 +73,7 @@ def _demand(setting: TaskSetting, number: int, state: State, task: Task) -> Arra
 
 def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequence[Mapping[str, Any]]) -> list[Check]:
     """tau where no bound is touched, the error within bounds, the motion that results, status and limited."""
-    rows, options = Rows(setting.limits, setting.scales, WANT), _options(setting.stand)
+    rows, options = Rows(setting.limits, setting.scales, WANT, "optimality"), _options(setting.stand)
     locked = np.zeros(len(setting.stand.flywheels), dtype=bool)
     for request, result in zip(requests, results, strict=True):
         state, where = request.state, str(request.id).partition(",")[0]
@@ -81,10 +81,10 @@ def torque_rows(setting: TaskSetting, requests: Sequence[Request], results: Sequ
             status = _status(result)
             found = _numbers(result, len(locked), len(state.demand))
         except StateError as error:
-            rows.check("tau").refuse(error, where)
+            rows.check("tau", "value").refuse(error, where)
             continue
         judge_torques(setting, rows, where, state, options, locked, status, found)
-    return list(rows.checks.values())
+    return rows.checks()
 
 
 def _options(stand: Stand) -> dict[str, Any]:

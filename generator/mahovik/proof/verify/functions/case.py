@@ -1,4 +1,4 @@
-"""A stand, its program and some ordinary states: what every judge of a function starts from."""
+"""A stand, its program and some ordinary states: what every judge of a function starts from; and the rows it fills."""
 
 from __future__ import annotations
 
@@ -56,11 +56,6 @@ class Case:
         return any(a.name == argument for a in self.backend.program.function(function).arguments)
 
     @property
-    def numbers(self) -> int:
-        """Numbers of a state of the program."""
-        return 13 + 2 * self.count
-
-    @property
     def real(self) -> str:
         """Element type of the program, "double" or "float"."""
         return self.limits.real
@@ -83,6 +78,10 @@ class Case:
         """A generator of its own for each use, the same for the same seed."""
         return np.random.default_rng((self.seed, number))
 
+    def normal(self, rng: np.random.Generator, *shape: int) -> Any:
+        """Normal numbers as the element type has them, as lists."""
+        return self.nearest_numbers(rng.normal(size=shape)).tolist()
+
     def call(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
         """Results of a function, members of a struct of results by their names. Raises StateError if it refuses."""
         return self.call_with_status(function, inputs)[1]
@@ -104,47 +103,66 @@ class Case:
 
 
 class Rows:
-    """Checks of one function, a check for each quantity of its results."""
+    """Checks of one function, one for each quantity of its results. Limits are those of the contract, by kind (Limits).
 
-    def __init__(self, limits: Limits, scales: Scales, function: str) -> None:
-        self._limits, self._scales, self._function = limits, scales, function
-        self.checks: dict[str, Check] = {}
+    kind    kind of the judge, of all checks that have no other
+    scales  the reference with its scales; None where the judge measures scales by itself
+    """
 
-    def check(self, quantity: str, limit: float | None = None) -> Check:
-        """The check of a quantity; by default of the kind `value`."""
-        limits = self._limits
-        new = Check(self._function, quantity, limits.value if limit is None else limit, floor=limits.floor)
-        return self.checks.setdefault(quantity, new)
+    def __init__(self, limits: Limits, scales: Scales | None, function: str, kind: str = "value") -> None:
+        self.limits, self.function = limits, function
+        self._scales, self._kind = scales, kind
+        self._checks: dict[str, Check] = {}
+
+    def checks(self) -> list[Check]:
+        """All checks, in the order in which their quantities came."""
+        for check in self._checks.values():
+            check.settle()
+        return [*self._checks.values()]
+
+    def add(self, check: Check) -> None:
+        """A check with a limit of its own kind, such as one that a file states."""
+        self._checks[check.quantity] = check
+
+    def check(self, quantity: str, kind: str = "") -> Check:
+        """The check of a quantity."""
+        limit = getattr(self.limits, kind or self._kind)
+        return self._checks.setdefault(quantity, Check(self.function, quantity, limit, floor=self.limits.floor))
+
+    def demand(self, quantity: str, right: bool, state: str, words: str = "") -> None:
+        """Count one state at which only equality is right."""
+        self.check(quantity, "exact").demand(right, state, words)
 
     def compare(
         self, name: str, state: State, equation: Equation, found: Mapping[str, Any], suffix: str = "",
-        least_squares: bool = False, more: Mapping[str, Array] = MappingProxyType({}),
+        least_squares: bool = False, kind: str = "value",
     ) -> None:  # fmt: skip
         """Compare results with the answer of an equation, each of its quantities, with measured scales.
 
-        A state where the reference has no answer tests nothing; one where rounding decides a word is left out. `more`:
-        what is added to scales.
+        A state where the reference has no answer, or where rounding decides a word of it, is left out.
         """
+        assert self._scales is not None
         try:
             measured = self._scales.measure(state, equation, least_squares)
-        except (StateError, np.linalg.LinAlgError):
+        except (StateError, np.linalg.LinAlgError) as error:
+            self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
             return
-        for quantity in measured.values:
-            check = self.check(f"{quantity}{suffix}")
+        for quantity, value in measured.values.items():
+            check, scale = self.check(f"{quantity}{suffix}", kind), measured.scales[quantity]
             if measured.undecided:
                 check.skip("rounding decides a word of the answer", name)
                 continue
-            value, scale = measured.values[quantity], measured.scales[quantity]
-            scale = scale if quantity not in more else scale + more[quantity]
+            check.note_scale(quantity, value, scale)
             off, words = difference(found.get(quantity), value, scale, check.floor)
             check.note(off, name, words)
 
     def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
         """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
+        assert self._scales is not None
         measured = self._scales.measure(state, sides, least_squares=True)
         for key, (left, right) in measured.values.items():
             scale = np.full(left.shape, np.max(measured.scales[key], initial=0.0) + floor)
-            self.check(quantity).compare(left, right, scale, name)
+            self.check(quantity, "value").compare(left, right, scale, name)
 
 
 def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: int) -> list[tuple[str, State]]:

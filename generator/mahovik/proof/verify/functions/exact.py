@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import mpmath
 import numpy as np
 
 from mahovik.contract.quantities import limits_of
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.functions.case import Case
+from mahovik.proof.verify.functions.case import Case, Rows
 
 _DIGITS = mpmath.MPContext()
 _DIGITS.dps = 50
@@ -19,16 +17,15 @@ PROMISE = 2.5
 """Promised error, in units in the last place of 1: 5e-16 rad in double."""
 
 
-def wrap_checks(case: Case, function: str) -> Iterator[Check]:
+def judge_wrap(case: Case, rows: Rows) -> None:
     """An angle, but for whole turns, within half a turn."""
-    row, turn = Check(function, "phi, of the promised error", case.limits.promise), 2 * _DIGITS.pi
-    for phi in _angles(case, case.random(len(function))):
-        (found,) = case.call(function, {"phi": phi}).values()
+    check, turn = rows.check("phi, of the promised error"), 2 * _DIGITS.pi
+    for phi in _angles(case, case.random(len(rows.function))):
+        (found,) = case.call(rows.function, {"phi": phi}).values()
         off = _DIGITS.mpf(found) - _DIGITS.mpf(phi)
         off -= turn * _DIGITS.nint(off / turn)
         off = abs(off) + max(0.0, abs(found) - math.pi * (1 + case.unit))
-        row.note(float(off) / (PROMISE * case.unit), f"{function} of {phi}")
-    yield row
+        check.note(float(off) / (PROMISE * case.unit), f"{rows.function} of {phi}")
 
 
 def _angles(case: Case, rng: np.random.Generator) -> list[float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Any, cast
@@ -20,8 +20,7 @@ from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.motion import coupled, forward
 from mahovik.proof.reference.rotation import quaternion_of, quaternion_rotation, skew_part
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.functions.case import Case
+from mahovik.proof.verify.functions.case import Case, Rows
 
 STATES = 2
 """States from which a motion starts; of `step`, the second has locked flywheels."""
@@ -53,47 +52,43 @@ COARSE_EDGE, COARSE_ANSWERS = 1e-3, 2
 """Relative distance of a step from the bound of COARSE; answers that are judged on each side of it, for each order."""
 
 
-def step_checks(case: Case, function: str) -> Iterator[Check]:
+def judge_steps(case: Case, rows: Rows) -> None:
     """Agreement of the motion by order 4, order of convergence of both methods; COARSE. With a carry agreement, also of
     changes of some last places.
 
     Every motion is judged over the first part of its time on which it agrees: a wrong equation agrees on none.
     """
-    yield from _motions(case, function)
-    yield from _motions(case, function, ", with a carry")
-    yield _coarse(case, function)
+    for carried in ("", ", with a carry"):
+        _judge_motions(case, rows, carried)
+    _judge_coarse(case, rows)
 
 
-def _motions(case: Case, function: str, carried: str = "") -> Iterator[Check]:
-    """Checks of motions; `carried`: with a carry, in words."""
-    agreement = Check(function, f"change of state in a motion{carried}", case.limits.integration)
-    few = Check(function, f"change of some last places{carried}", case.limits.integration)
-    orders = {order: Check(function, f"order {order}: order seen", case.limits.order) for order in ORDER_STEPS}
-    shown = case.real == "double" and not carried  # in float rounding hides the order of the same program
+def _judge_motions(case: Case, rows: Rows, carried: str) -> None:
+    """Rows of motions; `carried`: with a carry, in words."""
+    agreement = rows.check(f"change of state in a motion{carried}")
+    orders = {}
+    if case.real == "double" and not carried:  # in float rounding hides the order of the same program
+        orders = {order: rows.check(f"order {order}: order seen", "order") for order in ORDER_STEPS}
     for number, (name, state) in enumerate(case.states):
-        unseen = [check for check in orders.values() if shown and not check.states]
+        unseen = {order: check for order, check in orders.items() if not check.states}
         if number >= STATES and not unseen:
             break
-        locked = case.lock_pattern(0) if number == 1 and function == "step" else None
-        motion = Motion(case, function, state, locked, bool(carried))
+        locked = case.lock_pattern(0) if number == 1 and rows.function == "step" else None
+        motion = Motion(case, rows.function, state, locked, bool(carried))
         try:
             if number < STATES:
-                agreement.note(_least(motion.error, case.limits.integration), name)
-            if number < STATES and motion.carried:
+                agreement.note(_least(motion.error, agreement.limit), name)
+            if number < STATES and carried:
+                few = rows.check(f"change of some last places{carried}")
                 few.note(motion.error(TINY[case.real], TINY_STEPS, order=2), name)
-            for order, check in orders.items():
-                off = _least(partial(motion.off_order, order), check.limit, LONGER) if check in unseen else math.inf
+            for order, check in unseen.items():
+                off = _least(partial(motion.off_order, order), check.limit, LONGER)
                 if off < math.inf:
                     check.note(off, name)
         except StateError as error:
             agreement.refuse(error, name)
-    yield agreement
-    if carried:
-        yield few
-    elif shown:
-        for check in orders.values():
-            check.words = check.words if check.states else "rounding, or a law with |V|, hides the order"
-            yield check
+    for check in orders.values():
+        check.words = check.words if check.states else "rounding, or a law with |V|, hides the order"
 
 
 def _least(judged: Callable[[float], float], limit: float, parts: Sequence[float] = SHORTER) -> float:
@@ -174,7 +169,7 @@ class Motion:
         """Change of the state over the motion by `steps` steps of the program. Raises StateError."""
         given = self._given | {"dt": dt, "order": order}
         if self.carried:
-            given["carry"] = {"rounding": [0.0] * self._case.numbers}
+            given["carry"] = {"rounding": [0.0] * (13 + 2 * self._case.count)}
         if self._locked is not None:
             given["locked"] = [int(each) for each in self._locked]
         for _ in range(steps):
@@ -238,12 +233,12 @@ def _turn(q: Array, change: Array) -> Array:
     return np.asarray(2.0 * s * w / (s * s + w @ w))
 
 
-def _coarse(case: Case, function: str) -> Check:
+def _judge_coarse(case: Case, rows: Rows) -> None:
     """COARSE if and only if dt times the fastest of |phi_dot| and |omega| exceeds the bound of the order.
 
     Every state is taken as it is, and with resting flywheels, where the carrier turns fastest.
     """
-    row = Check(function, "status COARSE", 0.0)
+    check = rows.check("status COARSE", "exact")
     count = {(order, side, still): 0 for order in (2, 4) for side in (-1, 1) for still in (False, True)}
     for name, state in case.states:
         for (order, side, still), answers in count.items():
@@ -255,13 +250,12 @@ def _coarse(case: Case, function: str) -> Check:
             given: dict[str, Any] = case.backend.arguments(state)
             given |= {"dt": float(BOUNDS[f"MAX_TURN_{order}"].value) / fastest * part, "order": order}
             given |= {"x": given["x"] | ({"phi_dot": tuple(speeds)} if case.count else {})}
-            status, _ = case.backend.call(function, given)
+            status, _ = case.backend.call(rows.function, given)
             if status < 0:  # a stage of a long step may be out of range, and dt itself
                 continue
             count[order, side, still] += 1
             right = status == STATUS_VALUES["COARSE" if side > 0 else "OK"]
-            row.demand(right, name, f"status {status_words(status)} at {part:g} of the bound of order {order}")
+            check.demand(right, name, f"status {status_words(status)} at {part:g} of the bound of order {order}")
     missing = [f"order {order}" for (order, side, _), answers in count.items() if side > 0 and not answers]
-    if row.states and missing:
-        row.words = row.words or f"no step above the bound answered: {', '.join(dict.fromkeys(missing))}"
-    return row
+    if check.states and missing:
+        check.words = check.words or f"no step above the bound answered: {', '.join(dict.fromkeys(missing))}"

@@ -3,7 +3,8 @@
 All of them answer one problem: least |r - W y| within bounds, and of what is left the least sum of weight_s y_s^2. At
 the answer its conditions are judged: the bounds are kept; flywheels that are free could take away nothing of the error,
 and those at a bound are pressed against it; where no bound is touched, the answer is the literal one, or solves the
-normal equations. What follows from an answer, and the status, are those of the literal equations.
+normal equations. What follows from an answer is that of the literal equations. Each bit of a status is judged on both
+sides of its bound, where one number that decides it was drawn for that.
 """
 
 from __future__ import annotations
@@ -16,12 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.functions import task_of as task_name_of
-from mahovik.contract.status import STATUS_VALUES, status_bits, status_words
+from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
-from mahovik.core.stand.model import COMPONENTS, Motor, Stand
+from mahovik.core.lower.values import parameters_of
+from mahovik.core.stand.model import COMPONENTS, Mat3, Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.array import Array, Values, solve, vector
+from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.inverse import (
     ScaledDemand,
     largest_damping,
@@ -34,7 +37,6 @@ from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions.case import Case, Rows
 
 Flags = NDArray[np.bool_]
@@ -51,8 +53,14 @@ FAST_DAMPED = {"damping": 2.0**-4}
 LIMIT_SHARES = (0.7, 0.15)
 """Limits that are tried, over the largest acceleration without any: some flywheels are held, and most of them."""
 
-EDGE = 0.02
-"""Part by which a number that decides a bit of the status is off its bound: far above what rounding moves."""
+SIDES = (0.98, 1.02)
+"""Parts of its bound at which a number of the options is that decides a bit: far more apart than rounding moves it."""
+
+FAR_SIDES = (0.5, 2.0)
+"""Likewise of what rounding moves by more, as it is small in the arithmetic: of a singular value, error or pivot."""
+
+EDGE_STATES = 3
+"""States at which stands are sought whose rank is just deficient: each is made anew."""
 
 TIGHT = 0.6
 """Part of the largest torque of the answer without bounds that motors have where bounds of torques are tried."""
@@ -66,24 +74,36 @@ TARGET_RATE = 0.5
 
 @dataclass(frozen=True)
 class Question:
-    """What is asked of the flywheels: the state (with a task's demand), the options, and a name.
+    """What is asked of the flywheels.
 
-    edge    the bit of the status that a number of the options decides, and by what; "" elsewhere
-    use     rows of the task in use; None: all
-    locked  flywheels that give no torque (N), of torques only
+    name     of the state
+    state    with a task's demand
+    options  of the function
+    use      rows of the task in use; None: all
+    locked   flywheels that give no torque (N), of torques only
+    edge     the name of a bit or refusal that one number decides, and by what; "" elsewhere
+    due      whether the status has it
+    stand    another stand than the C's by default: its table is given
     """
 
     name: str
     state: State
     options: Mapping[str, Any]
-    edge: str = ""
     use: Flags | None = None
     locked: Flags | None = None
+    edge: str = ""
+    due: bool = False
+    stand: Stand | None = None
 
     @property
     def weight(self) -> Array:
         """Weights of the flywheels (N)."""
         return np.array(self.options["weight"], dtype=np.float64)
+
+    @property
+    def damping(self) -> tuple[float, float]:
+        """`near_singular` and `damping`."""
+        return float(self.options["near_singular"]), float(self.options["damping"])
 
     @property
     def wanted(self) -> Array:
@@ -124,7 +144,7 @@ class Problem:
     def of_torques(cls, question: Question, stand: Stand, at: Pieces) -> Problem:
         """Of tau within what the motors have, for rows of a task; wanted speeds near zero are avoided."""
         options, state, locked = question.options, question.state, cast(Flags, question.locked)
-        target, end, speed = (np.array(each) for each in (options["target_speed"], options["avoid_speed"], at.phi_dot))
+        target, end, speed = (np.array(x) for x in (options["target_speed"], options["avoid_speed"], at.phi_dot))
         backwards = np.where(target != 0, target, speed) < 0
         target = np.where(np.abs(target) < end, np.where(backwards, -end, end), target)
         wanted = options["target_rate"] * (target - speed)
@@ -140,17 +160,17 @@ class Problem:
         """Scaled answer (N)."""
         return np.where(self.locked, 0.0, (x - self.offset) / np.diag(self.scaled.to_phi_ddot))
 
-    def solution(self, weight: Array, rank: int, near: float = 0.0, damping: float = 0.0) -> Array:
+    def solution(self, weight: Array) -> Array:
         """x (N) without bounds: least error, then least weighted y."""
-        x = self.offset + weighted_solution(self.scaled, weight, rank, near, damping)
-        return np.where(self.locked, 0.0, x)
+        rank = int(np.linalg.matrix_rank(self.scaled.W, rtol=1e-9))
+        return np.where(self.locked, 0.0, self.offset + weighted_solution(self.scaled, weight, rank))
 
 
 def judge_conditions(
     case: Any, rows: Rows, where: str, problem: Problem, x: Array, found: Mapping[str, Any], status: int, slack: float,
     regular: float,
 ) -> None:  # fmt: skip
-    """The bounds are kept, and the conditions of a least error hold within them; `limited` and its bit say so.
+    """The bounds are kept, and the conditions of a least error hold within them; the bits of the status say so.
 
     `slack`: by which part of a bound rounding may exceed it; `regular`: 0 where directions are weak, and no error is
     judged.
@@ -158,21 +178,32 @@ def judge_conditions(
     limited, size = np.array(found["limited"], dtype=bool), np.maximum(np.abs(problem.least), np.abs(problem.most))
     high, low = x >= problem.most - slack * size, x <= problem.least + slack * size
     inside = (x <= problem.most + slack * size) & (x >= problem.least - slack * size)
-    rows.check("bounds kept", 0.0).demand(bool(np.all(inside | problem.locked)), where, "a bound is exceeded")
-    right = bool(np.all((high | low | problem.locked)[limited]))
-    rows.check("limited", 0.0).demand(right, where, "limited, but not at a bound")
-    bits = status_bits(status)
-    rows.check("LIMITED", 0.0).demand(bool(limited.any()) == ("LIMITED" in bits), where, "not as `limited` says")
-    side = np.where(problem.locked, 0.0, high * 1.0 - low * 1.0)
-    pinned = high & low & ~problem.locked
-    W, r, y = problem.W, problem.scaled.r, problem.y(x)
+    rows.demand("bounds kept", bool(np.all(inside | problem.locked)), where, "a bound is exceeded")
+    rows.demand("limited", bool(np.all((high | low | problem.locked)[limited])), where, "limited, but not at a bound")
+    bits, W, r, y = status_bits(status), problem.W, problem.scaled.r, problem.y(x)
+    rows.demand("LIMITED", bool(limited.any()) == ("LIMITED" in bits), where, "not as `limited` says")
+    side, pinned = np.where(problem.locked, 0.0, high * 1.0 - low * 1.0), high & low & ~problem.locked
     if regular and np.any(np.isfinite(size) & (size < 1e30)):
         off = excess(np.where(pinned, 0.0, W), r, r - W @ y, side, regular)
-        rows.check("least error, within bounds", case.limits.optimality).note(off, where)
-    left, most = float(np.linalg.norm(r - W @ y)), case.scales.cuts.reached * float(np.linalg.norm(r))
-    if not most / 10.0 < left < 10.0 * most:  # elsewhere rounding decides it
-        words = f"the error is {left:.1e}, of {most:.1e} accepted"
-        rows.check("UNREACHABLE", 0.0).demand((left > most) == ("UNREACHABLE" in bits), where, words)
+        rows.check("least error, within bounds").note(off, where)
+
+
+def judge_reached(case: Any, rows: Rows, where: str, scaled: ScaledDemand, residual: Array, status: int) -> None:
+    """UNREACHABLE says what the residual does, which is judged by itself."""
+    left, most = float(np.linalg.norm(scaled.root @ residual)), case.scales.cuts.reached * np.linalg.norm(scaled.r)
+    words = f"the error is {left:.1e}, of {most:.1e} accepted"
+    rows.demand("UNREACHABLE", bool(left > most) == ("UNREACHABLE" in status_bits(status)), where, words)
+
+
+def kept_values(case: Any, scaled: ScaledDemand) -> Array:
+    """Singular values of W that count."""
+    sigma = np.asarray(np.linalg.svd(scaled.W, compute_uv=False), dtype=np.float64)
+    return sigma[sigma > case.scales.cuts.rank * sigma[0]] if sigma.size else sigma
+
+
+def has_weak(kept: Array, regular: float) -> bool:
+    """Whether a regularised solver leaves a tenth and more of some direction, with `regular` on the diagonal."""
+    return bool(np.any(kept < 3.0 * np.sqrt(regular) * kept[:1]))
 
 
 def excess(W: Array, r: Array, error: Array, side: Array, regular: float) -> float:
@@ -180,8 +211,7 @@ def excess(W: Array, r: Array, error: Array, side: Array, regular: float) -> flo
 
     Flywheels that are free could still take away what of the error lies in the span of their columns; one that is held
     (`side` 1 or -1: at its upper or lower bound) what lies along its own, if that leads away from the bound. Of weak
-    directions a regularised solver leaves a part: with `regular` on the diagonal, below a ratio of 3 sqrt(regular) a
-    tenth and more.
+    directions a regularised solver leaves a part (`has_weak`).
     """
     U, sigma, _ = np.linalg.svd(W[:, side == 0.0], full_matrices=False)
     taken = U[:, sigma > 3.0 * np.sqrt(regular) * float(np.linalg.norm(W, 2))].T @ error
@@ -193,111 +223,91 @@ def excess(W: Array, r: Array, error: Array, side: Array, regular: float) -> flo
 # Accelerations.
 
 
-def inverse_checks(case: Case, function: str) -> list[Check]:
-    """All that `inverse` or `inverse_fast` says: weights, damping, limits, rows freed, and edges of status bits."""
-    rows, fast = Rows(case.limits, case.scales, function), function.startswith("inverse_fast")
-    for number, (name, state) in enumerate(_states(case, function)):
-        given = case.backend.arguments(state) | (turns(state) if number % 2 else {})
-        answer: Mapping[str, Any] = {}
-        for questions in (_plain_questions, _bounded_questions):
-            for question in questions(case, fast, number, name, state, answer):
-                status, outputs = case.backend.call(function, {**given, "options": question.options})
-                found = {"phi_ddot": [], "sigma": [], "limited": []} | outputs.get("out", outputs)
-                _judge_refusal(case, rows, question, fast, status)
-                if status >= 0:
-                    _judge_inverse(case, rows, question, fast, status, found)
-                    answer = answer or found
-            if not answer or not case.count:
-                break
-    return list(rows.checks.values())
+def judge_inverse(case: Case, rows: Rows) -> None:
+    """All that `inverse` or `inverse_fast` says: weights, damping, limits, rows freed; and bits at their bounds."""
+    fast = rows.function.startswith("inverse_fast")
+    for number, (name, state) in enumerate(_states(case, rows.function)):
+        for question in _questions(case, fast, number, name, state):
+            given = case.backend.arguments(question.state) | (turns(state) if number % 2 else {})
+            try:
+                if question.stand is not None:
+                    parameters = parameters_of(question.stand, case.backend.layout)
+                    table = case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]
+                    given["table"] = table
+            except StateError:  # flywheels this small are none
+                continue
+            status, outputs = case.backend.call(rows.function, given | {"options": question.options})
+            found = {"phi_ddot": [], "sigma": [], "limited": []} | outputs.get("out", outputs)
+            if question.edge:
+                bit, bits = question.edge.partition(" ")[0], status_bits(status) if status > 0 else status_words(status)
+                words = f"{bit} {'expected' if question.due else 'not expected'}, status {status_words(status)}"
+                rows.demand(f"{bit} at its bound", (bit in bits) == question.due, f"{name}, {question.edge}", words)
+            elif fast:
+                _judge_fast(case, rows, question, status, vector(found["phi_ddot"]))
+            elif status < 0:
+                rows.demand("answer", False, name, f"status {status_words(status)}")
+            else:
+                _judge_inverse(case, rows, question, status, found)
 
 
-def _judge_refusal(case: Case, rows: Rows, question: Question, fast: bool, status: int) -> None:
-    """Only `inverse_fast` may refuse: by the least part that a pivot of Cholesky keeps of its diagonal.
-
-    Within a factor of ten of the threshold both are right.
-    """
-    words = f"status {status_words(status)}"
-    if not fast:
-        if status < 0:
-            rows.check("answer").demand(False, question.name, words)
-        return
-    scaled = question.scaled(case.stand, case.scales.at(question.state))
-    gram, kept = normal_matrix(scaled, question.weight, float(question.options["damping"])), 1.0
-    for j in range(len(gram)):
-        before = gram[:j, j]
-        left = gram[j, j] - (before @ np.linalg.lstsq(gram[:j, :j], before, rcond=None)[0] if j else 0.0)
-        kept = min(kept, float(left / gram[j, j])) if kept and gram[j, j] > 0 else 0.0
-    least, refused = THRESHOLDS[case.real].gram_pivot, status == STATUS_VALUES["NOT_POSITIVE_DEFINITE"]
-    right = kept < 10 * least if refused else kept > least / 10 and status in (0, STATUS_VALUES["EXCESSIVE"])
-    rows.check("refusal", 0.0).demand(right, question.name, words)
-
-
-def _judge_inverse(
-    case: Case, rows: Rows, question: Question, fast: bool, status: int, found: Mapping[str, Any]
-) -> None:
-    """Judge one answer of `inverse` or `inverse_fast`."""
-    state, where, x = question.state, question.name, vector(found["phi_ddot"])
-    at, bits = case.scales.at(state), status_bits(status)
-    if not fast:
-        problem = Problem.of_accelerations(question, case.stand, at)
-        regular = THRESHOLDS[case.real].regular
-        judge_conditions(case, rows, where, problem, x, found, status, 0.0, regular)
-    if question.edge.startswith("LIMITED"):
-        return
-    if question.edge:
-        bit = question.edge.partition(" ")[0]
-        expected = bit in answer_of(case, question, case.stand, at, x, fast)["status"].split("|")
-        words = f"{bit} {'expected' if expected else 'not expected'}"
-        rows.check(f"{bit} at its bound", 0.0).demand(expected == (bit in bits), f"{where}, {question.edge}", words)
-        return
-    if fast:
-        _judge_normal_equations(rows, question, x)
-        return
+def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, found: Mapping[str, Any]) -> None:
+    """Judge one answer of `inverse`: its conditions, and what follows from it."""
+    where, x, at = question.name, vector(found["phi_ddot"]), case.scales.at(question.state)
+    problem, regular = Problem.of_accelerations(question, case.stand, at), THRESHOLDS[case.real].regular
+    judge_conditions(case, rows, where, problem, x, found, status, 0.0, regular)
+    residual = vector(found["residual"])
+    judge_reached(
+        case, rows, where, problem.scaled, residual if question.use is None else residual[question.use], status
+    )
     free = float(np.min(question.options["limit"], initial=np.inf)) > 1e30
-    words = "|".join(sorted(set(bits) - {"LIMITED", "UNREACHABLE"}))
+    kept = kept_values(case, problem.scaled)
+    # of a damped answer, whose scale the weak directions do not raise, the solver regularises them
+    is_weak = question.damping[1] > 0.0 and has_weak(kept, regular)
 
-    def equation(stand: Stand, _: State, near: Pieces) -> Values:
-        return answer_of(case, question, stand, near, None if free else x)
+    def answer(stand: Stand, _: State, near: Pieces) -> Values:
+        scaled = question.scaled(stand, near)
+        return {"phi_ddot": weighted_solution(scaled, question.weight, len(kept), *question.damping)}
 
-    suffix, more = ("", _left_by_damping(case, question)) if free else (", with limits", {})
-    rows.compare(where, state, equation, {**found, "status": words}, suffix, least_squares=True, more=more)
+    def consequences(stand: Stand, _: State, near: Pieces) -> Values:
+        return consequences_of(case, question, stand, near, None if free else x)
+
+    if free:
+        kind, suffix = ("optimality", ", of weak directions") if is_weak else ("value", "")
+        rows.compare(where, question.state, answer, found, suffix, least_squares=True, kind=kind)
+    words = "|".join(sorted(set(status_bits(status)) - {"LIMITED", "UNREACHABLE"}))
+    suffix = "" if free else ", with limits"
+    rows.compare(where, question.state, consequences, {**found, "status": words}, suffix, least_squares=True)
     _judge_hardest(rows, question, found)
-    if state.task:
+    if question.state.task:
         _judge_by_points(case, rows, question, found)
 
 
-def answer_of(
-    case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot: Array | None, fast: bool = False
-) -> Values:
-    """The literal answer to a question; of an answer `phi_ddot` what it brings about.
+def consequences_of(case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot: Array | None) -> Values:
+    """What an answer brings about, of the literal one where `phi_ddot` is None; singular values, rank and status.
 
     status  bits joined by |, in the order of their names, but for LIMITED and UNREACHABLE
     """
-    options, cuts = question.options, case.scales.cuts
-    scaled, near, damping = question.scaled(stand, at), float(options["near_singular"]), float(options["damping"])
+    scaled, (near, damping) = question.scaled(stand, at), question.damping
     sigma = np.asarray(np.linalg.svd(scaled.W, compute_uv=False), dtype=np.float64)
-    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
-    values: Values = {}
+    rank, values = len(kept_values(case, scaled)), cast(Values, {})
     if phi_ddot is None:
         phi_ddot = weighted_solution(scaled, question.weight, rank, near, damping)
-        values = {"phi_ddot": phi_ddot, "limited": np.zeros(len(phi_ddot), dtype=np.int64)}
+        values = {"limited": np.zeros(len(phi_ddot), dtype=np.int64)}
     V_dot = forward(at, phi_ddot)
     if question.state.task:
         left = np.zeros(len(question.state.demand))
-        left[slice(None) if question.use is None else question.use] = question.wanted - question.rows(
-            stand, at
-        ).acceleration(V_dot)
+        rows = question.rows(stand, at)
+        left[slice(None) if question.use is None else question.use] = question.wanted - rows.acceleration(V_dot)
         padded = np.zeros(min(len(left), len(phi_ddot)))
         padded[: len(sigma)] = sigma
         values |= {"V_dot": V_dot, "residual": left, "sigma": padded}
     else:
         values |= {"residual": scaled.c - scaled.A @ phi_ddot, "sigma": sigma}
-    tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, V_dot, phi_ddot)
+    shares = shares_of(with_motors(stand, question.options), at, torque(at, V_dot, phi_ddot), phi_ddot)
     is_near = bool(rank and np.any(sigma[:rank] < near * sigma[0]))
     bits = {
         "DAMPED": is_near and damping > 0,
-        "EXCESSIVE": bool(np.any(shares_of(with_motors(stand, options), at, tau, phi_ddot) > 1.0)),
+        "EXCESSIVE": bool(np.any(shares > 1.0)),
         "NEAR_SINGULAR": is_near,
         "RANK_DEFICIENT": rank < min(len(scaled.r), len(phi_ddot)),
     }
@@ -311,22 +321,9 @@ def with_motors(stand: Stand, options: Mapping[str, Any]) -> Stand:
     for k, wheel in enumerate(stand.flywheels):
         most, speed = (float(options[key][k]) for key in ("motor_torque", "motor_speed"))
         bearing = [float(options[f"motor_{key}"][k]) for key in ("viscous", "coulomb", "coulomb_speed")]
-        own = (most if most < 1e30 else None, speed if speed < 1e30 else None)
-        wheels.append(replace(wheel, motor=Motor(*own, None, None, None, *bearing) if any(own) else None))
+        limits = (most if most < 1e30 else None, speed if speed < 1e30 else None)
+        wheels.append(replace(wheel, motor=Motor(*limits, None, None, None, *bearing) if any(limits) else None))
     return replace(stand, flywheels=tuple(wheels), inverse_most=float(np.min(options["most"], initial=np.inf)))
-
-
-def _left_by_damping(case: Case, question: Question) -> dict[str, Array]:
-    """What damping leaves of an answer along weak directions: `regular` of it, stretched by the weights."""
-    regular, scaled = THRESHOLDS[case.real].regular, question.scaled(case.stand, case.scales.at(question.state))
-    sigma = np.linalg.svd(scaled.W, compute_uv=False)
-    kept = sigma[sigma > case.scales.cuts.rank * sigma[0]] if sigma.size else sigma
-    near, damping = float(question.options["near_singular"]), float(question.options["damping"])
-    if not damping or not kept.size or kept[-1] >= 3.0 * np.sqrt(regular) * kept[0]:
-        return {}
-    answer, to = weighted_solution(scaled, question.weight, len(kept), near, damping), np.diag(scaled.to_phi_ddot)
-    ratio = float(question.weight.max() / question.weight.min())
-    return {"phi_ddot": ratio * float(np.linalg.norm(answer / to)) * regular / case.limits.value * to}
 
 
 def _judge_hardest(rows: Rows, question: Question, found: Mapping[str, Any]) -> None:
@@ -349,13 +346,25 @@ def _judge_hardest(rows: Rows, question: Question, found: Mapping[str, Any]) -> 
     rows.balance("hardest", question.name, question.state, sides, 1.0)
 
 
-def _judge_normal_equations(rows: Rows, question: Question, phi_ddot: Array) -> None:
-    """They hold at any condition number: an answer of bad condition solves the equations all the same."""
+def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddot: Array) -> None:
+    """`inverse_fast` refuses by the least pivot; its normal equations hold at any condition number.
+
+    An answer of bad condition solves the equations all the same.
+    """
+
+    def refusal(stand: Stand, _: State, at: Pieces) -> Values:
+        kept = least_pivot(normal_matrix(question.scaled(stand, at), question.weight, question.damping[1]))
+        return {"refusal": int(kept <= THRESHOLDS[case.real].gram_pivot)}
+
+    rows.compare(question.name, question.state, refusal, {"refusal": int(status < 0)}, kind="exact")
+    if status < 0:
+        rows.demand("its status", status_words(status) == "NOT_POSITIVE_DEFINITE", question.name, status_words(status))
+        return
 
     def sides(stand: Stand, _: State, at: Pieces) -> Values:
         scaled = question.scaled(stand, at)
         y = phi_ddot / np.diag(scaled.to_phi_ddot)
-        gram = normal_matrix(scaled, question.weight, float(question.options["damping"]))
+        gram = normal_matrix(scaled, question.weight, question.damping[1])
         if scaled.W.shape[1] < len(scaled.r):
             return {"equations": np.stack([gram @ y, scaled.W.T @ scaled.r])}
         back = (scaled.W / question.weight).T
@@ -363,6 +372,16 @@ def _judge_normal_equations(rows: Rows, question: Question, phi_ddot: Array) -> 
         return {"equations": np.stack([gram @ z, scaled.r]), "y": np.stack([y, back @ z])}
 
     rows.balance("normal equations", question.name, question.state, sides)
+
+
+def least_pivot(gram: Array) -> float:
+    """The least part of a diagonal element that is left of it as a pivot of gram = L D L^T."""
+    kept = 1.0
+    for j in range(len(gram)):
+        before = gram[:j, j]
+        left = gram[j, j] - (before @ np.linalg.lstsq(gram[:j, :j], before, rcond=None)[0] if j else 0.0)
+        kept = min(kept, float(left / gram[j, j])) if kept > 0 and gram[j, j] > 0 else 0.0
+    return kept
 
 
 # What is asked.
@@ -389,45 +408,60 @@ def options_of(case: Case, number: int, **more: Any) -> dict[str, Any]:
     return {key: case.nearest_numbers(x).tolist() if isinstance(x, np.ndarray) else x for key, x in given.items()}
 
 
-def _plain_questions(
-    case: Case, fast: bool, number: int, name: str, state: State, _: Mapping[str, Any]
-) -> Iterator[Question]:
-    """Weights, damping, and rows of a task freed. The first is what edges of the status are sought for."""
-    yield Question(name, state, options_of(case, number, **(FAST_DAMPED if fast else {})))
-    yield Question(name, state, options_of(case, number, **({} if fast else DAMPED)))
+def _questions(case: Case, fast: bool, number: int, name: str, state: State) -> Iterator[Question]:
+    """Weights, damping, limits, and rows of a task freed; then options of which one number decides a bit."""
+
+    def question(**more: Any) -> Question:
+        return Question(name, state, options_of(case, number, **more))
+
+    plain, damped = question(), question(**(FAST_DAMPED if fast else DAMPED))
+    yield plain
+    yield damped
     if state.task:
         rng = case.random(500 + number)
         use = rng.random(len(state.demand)) < 0.6
         use[rng.integers(len(use))] = True
-        freed = {f"use_{state.task}": [int(each) for each in use]}
-        yield Question(name, state, options_of(case, number, **freed), use=use)
-
-
-def _bounded_questions(
-    case: Case, fast: bool, number: int, name: str, state: State, answer: Mapping[str, Any]
-) -> Iterator[Question]:
-    """Limits, and options of which a single number decides a bit of the status: of an answer without any."""
-    options: dict[str, dict[str, Any]] = {}
-    phi_ddot, N = vector(answer["phi_ddot"]), case.count
-    largest = float(np.abs(phi_ddot).max()) or 1.0
+        yield replace(question(**{f"use_{state.task}": [int(x) for x in use]}), use=use)
+    if not case.count:
+        return
+    base, at = damped if fast else plain, case.scales.at(state)
+    scaled, N = base.scaled(case.stand, at), case.count
+    sigma = kept_values(case, scaled)
+    rank = len(sigma)
+    if fast and not rank:  # refused, whatever the options
+        return
+    phi_ddot = fast_solution(scaled, base) if fast else weighted_solution(scaled, base.weight, rank)
+    largest, edges = float(np.abs(phi_ddot).max()) or 1.0, _motors(case, fast, number, at, phi_ddot)
     for part in () if fast else LIMIT_SHARES:
-        yield Question(name, state, options_of(case, number, limit=np.full(N, part * largest)))
-    for part in (1.0 - EDGE, 1.0 + EDGE):
-        if not fast:
-            options[f"LIMITED at {part:g}"] = {"limit": np.full(N, largest * part)}
-            sigma, rank = answer["sigma"], answer["rank"]
-            if 0 < rank <= len(sigma) and sigma[rank - 1] < sigma[0]:
-                near = float(case.nearest_numbers(sigma[rank - 1] / sigma[0] * part))
-                options[f"NEAR_SINGULAR at {part:g}"] = {"near_singular": min(near, 1.0)}
+        yield question(limit=np.full(N, part * largest))
+    for part in SIDES:
         if np.any(phi_ddot):
-            options[f"EXCESSIVE by `most` at {part:g}"] = {"most": np.full(N, np.abs(phi_ddot).max() / part)}
-    options |= _motors(case, number, case.scales.at(state), phi_ddot, fast)
-    for edge, own in options.items():
-        yield Question(name, state, options_of(case, number, **(FAST_DAMPED if fast else {}), **own), edge)
+            edges[f"EXCESSIVE by `most` at {part:g}"] = part < 1.0, {"most": np.full(N, part * largest)}
+        if not fast:
+            edges[f"LIMITED at {part:g}"] = part < 1.0 and bool(np.any(phi_ddot)), {"limit": np.full(N, largest * part)}
+        if not fast and rank and sigma[-1] < sigma[0]:
+            near = min(float(case.nearest_numbers(sigma[-1] / sigma[0] * part)), 1.0)
+            due = bool(sigma[-1] < near * sigma[0])
+            edges[f"NEAR_SINGULAR at {part:g}"] = due, {"near_singular": near}
+            edges[f"DAMPED at {part:g}"] = due, {"near_singular": near, "damping": DAMPED["damping"]}
+    for edge, (due, options) in edges.items():
+        yield replace(question(**(FAST_DAMPED if fast else {}), **options), edge=edge, due=due)
+    if not fast and not has_weak(sigma, THRESHOLDS[case.real].regular):  # there rounding decides
+        yield from _at_the_edge_of_reach(case, plain, scaled, rank)
+    if number < EDGE_STATES:
+        yield from _at_the_edge_of_rank(case, fast, plain)
 
 
-def _motors(case: Case, number: int, at: Pieces, phi_ddot: Array, fast: bool) -> dict[str, dict[str, Any]]:
-    """Motors of which one has a little less than an answer needs, and a little more.
+def fast_solution(scaled: ScaledDemand, question: Question) -> Array:
+    """phi'' (N) by the normal equations of `inverse_fast`."""
+    gram, W = normal_matrix(scaled, question.weight, question.damping[1]), scaled.W
+    if W.shape[1] < len(scaled.r):
+        return scaled.phi_ddot(solve(gram, W.T @ scaled.r))
+    return scaled.phi_ddot((W / question.weight).T @ solve(gram, scaled.r))
+
+
+def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) -> dict[str, tuple[bool, dict[str, Any]]]:
+    """Motors of which one has a little less than an answer needs, and a little more; whether that is EXCESSIVE.
 
     By torque; with friction; near the speed at which a driving motor has no torque left; and by both.
     """
@@ -441,44 +475,110 @@ def _motors(case: Case, number: int, at: Pieces, phi_ddot: Array, fast: bool) ->
     }
     speed = {"motor_speed": reach * rng.uniform(1.5, 3.0, N)}
     kinds: dict[str, dict[str, Any]] = {"torque": {}, "friction": friction, "speed": speed, "both": friction | speed}
-    for kind, own in kinds.items():
-        options = options_of(case, number, motor_torque=np.ones(N), **own)
+    for kind, motors in kinds.items():
+        options = options_of(case, number, motor_torque=np.ones(N), **motors)
         needed = shares_of(with_motors(case.stand, options), at, tau, phi_ddot)  # N m of the motor
         if not 0.0 < needed[s] < np.inf or not np.isfinite(needed).all():
             continue
-        for part in (1.0 - EDGE, 1.0 + EDGE):
+        for part in SIDES:
             torques = np.where(needed > 0.0, needed * np.where(np.arange(N) == s, part, 2.0), needed[s])
-            found[f"EXCESSIVE of flywheel {s + 1} by {kind} at {part:g}"] = own | {"motor_torque": torques}
+            edge = f"EXCESSIVE of flywheel {s + 1} by {kind} at {part:g}"
+            found[edge] = part < 1.0, motors | {"motor_torque": torques}
     return found
+
+
+def _at_the_edge_of_reach(case: Case, plain: Question, scaled: ScaledDemand, rank: int) -> Iterator[Question]:
+    """Demands of which a part just as large as UNREACHABLE takes is out of reach; if none can be, damping does so."""
+    U, sigma, _ = np.linalg.svd(scaled.W, full_matrices=False)
+    r, reached = scaled.r, case.scales.cuts.reached
+    within = U[:, :rank] @ (U[:, :rank].T @ r)
+    beyond, reach = r - within, float(np.linalg.norm(within))
+    for part in FAR_SIDES:
+        edge, due = f"UNREACHABLE at {part:g}", part > 1.0
+        if rank < len(r) and reach and np.any(beyond):
+            # r = root c: the demand's share of c changes, K S u_dot or that of the task itself
+            target = within + part * reached * reach * beyond / np.linalg.norm(beyond)
+            change = solve(scaled.root, r - target)
+            yield replace(plain, state=_demanding(case, plain.state, change), edge=edge, due=due)
+        elif rank == len(r) and sigma[-1] < sigma[0]:
+            # damping leaves (lambda / sigma)^2 of the demand in each direction, lambda = damping (sigma_1 - sigma)
+            left = np.linalg.norm(((sigma[0] - sigma) / sigma) ** 2 * (U.T @ r))
+            damping = np.sqrt(part * reached * np.linalg.norm(r) / left)
+            options = options_of(case, 0, weight=plain.weight, near_singular=1.0, damping=float(damping))
+            if damping < 1.0:
+                yield replace(plain, options=options, edge=edge, due=due)
+
+
+def _demanding(case: Case, state: State, change: Array) -> State:
+    """The state with another demand, so that the demand c of (12), or of the task, is less by `change`."""
+    if state.task:
+        return replace(state, demand=tuple(case.nearest_numbers(vector(state.demand) + change).tolist()))
+    at = case.scales.at(state)
+    S, faster = at.S, solve(at.S.T @ at.K @ at.S, change)
+    if case.stand.hold is None:
+        return replace(state, V_dot=tuple(case.nearest_numbers(vector(state.V_dot) + faster).tolist()))
+    u_dot = vector(state.u_dot) + faster
+    return replace(state, u_dot=tuple(u_dot.tolist()), V_dot=tuple(case.nearest_numbers(S @ u_dot).tolist()))
+
+
+def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Question]:
+    """Stands whose flywheels are so small beside one of them that RANK_DEFICIENT, or a refusal, is just due.
+
+    The first singular value is that of the one, the others fall with the roots of the masses of the small ones.
+    """
+    wheels, threshold = case.stand.flywheels, THRESHOLDS[case.real]
+    large = int(case.random(900).integers(len(wheels)))
+    bit, least = ("NOT_POSITIVE_DEFINITE", threshold.gram_pivot) if fast else ("RANK_DEFICIENT", threshold.rank)
+
+    def smaller(part: float) -> Stand:
+        inertias = (cast(Mat3, tuple(tuple(x * part for x in row) for row in s.inertia)) for s in wheels)
+        shrunk = [replace(s, mass=s.mass * part, inertia=J) for s, J in zip(wheels, inertias, strict=True)]
+        return replace(case.stand, flywheels=(*shrunk[:large], wheels[large], *shrunk[large + 1 :]))
+
+    def decisive(part: float) -> float:
+        """Least singular value over the largest, or least pivot."""
+        stand = smaller(part)
+        scaled = plain.scaled(stand, pieces(stand, plain.state))
+        if fast:
+            return least_pivot(normal_matrix(scaled, plain.weight, 0.0))
+        sigma = np.linalg.svd(scaled.W, compute_uv=False)
+        return float(sigma[-1] / sigma[0])
+
+    for side in FAR_SIDES:
+        low, high = -25.0, 0.0  # decimal exponents of the part
+        if not decisive(10.0**low) < side * least < decisive(1.0):
+            return
+        while high - low > 0.01:
+            middle = (low + high) / 2.0
+            low, high = (middle, high) if decisive(10.0**middle) < side * least else (low, middle)
+        yield replace(plain, stand=smaller(10.0**high), edge=f"{bit} at {side:g}", due=side < 1.0)
 
 
 # Torques.
 
 
-def torque_checks(case: Case, function: str) -> list[Check]:
+def judge_torque_for(case: Case, rows: Rows) -> None:
     """Torques for a task: without bounds a value, within bounds the least error or the largest share of the demand."""
-    rows = Rows(case.limits, case.scales, function)
-    for number, (name, state) in enumerate(_states(case, function)):
+    for number, (name, state) in enumerate(_states(case, rows.function)):
         locked: Flags = np.zeros(case.count, dtype=np.bool_)
         if number % 3 == 2 and case.count > 1:
             locked[case.random(800 + number).integers(case.count)] = True
-        given = case.backend.arguments(state) | {"locked": [int(each) for each in locked]}
+        given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
         options = options_of(
             case, number, motor_speed=2.0 * np.abs(state.phi_dot) + 10.0, motor_power=case.none,
             target_speed=case.random(700 + number).uniform(-100.0, 100.0, case.count),
             target_rate=TARGET_RATE if number % 2 else 0.0, avoid_speed=20.0, keep_direction=0,
         )  # fmt: skip
         free = Problem.of_torques(Question(name, state, options, locked=locked), case.stand, case.scales.at(state))
-        tau = np.abs(free.solution(np.array(options["weight"]), _rank(free)))
-        tight = {"motor_torque": [float(np.float32(TIGHT * float(tau.max(initial=0.0)) or 1.0))] * case.count}
+        largest = np.abs(free.solution(np.array(options["weight"]))).max(initial=0.0)
+        tight = {"motor_torque": [float(np.float32(TIGHT * float(largest) or 1.0))] * case.count}
         for more in ({}, tight, tight | {"keep_direction": 1}):
             try:
-                status, found = case.call_with_status(function, {**given, "options": options | more})
+                status, found = case.call_with_status(rows.function, {**given, "options": options | more})
             except StateError as error:
                 rows.check("answer").refuse(error, name)
                 continue
             judge_torques(case, rows, name, state, options | more, locked, status, found)
-    return list(rows.checks.values())
 
 
 def motor_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Array]:
@@ -491,10 +591,6 @@ def motor_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Array
     return np.where(speed < 0, -driving, -whole), np.where(speed > 0, driving, whole)
 
 
-def _rank(problem: Problem) -> int:
-    return int(np.linalg.matrix_rank(problem.scaled.W, rtol=1e-9))
-
-
 def judge_torques(
     case: Any, rows: Rows, name: str, state: State, options: Mapping[str, Any], locked: Flags, status: int,
     found: Mapping[str, Any]
@@ -502,7 +598,7 @@ def judge_torques(
     """Judge one answer: torques, what they bring about, the status. `case`: with stand, scales, limits and second."""
     question, tau = Question(name, state, options, locked=locked), vector(found["tau"])
     problem = Problem.of_torques(question, case.stand, case.scales.at(state))
-    expected = problem.solution(question.weight, _rank(problem))
+    expected = problem.solution(question.weight)
     sigma = np.linalg.svd(problem.scaled.W, compute_uv=False)
     kept = sigma[sigma > 1e-9 * sigma[0]] if sigma[0] else sigma
     # what regularisation costs along directions that flywheels hardly reach is not given back in full
@@ -511,13 +607,12 @@ def judge_torques(
     if np.all((expected > problem.least) & (expected < problem.most) | locked) and not is_weak and not of_share:
 
         def least(stand: Stand, near: State, at: Pieces) -> Values:
-            asked = Problem.of_torques(replace(question, state=near), stand, at)
-            return {"tau": asked.solution(question.weight, _rank(asked))}
+            return {"tau": Problem.of_torques(replace(question, state=near), stand, at).solution(question.weight)}
 
         rows.compare(name, state, least, found, least_squares=True)
     regular = 0.0 if is_weak or of_share else THRESHOLDS[case.limits.real].bounded
-    slack = 4.0 * rows.check("tau").limit
-    judge_conditions(case, rows, name, problem, tau, found, status, slack, regular)
+    judge_conditions(case, rows, name, problem, tau, found, status, 4.0 * case.limits.value, regular)
+    judge_reached(case, rows, name, problem.scaled, vector(found["residual"]), status)
     if of_share:
         _judge_share(case, rows, question, problem, found, is_weak)
 
@@ -539,13 +634,13 @@ def _judge_share(
     """
     from scipy.optimize import linprog
 
-    scaled, share, limit = problem.scaled, float(found["share"]), case.limits.optimality
+    scaled, share = problem.scaled, float(found["share"])
     towards = scaled.root @ vector(question.state.demand)
     start, y = scaled.r - towards, problem.y(vector(found["tau"]))
     if share > 0.0:
         off = scaled.W @ y - start - share * towards
         size = float(np.linalg.norm(start) + np.linalg.norm(towards) + np.linalg.norm(scaled.W) * np.linalg.norm(y))
-        rows.check("answer of its share", limit).note(float(np.linalg.norm(off)) / size, question.name)
+        rows.check("answer of its share").note(float(np.linalg.norm(off)) / size, question.name)
     if is_weak:
         return
     lengths, size = np.maximum(np.linalg.norm(problem.W, axis=0), 1e-290), float(np.linalg.norm(towards))
@@ -556,7 +651,7 @@ def _judge_share(
     )  # fmt: skip
     largest = float(answer.x[-1]) if answer.success else 0.0
     words = f"{share:.9g}, in reach is {largest:.9g}"
-    rows.check("largest share", limit).note(abs(share - largest), question.name, words)
+    rows.check("largest share").note(abs(share - largest), question.name, words)
 
 
 def _judge_by_points(case: Any, rows: Rows, question: Question, found: Mapping[str, Any]) -> None:
@@ -579,4 +674,4 @@ def _judge_by_points(case: Any, rows: Rows, question: Question, found: Mapping[s
     left = vector(state.demand) - reached
     left = left if question.use is None else np.where(question.use, left, 0.0)
     scale = np.abs(vector(state.demand)) + np.abs(reached) + speeds
-    rows.check("residual, by points of the second").compare(found["residual"], left, scale, question.name)
+    rows.check("residual, by points of the second", "value").compare(found["residual"], left, scale, question.name)

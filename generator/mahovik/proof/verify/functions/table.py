@@ -1,16 +1,19 @@
 """The table of judges: each public function of the C, what judges it, and of which kind the judge is.
 
+The kind says by which limit of the contract (contract/limits.py) differences are held:
+
 value        an equation of the literal reference, or of the second derivation, with its measured scale
 integration  motions by the literal reference, integrated
 derivative   automatic differentiation of the second derivation
 law          of servo and trim: literal, at drawn inputs with measured scales; of a programme its file, and (12)
-exact        integers and angles with fifty digits
+promise      angles with fifty digits, over the error that the header promises
+exact        integers: exact fractions
 optimality   the conditions of a least error
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -20,7 +23,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.regressor import answer_regressor
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import exact, integration, optimality, value
-from mahovik.proof.verify.functions.case import Case
+from mahovik.proof.verify.functions.case import Case, Rows
 from mahovik.proof.verify.programme import functions as programme
 from mahovik.proof.verify.servo import functions as servo
 
@@ -30,53 +33,48 @@ AnyCase = Case | servo.ServoCase | programme.CompiledProgramme
 
 @dataclass(frozen=True)
 class FunctionJudge:
-    """kind: see above; checks: of a case and the name of the function; against: what the answers are compared with."""
+    """kind: see above; judge: fills the rows of a function, of C that is a case."""
 
     kind: str
-    checks: Callable[[Any, str], Iterable[Check]]
-    against: str
+    judge: Callable[[Any, Rows], None]
 
 
 def _value(trials: Callable[..., Iterator[value.Trial]], suffix: str = "") -> FunctionJudge:
-    return FunctionJudge("value", partial(value.trial_checks, trials=trials, suffix=suffix), "reference")
+    return FunctionJudge("value", partial(value.judge_trials, trials=trials, suffix=suffix))
 
 
-_STEPS = FunctionJudge("integration", integration.step_checks, "reference, extrapolated")
-_INVERSE = FunctionJudge("optimality", optimality.inverse_checks, "reference")
-_FAST = FunctionJudge("optimality", optimality.inverse_checks, "reference")
-_TORQUES = FunctionJudge("optimality", optimality.torque_checks, "reference, second derivation")
-_JACOBIAN = FunctionJudge("derivative", value.jacobian_checks, "second derivation")
-_PARAMETERS = FunctionJudge("value", value.other_parameters, "reference")
+_STEPS = FunctionJudge("integration", integration.judge_steps)
+_INVERSE = FunctionJudge("optimality", optimality.judge_inverse)
+_TORQUES = FunctionJudge("optimality", optimality.judge_torque_for)
+_JACOBIAN = FunctionJudge("derivative", value.judge_jacobian)
+_PARAMETERS = FunctionJudge("value", value.judge_other_parameters)
 
 JUDGES: dict[str, FunctionJudge] = {
-    "mounts": FunctionJudge("value", value.mount_checks, "second derivation"),
+    "mounts": FunctionJudge("value", value.judge_mounts),
     "coupled": _value(value.locked_trials, ", with locks"),
     "step": _STEPS,
     "step_driven": _STEPS,
     "inverse": _INVERSE,
-    "inverse_fast": _FAST,
+    "inverse_fast": _INVERSE,
     "forward_jacobian": _JACOBIAN,
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
     "state_from_coordinates": _value(value.coordinate_trials),
-    "wrap": FunctionJudge("exact", exact.wrap_checks, "fifty digits"),
+    "wrap": FunctionJudge("promise", exact.judge_wrap),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,
     "regressor": _value(
         partial(value.state_trials, equation=lambda stand, state, at: answer_regressor(at, stand, state))
     ),
     "identify_step": _value(value.estimate_trials),
+    **{name: FunctionJudge("law", servo.judge_law) for name in servo.LAWS},
+    **{name: FunctionJudge("law", programme.judge_table) for name in programme.TABLES},
+    **{name: FunctionJudge("exact", programme.judge_clock) for name in programme.CLOCK_FUNCTIONS},
 }
 """Functions that answer no want, and those of a want with arguments that `eval` does not set.
 
 Functions that answer a want are judged at every state besides: reference and second derivation, of the kind `value`.
 """
-
-JUDGES |= dict.fromkeys(servo.LAWS, FunctionJudge("law", servo.checks, "law in NumPy"))
-JUDGES |= dict.fromkeys(
-    ("at", "runup_at", "rundown_at"), FunctionJudge("law", programme.table_checks, "programme file")
-)
-JUDGES |= dict.fromkeys(programme.CLOCK_FUNCTIONS, FunctionJudge("exact", programme.clock_checks, "fractions"))
 
 
 def judge_of(name: str) -> FunctionJudge | None:
@@ -84,12 +82,7 @@ def judge_of(name: str) -> FunctionJudge | None:
     task = task_of(name)
     if not task:
         return JUDGES.get(name)
-    return {f"inverse_{task}": _INVERSE, f"torque_for_{task}": _TORQUES}.get(name, _FAST)
-
-
-def unjudged_functions(functions: Iterable[str]) -> list[str]:
-    """Names of public functions that neither answer a want nor have a judge here."""
-    return [name for name in functions if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want)]
+    return _TORQUES if name == f"torque_for_{task}" else _INVERSE
 
 
 def function_checks(case: AnyCase) -> Iterator[Check]:
@@ -97,9 +90,9 @@ def function_checks(case: AnyCase) -> Iterator[Check]:
 
     A function without any judge has a check that fails, and one of which no check compared a state.
     """
-    for name in unjudged_functions(case.public):
-        yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
     for name in case.public:
+        if judge_of(name) is None and not (name in FUNCTIONS and FUNCTIONS[name].want):
+            yield Check(name, "no judge", verdict="FAILED", words="nothing compares this function")
         yield from checks_of(case, name)
 
 
@@ -109,13 +102,15 @@ def checks_of(case: AnyCase, name: str) -> list[Check]:
     None of a function that only answers a want.
     """
     judge = judge_of(name)
+    rows = Rows(case.limits, getattr(case, "scales", None), name, judge.kind if judge else "value")
     try:
-        checks = list(judge.checks(case, name)) if judge else []
+        if judge:
+            judge.judge(case, rows)
         if isinstance(case, Case) and name in FUNCTIONS and FUNCTIONS[name].want and case.takes(name, "sine"):
-            sines = partial(value.trials_of_given_sines, function=name)
-            checks += value.trial_checks(case, name, sines, ", of given sines")
+            value.judge_trials(case, rows, partial(value.trials_of_given_sines, function=name), ", of given sines")
     except StateError as error:  # of a call that every program must answer
         return [Check(name, "refused", verdict="FAILED", words=str(error))]
+    checks = rows.checks()
     if judge and case.states and all(check.verdict == "not compared" for check in checks):
         checks.append(Check(name, "no state compared", verdict="FAILED", words="no check of it compares a state"))
     return checks

@@ -30,7 +30,6 @@ from mahovik.proof.reference.screw import block_diagonal, twists
 from mahovik.proof.second import Second
 from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.functions.case import Case, Rows
 from mahovik.proof.verify.scales import Equation, turning
@@ -63,17 +62,15 @@ class Trial:
     read: Callable[[Mapping[str, Any]], Mapping[str, Any]] = dict
 
 
-def trial_checks(case: Case, function: str, trials: Callable[[Case], Iterator[Trial]], suffix: str = "") -> list[Check]:
+def judge_trials(case: Case, rows: Rows, trials: Callable[[Case], Iterator[Trial]], suffix: str = "") -> None:
     """A check for each quantity of the trials."""
-    rows = Rows(case.limits, case.scales, function)
     for trial in trials(case):
         try:
-            found = trial.read(case.call(function, trial.given))
+            found = trial.read(case.call(rows.function, trial.given))
         except StateError as error:
             rows.check("answer").refuse(error, trial.name)
             continue
         rows.compare(trial.name, trial.state, trial.equation, found, suffix)
-    return list(rows.checks.values())
 
 
 def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
@@ -154,39 +151,33 @@ def quaternion_trials(case: Case) -> Iterator[Trial]:
 
 def coordinate_trials(case: Case) -> Iterator[Trial]:
     """Pose, V = A q' and V* = A q'' + D q' of (10), of a held carrier those of its freedoms; phases are kept."""
-    rng = case.random(2)
-    sizes = {}
-    if case.stand.hold is not None:
-        takes = case.backend.program.function("state_from_coordinates").arguments
-        sizes = {a.name: int(a.shape[0]) for a in takes if a.name.startswith(("q", "orientation"))}
+    rng, hold = case.random(2), case.stand.hold
+    takes = case.backend.program.function("state_from_coordinates").arguments
+    sizes = {a.name: int(a.shape[0]) for a in takes if a.name in ("position", "q", "orientation", "q_dot", "q_ddot")}
     table = case.backend.arguments(rest_state(case.stand))["table"]
     for name, state in _attitudes(case):
-        kept = {key: case.nearest_numbers(rng.normal(size=case.count)).tolist() for key in ("phi", "phi_dot")}
-        x = {"position": [0.0] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "V": [0.0] * 6} | (kept if case.count else {})
-        if case.stand.hold is None:
-            drawn = [case.nearest_numbers(rng.normal(size=size)).tolist() for size in (3, 6, 6)]
-            own = {"position": drawn[0], "q_dot": drawn[1], "q_ddot": drawn[2], "angles": list(_angles_of(state))}
-            at = replace(state, position=tuple(drawn[0]), V=tuple(drawn[1]), V_dot=tuple(drawn[2]))
-            equation: Equation = _free_coordinates
+        kept = {key: case.normal(rng, case.count) for key in ("phi", "phi_dot")} if case.count else {}
+        x = {"position": [0.0] * 3, "attitude": [1.0, 0.0, 0.0, 0.0], "V": [0.0] * 6} | kept
+        q = {key: case.normal(rng, size) for key, size in sizes.items()}
+        if "orientation" in q:
+            q["orientation"] = case.nearest_numbers(q["orientation"] / np.linalg.norm(q["orientation"])).tolist()
+        rates = tuple(q["q_dot"]), tuple(q["q_ddot"])
+        if hold is None:
+            at = replace(state, position=_vector(q["position"]), V=rates[0], V_dot=rates[1])
         else:
-            own = {key: case.nearest_numbers(rng.normal(size=size)) for key, size in sizes.items()}
-            if "orientation" in own:
-                own["orientation"] = case.nearest_numbers(own["orientation"] / np.linalg.norm(own["orientation"]))
-            own = {key: each.tolist() for key, each in own.items()}
-            turned = tuple(own["orientation"]) if "orientation" in own else None
+            turned = tuple(q["orientation"]) if "orientation" in q else None
             at = replace(
-                state, angles=None, quaternion=turned, demand=tuple(own.get("q", ())), u=tuple(own["q_dot"]),
-                u_dot=tuple(own["q_ddot"]),
-            )  # fmt: skip
-            equation = _held_coordinates
+                state, angles=None, quaternion=turned, demand=tuple(q.get("q", ())), u=rates[0], u_dot=rates[1]
+            )
 
         def read(found: Mapping[str, Any], kept: dict[str, Any] = kept) -> Mapping[str, Any]:
             x = found["x"]
-            same = not case.count or all(list(x[key]) == kept[key] for key in kept)
             pose = {"position": x["position"], "C": quaternion_rotation(*x["attitude"]), "V": x["V"]}
+            same = all(list(x[key]) == value for key, value in kept.items())
             return pose | {"V_dot": found["V_dot"], "phases kept": same}
 
-        yield Trial(name, at, {**own, "table": table, "x": x}, equation, read)
+        given = {**q, "angles": list(_angles_of(state)), "table": table, "x": x}
+        yield Trial(name, at, given, _free_coordinates if hold is None else _held_coordinates, read)
 
 
 def _free_coordinates(stand: Stand, state: State, _: Any) -> Values:
@@ -203,7 +194,7 @@ def _held_coordinates(stand: Stand, state: State, _: Any) -> Values:
     assert stand.hold is not None
     turned = None if state.quaternion is None else vector(state.quaternion)
     at = pose_of(stand.hold, stand.angles, vector(state.demand), turned, vector(state.u), vector(state.u_dot))
-    return {"position": at.position, "C": at.C, "V": at.V, "V_dot": at.V_dot, "phases kept": True}
+    return vars(at) | {"phases kept": True}
 
 
 def _attitudes(case: Case) -> Iterator[tuple[str, State]]:
@@ -218,25 +209,27 @@ def _angles_of(state: State) -> Vec3:
     return state.angles or (0.0, 0.0, 0.0)
 
 
-def _vector(a: Any) -> Vec3:
-    x, y, z = (float(each) for each in a)
+def _vector(numbers: Any) -> Vec3:
+    x, y, z = map(float, numbers)
     return x, y, z
 
 
-def other_parameters(case: Case, function: str) -> list[Check]:
+def judge_other_parameters(case: Case, rows: Rows) -> None:
     """Wants of stands with other parameters, by the tables that `prepare` and `prepare_mounts` make of them."""
-    asked = ("mounts",) if function == "prepare_mounts" else ("matrices", "momentum", "forward", "torque", "points")
+    mounts = rows.function == "prepare_mounts"
+    asked = ("mounts",) if mounts else ("matrices", "momentum", "forward", "torque", "points")
     known = case.backend.wants_of(case.backend.complete.program)
-    check = Check(function, "answers, with other parameters", case.limits.value)
+    check = rows.check("answers, with other parameters")
     for number in range(OTHER_STANDS):
         other = _with_other_parameters(case.stand, case.random(200 + number))
         judge = Judge(other, case.limits)
         try:
             given = {"parameters": parameters_of(other, case.backend.layout), "table": case.backend.table()}
             table = {"table": case.call("prepare", given)["table"]}
-            if function == "prepare_mounts":
+            if mounts:
                 table["mounting"] = case.call("prepare_mounts", given)["mounting"]
-        except StandError:  # beyond the range of parameters
+        except StandError as error:  # beyond the range of parameters
+            check.skip(str(error), f"stand {number + 1}")
             continue
         except StateError as error:
             check.refuse(error, f"stand {number + 1}")
@@ -245,9 +238,8 @@ def other_parameters(case: Case, function: str) -> list[Check]:
             for want in (want for want in asked if want in known):
                 found = case.backend.answer(want, state, case.backend.arguments(state) | table)
                 judge.compare(Request(f"{name} of stand {number + 1}", state, (want,)), want, found)
-        for each in judge.checks():
-            check.note(each.value, f"{each.state}, {each.quantity}", each.words)
-    return [check]
+        for one in judge.checks():
+            check.note(one.value, f"{one.state}, {one.quantity}", one.words)
 
 
 def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
@@ -267,14 +259,13 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
     return read(file.with_values(values), stand.name, physics=False)
 
 
-def mount_checks(case: Case, function: str) -> list[Check]:
+def judge_mounts(case: Case, rows: Rows) -> None:
     """Mount wrenches by the second derivation: element 4 is tau, and all six move the carrier as the flywheels do.
 
     Carrier and instruments alone, with the reactions of the mounts as wrenches on the carrier, must have the V* of the
     whole stand: Lagrange's equations of the stand without flywheels know nothing of what mounts bear.
     """
-    torque = Check(function, "element 4, tau of the second", case.limits.value, floor=case.limits.floor)
-    motion = Check(function, "V_dot under the reactions", case.limits.value, floor=case.limits.floor)
+    moment, motion = rows.check("element 4, tau of the second"), rows.check("V_dot under the reactions")
     bare = replace(case.stand, flywheels=(), points=())
     second = Second(bare)
     for name, state in case.states:
@@ -286,23 +277,22 @@ def mount_checks(case: Case, function: str) -> list[Check]:
             moving = replace(state, V_dot=tuple(V_dot), u_dot=u_dot)
             found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
         except StateError as error:
-            torque.refuse(error, name)
+            moment.refuse(error, name)
             continue
-        wrenches, own = np.array(found, dtype=np.float64).reshape(-1, 6), case.scales.want(moving, "torque")
+        wrenches, torque = np.array(found, dtype=np.float64).reshape(-1, 6), case.scales.want(moving, "torque")
         forward = case.scales.want(state, "forward")
-        if own is None or forward is None:
+        if torque is None or forward is None:
+            moment.skip("the reference has no answer", name)
             continue
         try:
             tau = case.second.evaluate(moving, ("torque",))["tau"]
-            torque.compare(wrenches[:, 3], tau, own.scales["tau"] + turning(case.scales.at(moving))[:, 3], name)
+            moment.compare(wrenches[:, 3], tau, torque.scales["tau"] + turning(case.scales.at(moving))[:, 3], name)
             alone = _without_flywheels(moving, case.scales.at(moving), wrenches, bare)
             if not case.stand.carrier.mass or np.linalg.eigvalsh(reference.pieces(bare, alone).K)[0] <= 0.0:
                 raise StateError("the mass matrix of the stand without flywheels is not positive definite")
-            found = second.evaluate(alone, ("forward",))["V_dot"]
-            motion.compare(V_dot, found, forward.scales["V_dot"], name)
+            motion.compare(V_dot, second.evaluate(alone, ("forward",))["V_dot"], forward.scales["V_dot"], name)
         except StateError as error:  # such as that of a carrier without inertia
             motion.skip(f"its judge refused: {error}", name)
-    return [torque, motion]
 
 
 def _without_flywheels(state: State, at: reference.Pieces, wrenches: Array, bare: Stand) -> State:
@@ -311,56 +301,49 @@ def _without_flywheels(state: State, at: reference.Pieces, wrenches: Array, bare
     for s, wrench in zip(at.flywheels, wrenches, strict=True):
         reaction = reaction - s.L @ block_diagonal(C1(s.phi)).T @ wrench  # from the axes of Es at phi = 0
     names = {body.name for body in bare.bodies}
-    own = {body: wrench for body, wrench in state.wrench.items() if body in names}
-    own["carrier"] = cast(Vec6, tuple(reaction.tolist()))
-    return replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench=MappingProxyType(own))
+    remaining = {body: wrench for body, wrench in state.wrench.items() if body in names}
+    remaining["carrier"] = cast(Vec6, tuple(reaction.tolist()))
+    return replace(state, phi=(), phi_dot=(), phi_ddot=(), tau=(), wrench=MappingProxyType(remaining))
 
 
-def jacobian_checks(case: Case, function: str) -> list[Check]:
+def judge_jacobian(case: Case, rows: Rows) -> None:
     """All matrices of `forward_jacobian` or `coupled_jacobian` by automatic differentiation of the second derivation.
 
     The scale is that of the acceleration over the size of what it is differentiated by.
     """
-    want = function.removesuffix("_jacobian")
-    names = FUNCTIONS[function].gives if case.count else ("V_dot_V",)
+    want = rows.function.removesuffix("_jacobian")
+    names = FUNCTIONS[rows.function].gives if case.count else ("V_dot_V",)
     if case.stand.hold is not None:  # u stands in place of V
         names = tuple(re.sub("_V$", "_u", re.sub("^V_dot", "u_dot", name)) for name in names)
-    by = tuple(dict.fromkeys(re.sub("^(V_dot|u_dot|phi_ddot)_", "", name) for name in names))
-    plain = Check(function, "derivatives", case.limits.derivative, floor=case.limits.floor)
-    with_locks = Check(function, "derivatives, with locks", case.limits.derivative, floor=case.limits.floor)
-    none = np.zeros(case.count, dtype=bool)
-    derivatives = Derivatives(case.second, want, by)
-    trials = [(plain, derivatives, none, *each) for each in case.states[:JACOBIAN_STATES]]
+    parts = {name: re.fullmatch("(V_dot|u_dot|phi_ddot)_(.*)", name) for name in names}
+    pairs = {name: match.groups() for name, match in parts.items() if match}
+    by = tuple(dict.fromkeys(given for _, given in pairs.values()))
+    patterns = {"derivatives": [(np.zeros(case.count, dtype=bool), case.states[:JACOBIAN_STATES])]}
     if want == "coupled":
-        for number, each in enumerate(case.states[:LOCKED_STATES]):
-            locked = case.lock_pattern(number)
-            trials.append((with_locks, Derivatives(case.second, want, by, list(locked)), locked, *each))
-    for check, judge, locked, name, state in trials:
-        try:
-            found = case.call(function, case.backend.arguments(state) | {"locked": [int(x) for x in locked]})
-        except StateError as error:
-            check.refuse(error, name)
-            continue
-        measured = case.scales.want(state, want if case.count else "forward")
-        try:
-            expected = judge.evaluate(state)
-        except StateError as error:
-            check.skip(f"its judge refused: {error}", name)
-            continue
-        if measured is None:
-            continue
-        sizes = _sizes(case, state)
-        for quantity in names:
-            value, given = _parts(quantity, by)
-            scale = np.divide.outer(measured.scales[value], sizes[given])
-            check.compare(found[quantity], expected[quantity], scale, f"{name}, {quantity}")
-    return [plain, with_locks] if want == "coupled" else [plain]
-
-
-def _parts(quantity: str, by: tuple[str, ...]) -> tuple[str, str]:
-    """The value and what it is differentiated by: V_dot and phi_dot of `V_dot_phi_dot`."""
-    given = max((each for each in by if quantity.endswith(f"_{each}")), key=len)
-    return quantity.removesuffix(f"_{given}"), given
+        locked_states = enumerate(case.states[:LOCKED_STATES])
+        patterns["derivatives, with locks"] = [(case.lock_pattern(k), [each]) for k, each in locked_states]
+    for quantity, trials in patterns.items():
+        check = rows.check(quantity)
+        for locked, states in trials:
+            judge = Derivatives(case.second, want, by, list(locked) if locked.any() else ())
+            for name, state in states:
+                try:
+                    found = case.call(rows.function, case.backend.arguments(state) | {"locked": [*map(int, locked)]})
+                except StateError as error:
+                    check.refuse(error, name)
+                    continue
+                try:
+                    expected = judge.evaluate(state)
+                except StateError as error:
+                    check.skip(f"its judge refused: {error}", name)
+                    continue
+                measured, sizes = case.scales.want(state, want if case.count else "forward"), _sizes(case, state)
+                if measured is None:
+                    check.skip("the reference has no answer", name)
+                    continue
+                for matrix, (value, given) in pairs.items():
+                    scale = np.divide.outer(measured.scales[value], sizes[given])
+                    check.compare(found[matrix], expected[matrix], scale, f"{name}, {matrix}")
 
 
 def _sizes(case: Case, state: State) -> dict[str, Array]:
@@ -368,7 +351,9 @@ def _sizes(case: Case, state: State) -> dict[str, Array]:
     N, sizes = case.count, {"V": np.repeat([np.abs(state.V[:3]).max(), np.abs(state.V[3:]).max()], 3)}
     if case.stand.hold is not None:
         kinds = [freedom.kind for freedom in case.stand.hold.freedoms]
-        largest = {kind: max(abs(u) for u, own in zip(state.u, kinds, strict=True) if own == kind) for kind in kinds}
+        largest = {
+            kind: max(abs(u) for u, other in zip(state.u, kinds, strict=True) if other == kind) for kind in kinds
+        }
         sizes["u"] = np.array([largest[kind] for kind in kinds])
     most = {key: np.abs(getattr(state, key)).max(initial=1e-9) for key in ("phi_dot", "phi_ddot", "tau")}
     return sizes | {"phi": np.ones(N)} | {key: np.full(N, size) for key, size in most.items()}

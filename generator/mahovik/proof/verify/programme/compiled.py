@@ -6,26 +6,29 @@ import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path as FilePath
 from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.contract.limits import LIMITS, PERTURBATION, PERTURBATIONS
+from mahovik.contract.limits import PERTURBATION, PERTURBATIONS
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.refusals import NULL, WrongValue, with_value
+from mahovik.proof.verify.functions.case import Rows
+from mahovik.proof.verify.refusals import NULL, Path, WrongValue, limit_at, with_value, wrong_numbers
 from mahovik.proof.verify.scales import is_word
 
-UNCHECKED = ("gains", "design", "clock", "invalid", "sum", "wanted", "present")
+UNCHECKED = frozenset(("gains", "design", "clock", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
 
-NOT_FINITE = (math.nan, math.inf, -math.inf)
+Numbers = Mapping[str, tuple[float, ...]]
+"""Values by argument or member."""
+
+NOTHING: Numbers = {}
 
 
 @dataclass(frozen=True)
@@ -92,7 +95,9 @@ class Part:
         return np.array([self.read(x) for x in value])
 
 
-def load_part(stand: Stand, folder: Path, kind: Literal["programme", "servo"], name: str, scratch: Path) -> Part:
+def load_part(
+    stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str, scratch: FilePath
+) -> Part:
     """Compiles the programme `name` of a folder, or its servo, in `scratch`.
 
     Raises UsageError: no such files, or of another stand; ToolchainError: no compiler, or it refuses the C.
@@ -120,82 +125,73 @@ def load_part(stand: Stand, folder: Path, kind: Literal["programme", "servo"], n
     return Part(Library(header, source, scratch, stand.name, programme), real, limit)
 
 
-def law_checks(
-    part: Part, function: str, drawn: Iterable[Mapping[str, Any]], law: Callable[..., Mapping[str, Any]],
+def compare_with_law(
+    part: Part, rows: Rows, drawn: Iterable[Mapping[str, Any]], law: Callable[..., Mapping[str, Any]],
     rng: np.random.Generator,
-) -> Iterable[Check]:  # fmt: skip
+) -> None:  # fmt: skip
     """What a function writes against its law, from drawn inputs, a check for each quantity.
 
     A scale is the number itself, or its largest change over the relative change of every input; words, and what counts,
     must be those of the law at the inputs or so near.
     """
-    rows: dict[str, Check] = {}
-    limit, size = LIMITS[part.real].law, PERTURBATION[part.real]
+    size = PERTURBATION[part.real]
     for number, inputs in enumerate(drawn):
-        status, found = part.call(function, inputs)
+        status, found = part.call(rows.function, inputs)
         found["status"] = status_words(status)
         nearby = [law(**_changed(inputs, size, rng)) for _ in range(PERTURBATIONS)]
         for name, value in law(**inputs).items():
-            row, others = rows.setdefault(name, Check(function, name, limit)), [other[name] for other in nearby]
+            others = [other[name] for other in nearby]
             if is_word(value):
                 words = f"{found[name]}, expected {value}"
-                row.demand(found[name] in (value, *others), f"sample {number}", words)
+                rows.demand(name, found[name] in (value, *others), f"sample {number}", words)
             else:
                 scale = np.max([np.abs(value), *(np.abs(other - value) / size for other in others)], axis=0)
-                row.compare(found[name], value, scale, f"sample {number}")
-    return rows.values()
+                rows.check(name).compare(found[name], value, scale, f"sample {number}")
 
 
 def _changed(value: Any, size: float, rng: np.random.Generator) -> Any:
     """Inputs with every number times 1 + size u, |u| <= 1; whole numbers stay."""
     if isinstance(value, Mapping):
-        return {name: _changed(each, size, rng) for name, each in value.items()}
+        return {name: _changed(part, size, rng) for name, part in value.items()}
     if np.asarray(value).dtype.kind != "f":
         return value
     return value * (1 + size * rng.uniform(-1, 1, np.shape(value)))
 
 
-def refusal_check(part: Part, function: str, good: Mapping[str, Any], wrong: Mapping[str, tuple[float, ...]]) -> Check:
+def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numbers = NOTHING) -> None:
     """Bad inputs of a function are refused, one wrong value at a time, with all results untouched.
 
-    `good`: all arguments in their order, NaN what is only written; `wrong`: out of range, by argument or member.
+    `good`: all arguments in their order, NaN what is only written; `beyond`: values just out of range besides.
     """
-    row, ffi = Check(function, "bad inputs refused"), part.library.ffi
-    for bad in _wrong_values(good, wrong):
-        held = part.hold(function, with_value(good, bad))
+    ffi = part.library.ffi
+    for bad in _wrong_values(good, part.real, beyond):
+        held = part.hold(rows.function, with_value(good, bad))
         written = [x for x in held if isinstance(x, ffi.CData) and x != ffi.NULL]
         before = [bytes(ffi.buffer(x)) for x in written]
-        status = int(part.library.function(function)(*held))
-        row.demand(
-            status == STATUS_VALUES[bad.status], bad.words, f"status {status_words(status)}, expected {bad.status}"
-        )
-        same = before == [bytes(ffi.buffer(x)) for x in written]
-        row.demand(same, bad.words, "refused, but results were written")
-    return row
+        status = int(part.library.function(rows.function)(*held))
+        words = f"status {status_words(status)}, expected {bad.status}"
+        if status == STATUS_VALUES[bad.status] and before != [bytes(ffi.buffer(x)) for x in written]:
+            words, status = "refused, but results were written", 0
+        rows.demand("bad inputs refused", status == STATUS_VALUES[bad.status], bad.words, words)
 
 
-def _wrong_values(good: Mapping[str, Any], wrong: Mapping[str, tuple[float, ...]]) -> Iterator[WrongValue]:
-    for name, value in good.items():
-        if isinstance(value, Mapping) or np.ndim(value):
-            yield WrongValue((name,), NULL, "BAD_ARGUMENT")
-        for path, number in _numbers(value, (name,)):
-            symbol = [step for step in path if isinstance(step, str)][-1]
-            if name in UNCHECKED or symbol in UNCHECKED:
-                continue
-            if isinstance(number, int):
-                yield from (WrongValue(path, x, "BAD_ARGUMENT") for x in wrong[symbol])
-            elif not math.isnan(number):
-                yield from (WrongValue(path, x, "NOT_FINITE") for x in NOT_FINITE)
-                yield from (WrongValue(path, x, "RANGE") for x in wrong[symbol])
-
-
-def _numbers(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[tuple[str | int, ...], Any]]:
-    """Numbers of nested data, with where they stand."""
-    if isinstance(value, Mapping) or np.ndim(value):
-        for key, part in value.items() if isinstance(value, Mapping) else enumerate(value):
-            yield from _numbers(part, (*path, key))
-    else:
-        yield path, value
+def _wrong_values(value: Any, real: str, beyond: Numbers, path: Path = ()) -> Iterator[WrongValue]:
+    """Wrong values of nested data: null for arrays and structs, and of each number those of its row in the contract."""
+    names = [step for step in path if isinstance(step, str)]
+    is_nested = isinstance(value, Mapping) or np.ndim(value) > 0
+    if is_nested and len(path) == 1:
+        yield WrongValue(path, NULL, "BAD_ARGUMENT")
+    if not UNCHECKED.isdisjoint(names[:1] + names[-1:]):
+        return
+    if is_nested:
+        for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
+            yield from _wrong_values(item, real, beyond, (*path, key))
+    elif isinstance(value, int) or not math.isnan(value):
+        symbol = names[-1]
+        wrong = wrong_numbers(symbol, not isinstance(value, int), limit_at(symbol, path, real))
+        yield from (WrongValue(path, number, status) for number, status in wrong)
+        status = "BAD_ARGUMENT" if isinstance(value, int) else "RANGE"
+        yield from (WrongValue(path, number, status) for number in beyond.get(symbol, ()))
 
 
 def spread_phases(count: int) -> Array:

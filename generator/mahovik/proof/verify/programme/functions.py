@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from mahovik.contract.limits import LIMITS, Limits
 from mahovik.core.motion.programme import Angles
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.compiled import Part, refusal_check, spread_phases
+from mahovik.proof.verify.functions.case import Rows
+from mahovik.proof.verify.programme.compiled import Part, judge_refusals, spread_phases
 from mahovik.proof.verify.programme.mechanics import largest
 
 if TYPE_CHECKING:
@@ -25,8 +27,8 @@ PHASES = 400
 TORQUE = 10.0
 """Factor on the limit of the file for drive torques: their parts are larger than their sum."""
 
-WRONG: dict[str, tuple[float, ...]] = {"phase": (-0.01, 1.01, 7.0), "ticks": (-1, 0, 1), "periods": (-1, 0)}
-"""Numbers that the functions refuse, by argument."""
+TABLES = ("at", "runup_at", "rundown_at")
+"""Functions that give angles of the flywheels by the time."""
 
 CLOCK = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
 CLOCK_FUNCTIONS: dict[str, dict[str, Any]] = {
@@ -47,6 +49,11 @@ class CompiledProgramme:
     case: ProgrammeCase
     made: Part
     states: int = PHASES
+
+    @property
+    def limits(self) -> Limits:
+        """Accepted differences of the element type of the C."""
+        return LIMITS[self.made.real]
 
     @property
     def tables(self) -> dict[str, tuple[Callable[[Array], Angles], float]]:
@@ -70,16 +77,16 @@ class CompiledProgramme:
         return {"phase": phase} | dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau")[:count], none)
 
 
-def table_checks(compiled: CompiledProgramme, function: str) -> Iterator[Check]:
+def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
     """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
-    case, made, good = compiled.case, compiled.made, compiled.inputs(function)
-    yield refusal_check(made, function, good, WRONG)
+    case, made, function = compiled.case, compiled.made, rows.function
+    judge_refusals(made, rows, compiled.inputs(function))
     at, span = compiled.tables[function]
     phases = made.round(spread_phases(PHASES))
     t, exact = phases * span, at(phases * span)
     answers = [made.call(function, compiled.inputs(function, phase)) for phase in phases]
     if (status := min(status for status, _ in answers)) < 0:
-        yield Check.of(function, np.inf, made.limit, f"the C answers with status {status}")
+        rows.add(Check.of(function, np.inf, made.limit, f"the C answers with status {status}"))
         return
     found = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
     angles = Angles(found["phi"], found["phi_dot"], found["phi_ddot"])
@@ -87,27 +94,27 @@ def table_checks(compiled: CompiledProgramme, function: str) -> Iterator[Check]:
     turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
     value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
     words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
-    yield Check.of(function, value, made.limit, words)
+    rows.add(Check.of(function, value, made.limit, words))
     if function == "at":
         shares = case.scale.wrench_share(case.equations(t, angles)[0])
         i = int(np.argmax(shares))
         words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
-        yield Check.of("residual", shares[i], case.limit.residual + made.limit, words)
+        rows.add(Check.of("residual", shares[i], case.limit.residual + made.limit, words))
         if "tau" in found:
             tau = case.equations(t)[1]
             peak = largest(tau) or 1.0
             words = f"drive torques, share of the largest, {peak:.3g} N m"
-            yield Check.of("torque", largest(found["tau"] - tau) / peak, TORQUE * made.limit, words)
+            rows.add(Check.of("torque", largest(found["tau"] - tau) / peak, TORQUE * made.limit, words))
 
 
-def clock_checks(compiled: CompiledProgramme, function: str) -> Iterator[Check]:
+def judge_clock(compiled: CompiledProgramme, rows: Rows) -> None:
     """Phase and laps of clocks, which all three functions make together: with the first of them."""
     made, periodic = compiled.made, compiled.case.programme.periodic
-    yield refusal_check(made, function, CLOCK_FUNCTIONS[function], WRONG)
-    if function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
+    judge_refusals(made, rows, CLOCK_FUNCTIONS[rows.function])
+    if rows.function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
         wrong = sum(_clock_errors(made, ticks, periods if periodic else 1) for ticks, periods in CLOCKS)
         words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
-        yield Check.of("clock", wrong, 0, words)
+        rows.add(Check.of("clock", wrong, 0, words))
 
 
 def _clock_errors(made: Part, ticks: int, periods: int) -> int:

@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.quantities import BOUNDS, limits_of
+from mahovik.contract.limits import LIMITS, Limits
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
@@ -18,9 +19,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import spin_inertia
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.programme.compiled import Part, law_checks, refusal_check
-from mahovik.proof.verify.refusals import BEYOND
+from mahovik.proof.verify.functions.case import Rows
+from mahovik.proof.verify.programme.compiled import Part, compare_with_law, judge_refusals
 from mahovik.proof.verify.servo import law
 
 INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
@@ -41,6 +41,11 @@ class ServoCase:
     states: int
     motion: RequiredMotion | None
     programme: Programme | None
+
+    @property
+    def limits(self) -> Limits:
+        """Accepted differences of the element type of the C."""
+        return LIMITS[self.made.real]
 
     @property
     def wheels(self) -> int:
@@ -68,27 +73,17 @@ class ServoCase:
         return found
 
 
-def checks(case: ServoCase, function: str) -> Iterator[Check]:
+def judge_law(case: ServoCase, rows: Rows) -> None:
     """A function by its law, from drawn inputs, and what it must refuse."""
-    draw, right = LAWS[function]
-    if function == "trim_coordinates":
+    draw, right = LAWS[rows.function]
+    if rows.function == "trim_coordinates":
         trim, sequence = case.servo.trim, SEQUENCES[case.stand.angles]
         right = partial(law.trim_coordinates, sequence, () if trim is None else trim.coordinates)
     drawn = [*draw(case, np.random.default_rng((case.seed, 1)))]
-    yield from law_checks(case.made, function, drawn, right, np.random.default_rng((case.seed, 2)))
+    compare_with_law(case.made, rows, drawn, right, np.random.default_rng((case.seed, 2)))
     good = {"state": {}} if right is law.reset else drawn[0]  # a reset reads nothing
-    yield refusal_check(case.made, function, good, _out_of_range(case))
-
-
-def _out_of_range(case: ServoCase) -> dict[str, tuple[float, ...]]:
-    """Numbers that are out of range, by argument or member; of counts those that the trim never makes."""
-    like = {"phi_ref": "phi", "phi_dot_ref": "phi_dot", "tau_ff": "tau", "integral": "tau", "torque": "tau"}
-    names = ("phi", "phi_dot", "tau", "position", "q", *like)
-    most = {name: BEYOND * limits_of(like.get(name, name), case.made.real)[0] for name in names}
-    most["speed"] = 2 * most["phi_dot"]  # the difference of two speeds
-    ranges: dict[str, tuple[float, ...]] = {name: (limit, -limit) for name, limit in most.items()}
-    end = WHOLE_ROUND + case.wheels
-    return ranges | {"phase": (1.0, -0.01, 7.0), "attitude": (1.01, 3.0), "sample": (-1, end), "rounds": (-1,)}
+    beyond = {"sample": (WHOLE_ROUND + case.wheels,), "phase": (1.0,), "attitude": (1.01, 3.0)}
+    judge_refusals(case.made, rows, good, beyond)
 
 
 def servo_resets(case: ServoCase, rng: np.random.Generator) -> Iterator[dict[str, Any]]:
