@@ -24,7 +24,7 @@ from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis
-from mahovik.proof.diagnose.terms.law_term import BodyFaults
+from mahovik.proof.diagnose.terms.laws import LawParts
 from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
@@ -345,8 +345,12 @@ def with_fading_element(stand: Stand) -> Stand:
 @pytest.mark.parametrize(
     ("wrong", "rows", "expected"),
     [
-        (with_fin(-1.0), range(6), {(c, "rudder lift", -1.0, "rudder.lift_slope") for c in "YN"}),
-        (with_fading_element, range(6), {("Z", "exp(-rate U) q", -1.0, "carrier.fading_damping.linear[2][4]")}),
+        (with_fin(-1.0), range(6), {(c, "rudder.lift_slope", -1.0, "rudder.lift_slope") for c in "YN"}),
+        (
+            with_fading_element,
+            range(6),
+            {("Z", "carrier.fading_damping.linear[2][4]", -1.0, "carrier.fading_damping.linear[2][4]")},
+        ),
     ],
 )
 def test_a_wrong_coefficient_is_named(
@@ -366,12 +370,12 @@ def test_parts_of_a_law_add_up_to_it() -> None:
         {k: P for law in laws for k, P in law.wrenches(b, np.zeros(3), x).items()}
         for b, x in zip(bodies, V, strict=True)
     ]
-    for law in parts("faults", BodyFaults, BODY_LAWS):
-        expected = [wrenches[law.kind] for wrenches in kinds]
-        terms = law.terms(bodies, V)
-        for detail in {term.detail for term in terms}:
-            total = sum(term.value * term.wrench for term in terms if term.detail == detail)
-            np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
+    (law,) = parts("faults", LawParts, BODY_LAWS)
+    terms = list(law.terms(bodies, V))
+    expected = [wrenches["cross-flow drag"] for wrenches in kinds]
+    for detail in {term.detail for term in terms}:
+        total = sum(term.value * term.wrench for term in terms if term.detail == detail)
+        np.testing.assert_allclose(total, expected, rtol=1e-12, atol=1e-12 * np.abs(expected).max())
 
 
 def test_backends_take_the_actuators_of_a_state() -> None:

@@ -131,7 +131,7 @@ def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
 
 def _term_words(term: WrongTerm) -> str:
     name, factor, expected = "a constant" if term.term == CONSTANT else term.term, term.factor, term.expected
-    path = f": {term.coefficient}" if term.coefficient else ""
+    path = f": {term.coefficient}" if term.coefficient not in ("", name) else ""
     if expected is None:
         return f"{name} has a factor that is wrong by {factor:.6g}"
     if expected == 0.0:

@@ -23,7 +23,7 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
 from mahovik.proof.diagnose.terms.bodies import ROWS, body_terms, explain
 from mahovik.proof.diagnose.terms.fit import MOST, Columns, Fit, least_squares
-from mahovik.proof.diagnose.terms.law_columns import LawColumn, law_columns, law_parts
+from mahovik.proof.diagnose.terms.laws import LawColumn, law_columns, laws_at
 from mahovik.proof.diagnose.terms.products import Frame, count, frame_in_words, frame_of, products
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
@@ -365,7 +365,7 @@ class TermSearch:
     ) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong products of the components that are wrong, and the fit of each."""
         table = products(of.frame, of.states, of.at, of.side == "momentum")
-        parts = law_parts(self._stand, of.at) if of.side == "wrench" else []
+        laws = laws_at(self._stand, of.states, of.at) if of.side == "wrench" else []
         columns, key, m = Columns(table.values, table.accelerate), (of.side, *of.frame.components), len(table.names)
         if key not in self._right:
             self._right[key] = self._factors(of, self._stand)
@@ -375,8 +375,9 @@ class TermSearch:
         for i in wrong:
             there = _is_there(right[:, i])
             fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawColumn]()
-            for finer in law_columns(parts, of.frame.rows[:, i]):
-                if fit.exact and len(fit.coefficients) <= FEW:
+            columns_of_laws = law_columns(laws, of.frame.rows[:, i])
+            while not (fit.exact and len(fit.coefficients) <= FEW):
+                if (finer := next(columns_of_laws, None)) is None:
                     break
                 kept = columns.independent(np.column_stack([x.values for x in finer]))
                 wide = np.column_stack([table.values, *(finer[j].values for j in kept)])
