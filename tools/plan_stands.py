@@ -9,8 +9,8 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.motion.functions import Harmonics, SampledCourse
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.core.motion.required.course import Harmonics, SampledCourse
 from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Vec3
 from mahovik.laws.suspension.law import Suspension
 

@@ -17,7 +17,7 @@ import pytest
 
 import mahovik
 from by_hand.stands import stand, wheel
-from mahovik.core.motion import loads_regime
+from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.units import ANGLE, INERTIA, SPEED, STATIC_UNBALANCE, TORQUE, Dimension, number
 from mahovik.out.foreign.merge import make_stand

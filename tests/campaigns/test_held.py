@@ -15,8 +15,8 @@ import mahovik
 from campaigns.sections import Keys, computation, tables_of
 from export.held_servos import FRICTION, PERIOD, SWAY, hung, programme
 from identify.test_held import table
+from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import programme_text
-from mahovik.core.motion.required import read_motion
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import loads
 from mahovik.out.api.stands import Stand

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 from cli.run import run
-from mahovik.core.motion import load as load_regime
+from mahovik.core.motion.regime import load as load_regime
 from mahovik.core.stand import load
 from mahovik.stands import path
 from mahovik.use.simulate.case import load_start

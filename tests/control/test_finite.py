@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from cli.run import refused, run
+from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import save_programme
-from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.model import Mat3

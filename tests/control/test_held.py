@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.functions import Fourier
+from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.out.functions.following import Following, follow

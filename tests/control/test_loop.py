@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from control.following import design, run, servo, wanted
 from mahovik import stands as examples
-from mahovik.core.motion.programme import RunUpTable, Samples
+from mahovik.core.motion.functions import Samples
+from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Encoder

@@ -12,8 +12,10 @@ from control.following import design, servo
 from export import held_servos
 from export.held_servos import ARM, FRICTION, HARMONICS, MASS, PERIOD, SPIN, WHOLE, hung, pendulum
 from export.held_servos import servo as held_servo
-from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.functions import Fourier
+from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim, read_servo
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.hold import FREEDOMS

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.required import Bounds, RequiredMotion, load_motion, read_motion
+from mahovik.core.motion.motion_file import load_motion, read_motion
+from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand

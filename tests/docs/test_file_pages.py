@@ -9,13 +9,22 @@ from typing import Any
 
 import numpy as np
 import pytest
-from pydantic import BaseModel
 
 from docs.pages import ROOT, blocks, rows
-from mahovik.core.motion.programme import read as programme
-from mahovik.core.motion.read import load as load_regime
-from mahovik.core.motion.required import Slew, read, slew_file
+from mahovik.core.motion.motion_file import (
+    BoundsTable,
+    MotionTable,
+    SlewEnd,
+    SlewStart,
+    SlewTable,
+    read_motion,
+    read_motion_or_slew,
+)
+from mahovik.core.motion.programme import ProgrammeTable
+from mahovik.core.motion.regime import load as load_regime
+from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
+from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.schema import EncoderTable, MotorTable
 from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.designs import DESIGNS
@@ -37,9 +46,9 @@ def names(page: str, head: str) -> set[str]:
     return {name for row in rows(DOCS / page, head) for name in re.findall(r"`\"?([\w.-]+)\"?`", row[0])}
 
 
-def fields(*models: type[BaseModel]) -> set[str]:
+def fields(*tables: type) -> set[str]:
     """Keys of tables of a file."""
-    return {name for model in models for name in model.model_fields}
+    return {key for table in tables for key in keys_of(table)}
 
 
 @pytest.mark.parametrize(
@@ -60,11 +69,11 @@ def test_a_table_has_the_keys_of_the_reader(page: str, head: str, keys: set[str]
 
 
 def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
-    motion = {*fields(read.MotionTable, read.BoundsTable, read.ObjectiveTable), "schema", "bounds", "objective"}
-    slew = fields(slew_file.SlewTable, slew_file.StartTable, slew_file.EndTable, slew_file.SlewBounds)
+    motion = {*fields(MotionTable, BoundsTable, Objective), "schema"}
+    slew = fields(SlewTable, SlewStart, SlewEnd)
     text = (DOCS / "programmes.md").read_text(encoding="utf-8")
     documented = set(re.findall(r"`(\w+)`", text))
-    assert motion | slew | fields(programme.ProgrammeTable) - {"report"} <= documented
+    assert motion | slew | fields(ProgrammeTable) - {"report"} <= documented
 
 
 @pytest.mark.parametrize(("head", "model"), [("`motor` key", MotorTable), ("`encoder` key", EncoderTable)])
@@ -91,8 +100,8 @@ def test_units_of_signals_are_those_of_the_code() -> None:
 
 def test_motions_are_read() -> None:
     motion, turn = (block.text for block in blocks(DOCS / "programmes.md") if block.language == "json")
-    assert read.read_motion(motion, load(path("bench8"))).name == json.loads(motion)["name"]
-    slew = read.read_motion_or_slew(turn, load(path("sat4")))
+    assert read_motion(motion, load(path("bench8"))).name == json.loads(motion)["name"]
+    slew = read_motion_or_slew(turn, load(path("sat4")))
     assert isinstance(slew, Slew) and slew.name == json.loads(turn)["name"]
 
 

@@ -7,8 +7,10 @@ from functools import cache
 
 import numpy as np
 
-from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.functions import Fourier
+from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.model import Stand

@@ -13,8 +13,10 @@ import numpy as np
 from emit.stands import write
 from mahovik import stands
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
-from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.motion_file import load_motion
+from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
 from mahovik.laws.suspension.law import Suspension

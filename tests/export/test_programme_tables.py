@@ -11,7 +11,8 @@ import pytest
 from export.programmes import PERIOD, exported, motion, spin, stand, started, swaying, written
 from mahovik import stands
 from mahovik.core.lower.programme_play import Player
-from mahovik.core.motion.programme import Fourier, Programme, Samples
+from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import CheckError, UsageError

@@ -22,9 +22,9 @@ from cli.run import DEMO3, run
 from fuzz.mangle import CELLS, spoiled_bytes, spoiled_csv, spoiled_json, spoiled_toml, spoiled_xml
 from fuzz.reading import READERS, check_message, fuzzed, read_or_refuse, soon
 from mahovik import stands
+from mahovik.core.motion.motion_file import load_motion, read_motion
 from mahovik.core.motion.programme import load_programme, programme_text, read_programme
-from mahovik.core.motion.read import load as load_regime
-from mahovik.core.motion.required import load_motion, read_motion
+from mahovik.core.motion.regime import load as load_regime
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state

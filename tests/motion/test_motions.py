@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from mahovik import stands
-from mahovik.core.motion.course import PlannedCourse
-from mahovik.core.motion.programme import Programme, Samples, programme_text, read_programme
-from mahovik.core.motion.required import Slew, load_motion, read_motion, read_motion_or_slew
-from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.motion.functions import Harmonics, PlannedCourse, Samples
+from mahovik.core.motion.motion_file import load_motion, read_motion, read_motion_or_slew
+from mahovik.core.motion.programme import Programme, programme_text, read_programme
+from mahovik.core.motion.required import Slew
 from mahovik.core.stand import Stand
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import MotionError, ProgrammeError

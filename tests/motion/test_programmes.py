@@ -14,15 +14,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy.interpolate import BPoly
 
-from mahovik.core.motion.programme import (
-    Fourier,
-    Programme,
-    RunUpTable,
-    Samples,
-    load_programme,
-    programme_text,
-    read_programme,
-)
+from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.programme import Programme, RunUpTable, load_programme, programme_text, read_programme
 from mahovik.errors import ProgrammeError
 
 NAMES = ("left", "right")

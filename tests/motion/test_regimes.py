@@ -9,9 +9,22 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion import load, loads_regime, steady_regime
-from mahovik.core.motion.laws import Constant, Harmonic, Law, LogSweep, Ramp, RunUp, SpeedTable, Torque, TorqueTable
-from mahovik.core.motion.motor import available_torque, drive, friction, required_torque
+from mahovik.core.motion.laws import (
+    Constant,
+    Harmonic,
+    Law,
+    Ramp,
+    RunUp,
+    SpeedTable,
+    Sweep,
+    Torque,
+    TorqueTable,
+    available_torque,
+    drive,
+    friction,
+    required_torque,
+)
+from mahovik.core.motion.regime import load, loads_regime, steady_regime
 from mahovik.core.stand import load as load_stand
 from mahovik.core.stand.model import Motor
 from mahovik.errors import RegimeError
@@ -41,8 +54,8 @@ def problems(text: str, folder: Path = Path(), until: float = 1.0) -> list[str]:
         ("hold = true", Constant(0.0)),
         ('ramp = { to = 8, duration = "500 ms" }', Ramp(0.0, 8.0, 0.0, 0.5)),
         ("ramp = { from = 1, to = 8, duration = 2, start = 0.5 }", Ramp(1.0, 8.0, 0.5, 2.0)),
-        ('sweep = { from = "1 Hz", to = 8, duration = 2 }', Ramp(2 * math.pi, 8.0, 0.0, 2.0)),
-        ('sweep = { from = 1, to = 8, duration = 2, scale = "log" }', LogSweep(1.0, 8.0, 0.0, 2.0)),
+        ('sweep = { from = "1 Hz", to = 8, duration = 2 }', Sweep(2 * math.pi, 8.0, 0.0, 2.0)),
+        ('sweep = { from = 1, to = 8, duration = 2, scale = "log" }', Sweep(1.0, 8.0, 0.0, 2.0, "log")),
         ('harmonic = { mean = 1, amplitude = 2, frequency = "3 Hz", phase = 0.5 }', Harmonic(1.0, 2.0, 3.0, 0.5)),
         ('torque = "20 mN m"', Torque(0.02)),
         ("run_up = { torque = 0.2, to = 50 }", RunUp(0.2, 50.0, 0.5)),
@@ -164,13 +177,13 @@ def test_all_problems_are_reported_together() -> None:
 
 
 TABLE = SpeedTable.of(np.array([-0.5, 0.0, 0.3, 1.0, 2.5]), np.array([1.0, 3.0, -2.0, 5.0, 4.0]))
-Smooth = Constant | Ramp | LogSweep | Harmonic | SpeedTable
+Smooth = Constant | Ramp | Harmonic | SpeedTable
 LAWS: list[Smooth] = [
     Constant(-4.0),
     Ramp(2.0, 30.0, 0.25, 1.5),
     Ramp(30.0, -2.0, 0.0, 0.5),
-    LogSweep(2.0, 40.0, 0.25, 1.5),
-    LogSweep(-3.0, -3.0, 0.0, 1.0),
+    Sweep(2.0, 40.0, 0.25, 1.5, "log"),
+    Sweep(-3.0, -3.0, 0.0, 1.0, "log"),
     Harmonic(5.0, 3.0, 2.0, 0.7),
     TABLE,
 ]
@@ -192,11 +205,11 @@ def test_speed_and_acceleration_are_the_derivatives_of_the_phase(
 
 
 def test_ramps_and_sweeps_reach_their_ends_and_stay() -> None:
-    for law in (Ramp(2.0, 30.0, 0.25, 1.5), LogSweep(2.0, 30.0, 0.25, 1.5)):
+    for law in (Ramp(2.0, 30.0, 0.25, 1.5), Sweep(2.0, 30.0, 0.25, 1.5, "log")):
         _, speed, acceleration = law.motion(np.array([0.1, 0.25, 1.75, 3.0]))
         np.testing.assert_allclose(speed, [2.0, 2.0, 30.0, 30.0], rtol=1e-14)
         np.testing.assert_array_equal(acceleration[[0, 3]], 0.0)
-    middle = LogSweep(2.0, 32.0, 0.0, 2.0).motion(np.array([1.0]))[1][0]
+    middle = Sweep(2.0, 32.0, 0.0, 2.0, "log").motion(np.array([1.0]))[1][0]
     assert middle == pytest.approx(8.0, rel=1e-14)  # the geometric mean
 
 

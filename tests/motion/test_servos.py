@@ -8,7 +8,6 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.motion.servo import Servo, Trim, read_servo
-from mahovik.core.motion.servo.read import TrimTable
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.errors import ServoError
@@ -64,7 +63,7 @@ def test_limits_are_those_of_the_motors_and_encoders_those_of_the_stand() -> Non
         ("damping_ratio = 0", "damping_ratio: 0: expected above 0, at most 5"),
         ("torque_limit = -1", "torque_limit: -1 N m: expected above 0, at most 1e+09"),
         ('encoder = "stnd"', 'encoder: unknown "stnd", did you mean "stand"?'),
-        ("trim = true", f"trim: expected a table with {', '.join(TrimTable.model_fields)}, or false, found true"),
+        ("trim = true", f"trim: expected a table with {', '.join(Trim.__dataclass_fields__)}, or false, found true"),
         ("trim = { harmonics = 99 }", "trim, harmonics: 99: expected 1 to 16"),
         ('trim = { coordinates = ["psy"] }', 'trim, coordinates: unknown "psy", did you mean "psi"?'),
     ],

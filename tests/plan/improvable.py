@@ -7,8 +7,7 @@ from functools import cache
 
 import numpy as np
 
-from mahovik.core.motion.required import Bounds, Objective
-from mahovik.core.motion.required.model import Winding
+from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import StartBatch, refine_periodic

@@ -12,8 +12,9 @@ import pytest
 from numpy.typing import NDArray
 
 import mahovik.stands
-from mahovik.core.motion.required import Bounds, Course, Objective, RequiredMotion, load_motion
-from mahovik.core.motion.required.course import Harmonics
+from mahovik.core.motion.functions import Course, Harmonics
+from mahovik.core.motion.motion_file import load_motion
+from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import Features, random_stand

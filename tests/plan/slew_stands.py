@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from mahovik import stands
-from mahovik.core.motion.required import Slew, read_motion_or_slew
+from mahovik.core.motion.motion_file import read_motion_or_slew
+from mahovik.core.motion.required import Slew
 from mahovik.core.stand import Stand, load, loads
 
 PYRAMID = ((1, 1, 1), (-1, 1, 1), (-1, -1, 1), (1, -1, 1))

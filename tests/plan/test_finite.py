@@ -9,9 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Angles, load_programme, save_programme
-from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
-from mahovik.core.motion.required.course import SampledCourse
+from mahovik.core.motion.functions import Angles, SampledCourse
+from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import load_programme, save_programme
+from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.programme.mechanics import moment

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.course import Course
+from mahovik.core.motion.functions import Course
+from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import programme_text, read_programme
-from mahovik.core.motion.required import RequiredMotion, read_motion
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Angles
-from mahovik.core.motion.required import Bounds, Course
+from mahovik.core.motion.functions import Angles, Course
+from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
 from mahovik.use.plan.objective import (

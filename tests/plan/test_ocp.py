@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand import Stand
 from mahovik.errors import UsageError

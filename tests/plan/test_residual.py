@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.core.stand.state import State

@@ -16,9 +16,10 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853, solve_ivp
 
-from mahovik.core.motion.course import Course
-from mahovik.core.motion.programme import Fourier, Programme, RunUpTable
-from mahovik.core.motion.required import Bounds, RequiredMotion, read_motion
+from mahovik.core.motion.functions import Course, Fourier
+from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.reference.motion import rates

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme.course import Fourier
+from mahovik.core.motion.functions import Fourier, Harmonics
 from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
-from mahovik.core.motion.required.course import Harmonics
 from mahovik.laws.suspension.law import Suspension
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget

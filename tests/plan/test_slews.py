@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from mahovik.core.motion.motor import available_torque, required_torque
+from mahovik.core.motion.laws import available_torque, required_torque
+from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme, programme_text
-from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
 from mahovik.core.stand.whole import mass_properties

@@ -11,7 +11,7 @@ import pytest
 
 import mahovik
 from mahovik import stands
-from mahovik.core.motion import loads_regime, steady_regime
+from mahovik.core.motion.regime import loads_regime, steady_regime
 from mahovik.core.stand import Stand, load, rest_state
 from mahovik.core.stand.model import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand

@@ -13,7 +13,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import mahovik
-from mahovik.core import motion
+from mahovik.core.motion.regime import steady_regime
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -229,7 +229,7 @@ POSE_AND_V = (
 def returned(found: Periodic, periods: int) -> float:
     """Distance of the carrier from where it began after some periods, relative to its amplitude."""
     until = periods * found.turning.period
-    regime = motion.steady_regime(found.scene.stand, found.turning.speeds)
+    regime = steady_regime(found.scene.stand, found.turning.speeds)
     run = simulate(Case(found.scene.stand, regime, state_at(found), until, until), "scipy")
     data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)

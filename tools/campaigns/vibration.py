@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from campaigns import Rows, Table, at_most
-from mahovik.core import motion
-from mahovik.core.motion.laws import WrenchTable
+from mahovik.core.motion.regime import WrenchTable, steady_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import random_stand, random_state
 from mahovik.stands import path
@@ -188,7 +187,7 @@ def distance_from_course(stand: Stand, course: Periodic, until: float | None) ->
         position = tuple((chart.O1 + chart.C @ course.y[0, :3]).tolist())
         start = replace(start, position=position, angles=None, quaternion=q, V=tuple(course.y[0, 6:].tolist()))
     hold = WrenchTable(np.zeros(1), course.hold[None])
-    regime = replace(motion.steady_regime(stand, course.turning.speeds), wrenches={stand.carrier.name: hold})
+    regime = replace(steady_regime(stand, course.turning.speeds), wrenches={stand.carrier.name: hold})
     step = 0.02 / max(map(abs, course.turning.speeds))
     run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
     pose = [run.names.index(name) for name in ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")]

@@ -11,7 +11,7 @@ from fmpy.fmi1 import FMICallException
 
 from export.fmu import fmus
 from export.fmu.fmus import Instance
-from mahovik.core.motion import loads_regime
+from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.state import rest_state
 from mahovik.use.simulate import Case, simulate
 from toolchain.quick import quick

@@ -16,7 +16,7 @@ from fmpy.fmi1 import FMICallException
 
 from export.fmu import fmus
 from mahovik.core.lower.fmu.variables import Inputs, Kind
-from mahovik.core.motion import loads_regime
+from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.hold import freedom_names, twist_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads

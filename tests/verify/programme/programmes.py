@@ -11,8 +11,10 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from mahovik import stands
-from mahovik.core.motion.programme import Fourier, Programme, RunUpTable, Samples
-from mahovik.core.motion.required import RequiredMotion, load_motion, read_motion
+from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.motion_file import load_motion, read_motion
+from mahovik.core.motion.programme import Programme, RunUpTable
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.identity import identities
 from mahovik.proof.verify.check import Check

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.programme import RunUpTable, Samples
+from mahovik.core.motion.functions import Samples
+from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.core.motion.required import Bounds
-from mahovik.core.motion.required.model import Winding
+from mahovik.core.motion.functions import Fourier
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds, Winding
 from mahovik.proof.verify.programme import verification
 from mahovik.proof.verify.programme.verification import ProgrammeCase
 from verify.programme.programmes import failed, fourier, offended, shaker, tabled

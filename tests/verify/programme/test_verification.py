@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from mahovik import stands
-from mahovik.core.motion.programme import Fourier, Programme
-from mahovik.core.motion.required import Bounds, Slew, read_motion
-from mahovik.core.motion.required.course import Harmonics
-from mahovik.core.motion.required.slew_file import motion_of_slew
+from mahovik.core.motion.functions import Fourier, Harmonics
+from mahovik.core.motion.motion_file import motion_of_slew, read_motion
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds, Slew
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES

@@ -1,21 +1,46 @@
-"""Documents in JSON and TOML: read strictly, every digit kept; each problem is one line with file and key."""
+"""Documents in JSON and TOML: read strictly, every digit kept; each problem is one line with file and key.
+
+A table is a pydantic model or a dataclass (`Data`) whose fields carry their validators: what is read is then what the
+program works with. All values are in SI. A field that depends on the stand finds the number of its flywheels in the
+context of the validation, as `flywheels`.
+"""
 
 from __future__ import annotations
 
 import json
+import math
+from collections.abc import Callable, Sequence
+from decimal import Decimal
+from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pydantic import ValidationError
+import numpy as np
+from pydantic import BeforeValidator, ConfigDict, PlainValidator, TypeAdapter, ValidationError, ValidationInfo
 
 from mahovik.core.stand import toml
 from mahovik.core.stand.content import content
-from mahovik.core.stand.fields import Table
+from mahovik.core.stand.echoes import echo, list_item
+from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import show
+from mahovik.core.stand.shapes import vector
+from mahovik.core.stand.units import PLAIN, SPEED, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import FileError
+from mahovik.nearest import suggestion
 
-AnyTable = TypeVar("AnyTable", bound=Table)
+FREQUENCY = Dimension("a frequency", "Hz")
+_LONGEST = 10**9
+
+T = TypeVar("T")
+
+
+class Data:
+    """Base of dataclasses that are tables of a file as well: a key that is no field is an error."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid")
+
+
+# -- files -----------------------------------------------------------------------------------------------------------
 
 
 def text_of(path: Path, most: int, error: type[FileError]) -> str:
@@ -24,10 +49,10 @@ def text_of(path: Path, most: int, error: type[FileError]) -> str:
         return content(path, most).decode("utf-8-sig")
     except FileNotFoundError:
         reason = f"{path}: no such file"
-    except OSError as found:
-        reason = f"{path}: cannot be read: {found.strerror or found}"
-    except ValueError as found:  # not UTF-8, or a NUL in the name
-        reason = f"{show(str(path))}: not UTF-8 text: {found}"
+    except OSError as problem:
+        reason = f"{path}: cannot be read: {problem.strerror or problem}"
+    except ValueError as problem:  # not UTF-8, or a NUL in the name
+        reason = f"{show(str(path))}: not UTF-8 text: {problem}"
     raise error([reason])
 
 
@@ -35,12 +60,12 @@ def parse(text: str) -> Any:
     """The value of a JSON text, floats as Decimal. Raises ValueError; a repeated key is an error."""
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        found: dict[str, Any] = {}
+        table: dict[str, Any] = {}
         for key, value in pairs:
-            if key in found:
+            if key in table:
                 raise ValueError(f"key {show(key)} appears twice")
-            found[key] = value
-        return found
+            table[key] = value
+        return table
 
     return json.loads(text, parse_float=toml.exact, object_pairs_hook=once)
 
@@ -48,26 +73,185 @@ def parse(text: str) -> Any:
 def document_of(text: str, source: str, error: type[FileError], is_json: bool = True) -> dict[str, Any]:
     """The keys of a file of schema 1. Raises `error` with one line."""
     try:
-        found = parse(text) if is_json else toml.parse(text)
+        document = parse(text) if is_json else toml.parse(text)
         if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
-            json.dumps(found, ensure_ascii=False, default=str).encode()
+            json.dumps(document, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:
         raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
-    if not isinstance(found, dict):
-        raise error([f"{source}: expected an object, found {show(found)}"])
-    if "schema" not in found:
+    if not isinstance(document, dict):
+        raise error([f"{source}: expected an object, found {show(document)}"])
+    if "schema" not in document:
         raise error([f"{source}: schema: required, but missing"])
-    if isinstance(found["schema"], bool) or found["schema"] != 1:
-        raise error([f"{source}: schema: expected 1, found {show(found['schema'])}"])
-    return {key: value for key, value in found.items() if key != "schema"}
+    if isinstance(document["schema"], bool) or document["schema"] != 1:
+        raise error([f"{source}: schema: expected 1, found {show(document['schema'])}"])
+    return {key: value for key, value in document.items() if key != "schema"}
 
 
-def validate_table(
-    table: type[AnyTable], raw: Any, problems: Problems, where: str = "", **context: Any
-) -> AnyTable | None:
+def validate_table(table: type[T], raw: Any, problems: Problems, where: str = "", **context: Any) -> T | None:
     """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
     try:
-        return table.model_validate(raw, context=context)
+        value: T = _adapter(table).validate_python(raw, context=context)
+        return value
     except ValidationError as error:
         problems.add_schema_errors(where, table, error)
         return None
+
+
+@cache
+def _adapter(table: Any) -> TypeAdapter[Any]:
+    return TypeAdapter(table)
+
+
+# -- fields ----------------------------------------------------------------------------------------------------------
+
+
+def context_validator(read: Callable[[Any, dict[str, Any]], Any]) -> PlainValidator:
+    """A validator that reads a raw value and the context of the validation by `read`, which raises QuantityError."""
+
+    def validate(raw: Any, info: ValidationInfo) -> Any:
+        try:
+            return read(raw, info.context or {})
+        except QuantityError as error:
+            raise refuse(str(error)) from None
+
+    return PlainValidator(validate)
+
+
+def per_flywheel(dimension: Dimension, check: Callable[[float, Any], object] = lambda value, raw: None) -> Any:
+    """A validator of one number for all flywheels, or a list with one for each.
+
+    `check` takes a number in SI and as it stands in the file, and raises QuantityError.
+    """
+
+    def read(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
+        N = context["flywheels"]
+        if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
+            values = vector(raw, (N,), dimension)
+            for i, value in enumerate(values):
+                try:
+                    check(value, list_item(raw, i))
+                except QuantityError as error:
+                    raise QuantityError(f"[{i}]: {error}") from None
+            return values
+        check(value := number(raw, dimension), raw)
+        return (value,) * int(N)
+
+    return context_validator(read)
+
+
+def bound_per_flywheel(dimension: Dimension, zero: bool = False) -> Any:
+    """A validator of a magnitude that is not exceeded, for all flywheels or for each; `zero`: it may be zero."""
+
+    def check(value: float, raw: Any) -> None:
+        if value < 0.0 or (value == 0.0 and not zero):
+            written = echo(raw, value, dimension.si) or f"{value:g}"
+            raise QuantityError(f"{written} is not above 0: a bound is a magnitude")
+
+    return per_flywheel(dimension, check)
+
+
+def numbers_of_flywheels(axes: int) -> PlainValidator:
+    """A validator of an array (N) of plain numbers, or with two axes (M, N)."""
+
+    def read(raw: Any, context: dict[str, Any]) -> Any:
+        lengths = (context["flywheels"],)
+        if axes == 1:
+            return np.array(vector(raw, lengths, PLAIN), dtype=np.float64)
+        numbers = rows(raw, lambda row: vector(row, lengths, PLAIN))
+        return np.array(numbers, dtype=np.float64).reshape(len(numbers), *lengths)
+
+    return context_validator(read)
+
+
+def six_numbers() -> PlainValidator:
+    """A validator of an array (M, 6) of plain numbers."""
+    return validator(lambda raw: np.array(rows(raw, lambda row: vector(row, (6,), PLAIN))).reshape(-1, 6))
+
+
+def times() -> PlainValidator:
+    """A validator of an array (M) of times, s."""
+    return validator(lambda raw: np.array(vector(raw, (len(any_list(raw)),), TIME)))
+
+
+def short_integer(raw: Any) -> int:
+    """A whole number of at most nine digits. Raises QuantityError."""
+    if abs(integer(raw)) >= _LONGEST:
+        raise QuantityError(f"expected a whole number, found {show(raw)}")
+    return int(raw)
+
+
+def whole_number(least: int, most: int) -> PlainValidator:
+    """A validator of a whole number within bounds."""
+
+    def read(raw: Any) -> int:
+        value = short_integer(raw)
+        if not least <= value <= most:
+            raise QuantityError(f"{value}: expected {least} to {most}")
+        return value
+
+    return validator(read)
+
+
+def choice(*names: str) -> PlainValidator:
+    """A validator of one of some names."""
+
+    def read(raw: Any) -> str:
+        if text(raw) not in names:
+            raise QuantityError(f"unknown {show(raw)}{suggestion(raw, names)}")
+        return str(raw)
+
+    return validator(read)
+
+
+def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
+    """Places in `known` of the names of a list, in the list's order. Raises QuantityError."""
+    places: list[int] = []
+    for name in any_list(raw):
+        if name not in known:
+            raise QuantityError(f"unknown {show(name)}{suggestion(str(name), known)}")
+        if known.index(name) in places:
+            raise QuantityError(f"{show(name)} appears twice")
+        places.append(known.index(name))
+    return tuple(places)
+
+
+def angular_speed(raw: Any) -> float:
+    """A frequency (with unit) or an angular speed above 0, in rad/s. Raises QuantityError."""
+    try:
+        value = number(raw, SPEED) if isinstance(raw, str | dict) else math.nan
+    except QuantityError:
+        value = math.nan
+    if math.isnan(value):
+        value = 2 * math.pi * number(raw, FREQUENCY)
+        if isinstance(raw, int | Decimal):
+            raise QuantityError('expected a frequency with its unit, such as "40 Hz"')
+    return require_bounds(value, "rad/s", above=0.0, raw=raw)
+
+
+def any_list(raw: Any) -> list[Any]:
+    """A list of anything. Raises QuantityError."""
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected a list, found {show(raw)}")
+    return raw
+
+
+def rows(raw: Any, read: Callable[[Any], T]) -> tuple[T, ...]:
+    """A list of rows, each read by `read`. Raises QuantityError for the first that cannot be read."""
+    values = []
+    for i, row in enumerate(any_list(raw)):
+        try:
+            values.append(read(row))
+        except QuantityError as error:
+            element = str(error)
+            raise QuantityError(f"[{i}]{'' if element.startswith('[') else ': '}{element}") from None
+    return tuple(values)
+
+
+def _not_null(raw: Any) -> Any:
+    if raw is None:
+        raise refuse("expected a value, found null")
+    return raw
+
+
+NOT_NULL = BeforeValidator(_not_null)
+"""A table that may be left out, but not null."""

@@ -1,47 +1,90 @@
-"""Laws of one flywheel in time: of its speed, with exact phase and acceleration, or of the torque commanded."""
+"""Laws of one flywheel in time: of its speed, with exact phase and acceleration, or of the torque commanded.
+
+Those that have a table of their own in a regime file are read as they are. Beside them what a motor makes of a torque,
+and the ranges of what files of motions ask for.
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from pydantic import Field
 
-Array = NDArray[np.float64]
-Motion = tuple[Array, Array, Array]
-"""phi counted from its value at t = 0 (rad), phi' (rad/s), phi'' (rad/s2), at the times asked for."""
+from mahovik.contract.quantities import BOUNDS
+from mahovik.core.motion.document import FREQUENCY, Data, choice
+from mahovik.core.motion.functions import Array, Motion
+from mahovik.core.stand.fields import refuse, scalar, validator
+from mahovik.core.stand.model import Motor
+from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number
+
+MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
+    BOUNDS[name].value for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE")
+)
+"""rad/s, rad/s2; N and N m, also of drive torques; rad."""
 
 
-class _Law:
-    """What laws have in common: most are smooth."""
+def out_of_range(what: str, value: float, most: float, unit: str) -> str | None:
+    """The words for a number beyond its bound; None within it."""
+    if abs(value) <= most:
+        return None
+    return f"{what} of {value:.9g} {unit} is out of range, at most {most:g} in magnitude"
+
+
+# -- speeds ----------------------------------------------------------------------------------------------------------
+
+
+class SpeedLaw(Data):
+    """A law of the speed."""
 
     @property
     def breaks(self) -> tuple[float, ...]:
         """Times at which the law is not smooth, s."""
         return ()
 
+    def motion(self, t: Array) -> Motion:
+        """phi counted from its value at t = 0 (rad), phi' (rad/s), phi'' (rad/s2) at the times t (s)."""
+        raise NotImplementedError
+
+    @property
+    def largest(self) -> tuple[float, float]:
+        """Largest magnitudes of speed and acceleration, rad/s and rad/s2."""
+        raise NotImplementedError
+
+    @property
+    def problem(self) -> str | None:
+        """What leaves its range at some time, in words, or None."""
+        speed, acceleration = self.largest
+        problem = out_of_range("a speed", speed, MAX_SPEED, "rad/s")
+        return problem or out_of_range("an acceleration", acceleration, MAX_ACCELERATION, "rad/s2")
+
 
 @dataclass(frozen=True)
-class Constant(_Law):
+class Constant(SpeedLaw):
     """One speed, rad/s. Zero: the flywheel is held."""
 
     speed: float
 
     def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
+        """See SpeedLaw."""
         return self.speed * t, np.full_like(t, self.speed), np.zeros_like(t)
+
+    @property
+    def largest(self) -> tuple[float, float]:
+        """See SpeedLaw."""
+        return abs(self.speed), 0.0
 
 
 @dataclass(frozen=True)
-class Ramp(_Law):
-    """Speed `low` until `start`, then evenly to `high` in `duration`, then `high`. Also the linear sweep."""
+class Ramp(SpeedLaw):
+    """`ramp`: speed `low` until `start`, then evenly to `high` in `duration`, then `high`."""
 
-    low: float
-    high: float
-    start: float
-    duration: float
+    low: Annotated[float, scalar(SPEED), Field(0.0, alias="from")]
+    high: Annotated[float, scalar(SPEED), Field(alias="to")]
+    start: Annotated[float, scalar(TIME, least=0.0), Field(0.0)]
+    duration: Annotated[float, scalar(TIME, above=0.0)]
 
     @property
     def breaks(self) -> tuple[float, ...]:
@@ -49,52 +92,90 @@ class Ramp(_Law):
         return (self.start, self.start + self.duration)
 
     def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
+        """See SpeedLaw."""
+        turned, speed, rate = self._going(np.clip(t - self.start, 0.0, self.duration))
+        running = (t >= self.start) & (t < self.start + self.duration)
+        after = np.maximum(t - self.start - self.duration, 0.0)
+        return self.low * np.minimum(t, self.start) + turned + self.high * after, speed, np.where(running, rate, 0.0)
+
+    def _going(self, since: Array) -> Motion:
+        """Angle since the start, speed and acceleration, at times since the start within the duration."""
         rate = (self.high - self.low) / self.duration
-        inside = np.clip(t - self.start, 0.0, self.duration)
-        after = np.maximum(t - self.start - self.duration, 0.0)
-        before = np.minimum(t, self.start)
-        phi = self.low * (before + inside) + rate * inside**2 / 2 + self.high * after
-        running = (t >= self.start) & (t < self.start + self.duration)
-        return phi, self.low + rate * inside, np.where(running, rate, 0.0)
+        return self.low * since + rate * since**2 / 2, self.low + rate * since, np.full_like(since, rate)
+
+    @property
+    def largest(self) -> tuple[float, float]:
+        """See SpeedLaw."""
+        return max(abs(self.low), abs(self.high)), abs(self.high / self.duration - self.low / self.duration)
+
+
+def _sweep_speed(raw: Any) -> float:
+    """A speed, rad/s, also given as turns per second, in Hz."""
+    try:
+        return number(raw, SPEED)
+    except QuantityError as error:
+        try:
+            return 2 * math.pi * number(raw, FREQUENCY)
+        except QuantityError:
+            raise QuantityError(str(error).partition(", a frequency")[0]) from None
 
 
 @dataclass(frozen=True)
-class LogSweep(Ramp):
-    """Speed `low` until `start`, then `low` (high/low)^(t/duration), then `high`; both of one sign, not zero."""
+class Sweep(Ramp):
+    """`sweep`: a ramp; with the scale "log" `low` (high/low)^(t/duration), both of one sign and not zero."""
 
-    def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
-        growth = math.log(self.high / self.low) / self.duration
-        inside = np.clip(t - self.start, 0.0, self.duration)
-        after = np.maximum(t - self.start - self.duration, 0.0)
-        turned = self.low * (np.expm1(growth * inside) / growth if growth != 0.0 else inside)
-        speed = self.low * np.exp(growth * inside)
-        running = (t >= self.start) & (t < self.start + self.duration)
-        phi = self.low * np.minimum(t, self.start) + turned + self.high * after
-        return phi, speed, np.where(running, growth * speed, 0.0)
+    low: Annotated[float, validator(_sweep_speed), Field(alias="from")]
+    high: Annotated[float, validator(_sweep_speed), Field(alias="to")]
+    scale: Annotated[Literal["linear", "log"], choice("linear", "log")] = "linear"
+
+    def __post_init__(self) -> None:
+        """Refuses a log sweep through zero by pydantic's error."""
+        if self.scale == "log" and self.low * self.high <= 0.0:
+            raise refuse("a log sweep goes between two speeds of one sign, neither of them zero")
+
+    @property
+    def _growth(self) -> float:
+        return math.log(self.high / self.low) / self.duration
+
+    def _going(self, since: Array) -> Motion:
+        if self.scale == "linear":
+            return super()._going(since)
+        growth, speed = self._growth, self.low * np.exp(self._growth * since)
+        turned = self.low * (np.expm1(growth * since) / growth if growth != 0.0 else since)
+        return turned, speed, growth * speed
+
+    @property
+    def largest(self) -> tuple[float, float]:
+        """See SpeedLaw."""
+        speed, acceleration = super().largest
+        return speed, acceleration if self.scale == "linear" else speed * abs(self._growth)
 
 
 @dataclass(frozen=True)
-class Harmonic(_Law):
-    """phi' = mean + amplitude sin(2 pi frequency t + phase)."""
+class Harmonic(SpeedLaw):
+    """`harmonic`: phi' = mean + amplitude sin(2 pi frequency t + phase)."""
 
-    mean: float
-    amplitude: float
-    frequency: float
-    phase: float
+    mean: Annotated[float, scalar(SPEED), Field(0.0)]
+    amplitude: Annotated[float, scalar(SPEED)]
+    frequency: Annotated[float, scalar(FREQUENCY, above=0.0)]
+    phase: Annotated[float, scalar(ANGLE)] = 0.0
 
     def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
+        """See SpeedLaw."""
         omega = 2 * math.pi * self.frequency
         angle = omega * t + self.phase
         phi = self.mean * t + self.amplitude / omega * (math.cos(self.phase) - np.cos(angle))
         speed = self.mean + self.amplitude * np.sin(angle)
         return phi, speed, self.amplitude * omega * np.cos(angle)
 
+    @property
+    def largest(self) -> tuple[float, float]:
+        """See SpeedLaw."""
+        return abs(self.mean) + abs(self.amplitude), abs(self.amplitude) * 2 * np.pi * self.frequency
+
 
 @dataclass(frozen=True, eq=False)
-class SpeedTable(_Law):
+class SpeedTable(SpeedLaw):
     """Speeds at times, joined by the cubic spline with continuous second derivative (not-a-knot ends)."""
 
     times: Array
@@ -110,53 +191,90 @@ class SpeedTable(_Law):
     @property
     def breaks(self) -> tuple[float, ...]:
         """The knots: the third derivative of the speed jumps there."""
-        return tuple(float(t) for t in self.times)
+        return tuple(map(float, self.times))
 
     def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
+        """See SpeedLaw."""
         whole = self.spline.antiderivative()
         return whole(t) - whole(0.0), self.spline(t), self.spline(t, 1)
 
+    @property
+    def largest(self) -> tuple[float, float]:
+        """See SpeedLaw."""
+        times = [self.times]
+        for order in (1, 2):  # between knots a spline swings further than they do
+            turns = self.spline.derivative(order).roots(extrapolate=False)
+            times.append(turns[np.isfinite(turns)])
+        at = np.concatenate(times)
+        return float(np.abs(self.spline(at)).max()), float(np.abs(self.spline(at, 1)).max())
 
-class _OfTorque(_Law):
+
+# -- torques ---------------------------------------------------------------------------------------------------------
+
+
+class TorqueLaw(Data):
     """A law of the torque commanded."""
 
-    def steepness(self, low: float, high: float) -> float:
-        """Largest change of the torque by speed between two speeds (rad/s), N m s; speed does not matter to most."""
-        return 0.0
-
-
-@dataclass(frozen=True)
-class Torque(_OfTorque):
-    """One commanded torque, N m."""
-
     value: float
+
+    @property
+    def breaks(self) -> tuple[float, ...]:
+        """Times at which the law is not smooth, s."""
+        return ()
 
     def command(self, t: float, speed: float) -> float:
         """Torque commanded at the time t (s) and speed (rad/s), N m."""
         return self.value
 
+    def steepness(self, low: float, high: float) -> float:
+        """Largest change of the torque by speed between two speeds (rad/s), N m s; speed does not matter to most."""
+        return 0.0
+
+    @property
+    def problem(self) -> str | None:
+        """What leaves its range at some time, in words, or None."""
+        return out_of_range("a torque", abs(self.value), MAX_WRENCH, "N m")
+
 
 @dataclass(frozen=True)
-class RunUp(_OfTorque):
-    """Torque towards a speed: value tanh((to - phi') / band). Far from it the whole torque, near it a governor."""
+class Torque(TorqueLaw):
+    """One commanded torque, N m."""
 
     value: float
-    to: float
-    band: float
+
+
+@dataclass(frozen=True)
+class RunUp(TorqueLaw):
+    """`run_up`: value tanh((to - phi') / band). Far from the speed the whole torque, near it a governor.
+
+    band   0: 1 % of the speed, and at least 0.1 rad/s
+    """
+
+    value: Annotated[float, scalar(TORQUE, above=0.0), Field(alias="torque")]
+    to: Annotated[float, scalar(SPEED)]
+    band: Annotated[float, scalar(SPEED, least=0.0)] = 0.0
+
+    def __post_init__(self) -> None:
+        """The band that is meant."""
+        object.__setattr__(self, "band", self.band or max(0.01 * abs(self.to), 0.1))
 
     def command(self, t: float, speed: float) -> float:
-        """Torque commanded at the time t (s) and speed (rad/s), N m."""
+        """See TorqueLaw."""
         return self.value * math.tanh((self.to - speed) / self.band)
 
     def steepness(self, low: float, high: float) -> float:
-        """Largest change of the torque by speed between two speeds (rad/s), N m s."""
+        """See TorqueLaw."""
         nearest = min(max(self.to, low), high)
         return self.value / self.band * (1.0 - math.tanh((self.to - nearest) / self.band) ** 2)
 
+    @property
+    def problem(self) -> str | None:
+        """See TorqueLaw."""
+        return super().problem or out_of_range("a speed", self.to, MAX_SPEED, "rad/s")
+
 
 @dataclass(frozen=True, eq=False)
-class TorqueTable(_OfTorque):
+class TorqueTable(TorqueLaw):
     """Torques at times, joined by straight lines."""
 
     times: Array
@@ -165,32 +283,62 @@ class TorqueTable(_OfTorque):
     @property
     def breaks(self) -> tuple[float, ...]:
         """The corners."""
-        return tuple(float(t) for t in self.times)
+        return tuple(map(float, self.times))
 
     def command(self, t: float, speed: float) -> float:
-        """Torque commanded at the time t (s) and speed (rad/s), N m."""
+        """See TorqueLaw."""
         return float(np.interp(t, self.times, self.values))
 
+    @property
+    def problem(self) -> str | None:
+        """See TorqueLaw."""
+        return out_of_range("a torque", float(np.abs(self.values).max()), MAX_WRENCH, "N m")
 
-SpeedLaw = Constant | Ramp | LogSweep | Harmonic | SpeedTable
-TorqueLaw = Torque | RunUp | TorqueTable
+
 Law = SpeedLaw | TorqueLaw
 
 
-@dataclass(frozen=True, eq=False)
-class WrenchTable:
-    """A wrench (6; N, N m) on one body in its own frame, in time, joined by straight lines; one row: constant."""
+# -- motors ----------------------------------------------------------------------------------------------------------
 
-    times: Array
-    values: Array
 
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """The corners."""
-        return tuple(float(t) for t in self.times) if len(self.times) > 1 else ()
+def friction(motor: Motor, speed: float) -> float:
+    """Torque of friction of a motor on the flywheel at a speed (rad/s), N m."""
+    return -motor.viscous * speed - motor.coulomb * math.tanh(speed / motor.coulomb_speed)
 
-    def at(self, t: float) -> tuple[float, ...]:
-        """Six components at the time t (s)."""
-        if len(self.times) == 1:
-            return tuple(float(x) for x in self.values[0])
-        return tuple(float(np.interp(t, self.times, column)) for column in self.values.T)
+
+def available_torque(motor: Motor, torque: float, speed: float) -> float:
+    """Largest torque that the motor can give in the direction of `torque` at a speed (rad/s), N m.
+
+    Driving, it falls linearly from the limit at rest to zero at the no-load speed; braking, it is the limit.
+    """
+    if motor.torque is None:
+        return math.inf
+    if motor.speed is None or torque * speed <= 0.0:
+        return motor.torque
+    return motor.torque * max(0.0, 1.0 - abs(speed) / motor.speed)
+
+
+def drive(motor: Motor | None, command: float, speed: float) -> float:
+    """Whole drive torque on the flywheel (N m) when the motor is commanded: limited, with friction."""
+    if motor is None:
+        return command
+    most = available_torque(motor, command, speed)
+    return min(max(command, -most), most) + friction(motor, speed)
+
+
+def steepness(motor: Motor | None, command: float, low: float, high: float) -> float:
+    """Largest change of the whole drive torque by speed between two speeds (rad/s), N m s; an upper bound.
+
+    `command`: that of the commanded torque.
+    """
+    if motor is None:
+        return command
+    line = motor.torque / motor.speed if motor.torque is not None and motor.speed is not None else 0.0
+    at_rest = min(max(0.0, low), high)
+    slipping = motor.coulomb / motor.coulomb_speed * (1.0 - math.tanh(at_rest / motor.coulomb_speed) ** 2)
+    return max(command, line) + motor.viscous + slipping
+
+
+def required_torque(motor: Motor, tau: float, speed: float) -> float:
+    """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
+    return tau - friction(motor, speed)

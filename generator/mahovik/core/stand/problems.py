@@ -5,10 +5,11 @@ from __future__ import annotations
 import re
 import types
 import typing
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from mahovik.core.stand.units import show
 from mahovik.nearest import suggestion
@@ -33,11 +34,11 @@ class Problems:
         if line not in self.lines:
             self.lines.append(line)
 
-    def add_schema_errors(self, where: str, table: type[BaseModel], error: ValidationError) -> None:
+    def add_schema_errors(self, where: str, table: type, error: ValidationError) -> None:
         """Note everything pydantic found in the table that `where` names."""
         for item in error.errors(include_url=False):
             location, kind = item["loc"], item["type"]
-            if kind == "extra_forbidden":
+            if kind in ("extra_forbidden", "unexpected_keyword_argument"):
                 known = keys_of(_table_at(table, location[:-1]))
                 path, reason = (
                     location[:-1],
@@ -47,6 +48,9 @@ class Problems:
                 path, reason = location, "required, but missing"
             elif kind in ("model_type", "model_attributes_type"):
                 path, reason = location, f"expected a table, found {show(item['input'])}"
+            elif kind == "dataclass_type":
+                keys = ", ".join(keys_of(_table_at(table, location)))
+                path, reason = location, f"expected a table with {keys}, found {show(item['input'])}"
             elif kind == "list_type":
                 path, reason = location, f"expected a list, found {show(item['input'])}"
             else:
@@ -81,24 +85,34 @@ def _words(location: tuple[int | str, ...]) -> list[str]:
     return words
 
 
-def keys_of(table: type[BaseModel]) -> list[str]:
+def keys_of(table: Any) -> list[str]:
     """The keys that a table may have."""
-    return [info.alias or name for name, info in table.model_fields.items()]
+    return [key for key, _, _ in _fields_of(table)]
 
 
-def _table_at(table: type[BaseModel], location: tuple[int | str, ...]) -> type[BaseModel]:
-    """The table model that a location inside `table` leads to."""
+def _fields_of(table: Any) -> list[tuple[str, str, Any]]:
+    """Key, name and type of each field of a table, a model or a dataclass."""
+    if issubclass(table, BaseModel):
+        return [(info.alias or name, name, info.annotation) for name, info in table.model_fields.items()]
+    hints = typing.get_type_hints(table, include_extras=True)
+    marks = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
+    aliases = {name: mark.alias for name in hints for mark in marks[name] if isinstance(mark, FieldInfo) and mark.alias}
+    return [(aliases.get(f.name, f.name), f.name, hints[f.name]) for f in fields(table)]
+
+
+def _table_at(table: type, location: tuple[int | str, ...]) -> type:
+    """The table that a location inside `table` leads to."""
     for step in location:
-        if isinstance(step, str) and step in table.model_fields:  # others are keys of a table of tables
-            table = _model_in(table.model_fields[step].annotation) or table
+        kinds: dict[Any, Any] = {key: kind for key, _, kind in _fields_of(table)}
+        table = _table_in(kinds.get(step)) or table  # others are keys of a table of tables, or places in a list
     return table
 
 
-def _model_in(annotation: Any) -> type[BaseModel] | None:
+def _table_in(annotation: Any) -> type | None:
     if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
-        return annotation if issubclass(annotation, BaseModel) else None
+        return annotation if issubclass(annotation, BaseModel) or is_dataclass(annotation) else None
     for argument in typing.get_args(annotation):
-        found = _model_in(argument)
+        found = _table_in(argument)
         if found is not None:
             return found
     return None

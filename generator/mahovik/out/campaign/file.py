@@ -14,8 +14,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field
 
 from mahovik import stands
-from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, any_list
+from mahovik.core.motion.document import NOT_NULL, any_list, document_of, text_of, validate_table
 from mahovik.core.stand.content import TEXT, is_file
 from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
 from mahovik.core.stand.numbers import StandNumbers

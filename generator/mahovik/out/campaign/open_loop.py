@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.programme.regime import programme_regime
+from mahovik.core.motion.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError

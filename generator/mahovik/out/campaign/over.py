@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import model_validator
 
-from mahovik.core.motion.fields import choice, short_integer
+from mahovik.core.motion.document import choice, short_integer
 from mahovik.core.stand.fields import Table, refuse, scalar, text, validator
 from mahovik.core.stand.units import TIME, QuantityError, show
 

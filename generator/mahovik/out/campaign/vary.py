@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.core.motion.fields import any_list
+from mahovik.core.motion.document import any_list
 from mahovik.core.stand.fields import text
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.problems import Problems

@@ -6,8 +6,8 @@ from typing import Annotated, Any
 
 from pydantic import model_validator
 
-from mahovik.core.motion.fields import FREQUENCY
-from mahovik.core.motion.servo import COORDINATES
+from mahovik.core.motion.document import FREQUENCY
+from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Table, Text, refuse, text, validator
 from mahovik.core.stand.hold import TWIST_NAMES
 from mahovik.core.stand.shapes import vector
@@ -33,7 +33,7 @@ def _band(raw: Any) -> tuple[float, float]:
 
 
 def _axis(raw: Any) -> str:
-    known = dict.fromkeys((*AXES, *COORDINATES, *TWIST_NAMES, *map(str, range(1, 7))))
+    known = dict.fromkeys((*AXES, *FREE, *TWIST_NAMES, *map(str, range(1, 7))))
     if not isinstance(raw, str) or raw not in known:
         raise QuantityError(f"unknown {show(raw)}{suggestion(raw, known)}")
     return raw

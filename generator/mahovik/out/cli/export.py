@@ -177,8 +177,8 @@ def servo(
     a self-test, a page. With --name lap the files, and all names in C, begin with NAME_lap and NAME_lap_servo. Exit
     status 1 if the sampled, delayed loop is not stable with enough margin; the message names a bandwidth that is.
     """
+    from mahovik.core.motion.motion_file import load_motion
     from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
     from mahovik.out.export.programme.files import element_type, write_servo
     from mahovik.out.export.servo import export_servo
@@ -226,8 +226,8 @@ def programme(
     is above the limit, if the programme exceeds its own bounds, or if programme, stand and motion do not belong
     together.
     """
+    from mahovik.core.motion.motion_file import load_motion
     from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
     from mahovik.out.export.programme import export_programme
     from mahovik.out.export.programme.files import element_type, write_programme
 

@@ -72,8 +72,8 @@ def plot(
 
 def _programme_panels(file: str, stand_file: str | None, motion_file: str | None) -> tuple[str, list[Panel]]:
     """Title and panels of a programme. Raises CheckError if stand or motion are others, and what the files raise."""
+    from mahovik.core.motion.motion_file import load_motion
     from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
     from mahovik.out.report.plot.programme import panels
     from mahovik.proof.verify.programme.verification import motion_check, stand_check
 

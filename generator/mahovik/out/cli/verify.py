@@ -135,8 +135,8 @@ def _verify_servo(
     junit: str | None,
 ) -> None:
     """Judge the C of servos in a folder, print the table, and exit with the verdict as status."""
+    from mahovik.core.motion.motion_file import load_motion
     from mahovik.core.motion.programme import load_programme
-    from mahovik.core.motion.required import load_motion
     from mahovik.core.motion.servo import load_servo
     from mahovik.proof.verify.exported import verify_servo
     from mahovik.proof.verify.programme.verification import motion_check

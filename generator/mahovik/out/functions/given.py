@@ -30,12 +30,12 @@ Number = float | str
 
 def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
     """The regime of a run of `until` s. Raises RegimeError."""
-    from mahovik.core import motion
+    from mahovik.core.motion.regime import load, loads_regime
 
     if isinstance(regime, str | Path):
-        return motion.load(regime, stand, until)
+        return load(regime, stand, until)
     if isinstance(regime, Mapping):
-        return motion.loads_regime(text_of_keys(regime), stand, until, is_json=True)
+        return loads_regime(text_of_keys(regime), stand, until, is_json=True)
     return regime
 
 
@@ -43,7 +43,7 @@ def motion_of(
     motion: RequiredMotion | Keys | str | Path, stand: CoreStand, programme: Programme | None = None
 ) -> RequiredMotion:
     """The required motion of the carrier; of a slew, with the course that `programme` keeps. Raises MotionError."""
-    from mahovik.core.motion.required import load_motion, read_motion
+    from mahovik.core.motion.motion_file import load_motion, read_motion
 
     if isinstance(motion, str | Path):
         return load_motion(motion, stand, programme)
@@ -54,7 +54,7 @@ def motion_of(
 
 def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
     """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
-    from mahovik.core.motion.required import load_motion_or_slew, read_motion_or_slew
+    from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
     if isinstance(motion, str | Path):
         return load_motion_or_slew(motion, stand)

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import RequiredMotion, Slew, Winding
-from mahovik.core.motion.required.slew_file import motion_of_slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand

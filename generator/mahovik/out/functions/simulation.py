@@ -122,7 +122,7 @@ def simulate(
 
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
-    from mahovik.core.motion import steady_regime
+    from mahovik.core.motion.regime import steady_regime
     from mahovik.out.functions.equilibrium import rest_to_start
 
     if not (math.isfinite(until) and until > 0.0):

@@ -13,8 +13,9 @@ from markupsafe import Markup
 
 from mahovik.contract.quantities import RPM
 from mahovik.core.lower.program import lower
+from mahovik.core.motion.motion_file import load_motion
 from mahovik.core.motion.programme import Programme, load_programme
-from mahovik.core.motion.required import RequiredMotion, load_motion
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.laws import body_laws, carrier_laws

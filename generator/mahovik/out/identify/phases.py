@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
-from mahovik.core.motion.laws import Constant, Motion
+from mahovik.core.motion.functions import Motion
+from mahovik.core.motion.laws import Constant
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.model import Flywheel
 from mahovik.errors import UsageError

@@ -12,7 +12,7 @@ from typing import Any, Protocol, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.laws import Motion
+from mahovik.core.motion.functions import Motion
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError

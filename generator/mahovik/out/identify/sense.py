@@ -9,7 +9,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.laws import Motion
+from mahovik.core.motion.functions import Motion
 from mahovik.errors import StandError, StateError
 from mahovik.out.identify.arrangement import BETTER, GOOD, Look, wrong_axes
 from mahovik.out.identify.estimate import Fit

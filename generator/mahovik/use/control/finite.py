@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.required import Slew
-from mahovik.core.motion.required.slew import rows_of
+from mahovik.core.motion.required import Slew, rows_of
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.use.control.record import Errors, Following, Record, displacement_shares, following

@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from mahovik.contract.status import status_words
-from mahovik.core.motion.motor import drive, steepness
+from mahovik.core.motion.laws import drive, steepness
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError, UsageError

@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from mahovik.core.motion.programme import Angles, Programme, Samples
-from mahovik.core.motion.required import Course, RequiredMotion
+from mahovik.core.motion.functions import Angles, Course, Samples
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.use.plan.array import Array, Complex

@@ -12,7 +12,8 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Fourier, Programme
+from mahovik.core.motion.functions import Fourier
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import MountingAngles, Stand
 from mahovik.errors import DesignError, StateError, whole_number

@@ -10,8 +10,17 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Field
 
-from mahovik.core.motion.document import document_of, text_of, validate_table
-from mahovik.core.motion.fields import NOT_NULL, choice, context_validator, positions, short_integer, whole_number
+from mahovik.core.motion.document import (
+    NOT_NULL,
+    choice,
+    context_validator,
+    document_of,
+    positions,
+    short_integer,
+    text_of,
+    validate_table,
+    whole_number,
+)
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Flag, Table, refuse, scalar, validator
 from mahovik.core.stand.model import Stand

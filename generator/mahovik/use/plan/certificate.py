@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles, Fourier, Programme, Samples
+from mahovik.core.motion.functions import Angles, Fourier, Samples
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities

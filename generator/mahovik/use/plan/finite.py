@@ -17,8 +17,7 @@ import numpy as np
 from scipy.interpolate import BSpline
 from scipy.linalg import eigh, null_space
 
-from mahovik.core.motion.programme import Angles, Samples
-from mahovik.core.motion.required.course import SampledCourse
+from mahovik.core.motion.functions import Angles, SampledCourse, Samples
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.follow import angles_at, follow, resolve

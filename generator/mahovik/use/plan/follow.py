@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.programme import Samples
+from mahovik.core.motion.functions import Samples
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Problem

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.errors import CheckError, StateError
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Linear, Mechanics, linear

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from mahovik.core.motion.motion_file import NO_SLEW
 from mahovik.core.motion.required import RequiredMotion, Slew
-from mahovik.core.motion.required.read import NO_SLEW
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches

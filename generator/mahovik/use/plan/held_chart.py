@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.course import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.units import ANGLE
 from mahovik.use.plan.array import Array

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Grid, Periodic, Problem

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.held import mean_along_freedoms

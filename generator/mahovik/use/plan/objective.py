@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds, Objective
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles, Fourier, Programme
-from mahovik.core.motion.required import RequiredMotion, with_winding
+from mahovik.core.motion.functions import Angles, Fourier
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.use.plan.budget import Budget, defer_interrupt
@@ -54,7 +55,7 @@ def plan_motion(
     refuse_unplannable(stand, motion)
     _refuse_method(stand, options.method)
     if options.winding is not None:
-        motion = with_winding(motion, options.winding)
+        motion = motion.with_winding(options.winding)
     whole = Budget(0, options.seconds)
     with_tables = motion.runup is not None and motion.periodic
     options = replace(options, seconds=whole.seconds_left(SEARCH if with_tables else 1.0))

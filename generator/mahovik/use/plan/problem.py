@@ -15,8 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.programme import Angles
-from mahovik.core.motion.required import Course, RequiredMotion
+from mahovik.core.motion.functions import Angles, Course
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Linear, Mechanics, Norm, PrescribedMotion, linear, prescribe, residual

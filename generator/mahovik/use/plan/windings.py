@@ -14,8 +14,8 @@ from typing import Literal
 
 import numpy as np
 
+from mahovik.core.motion.functions import Harmonics
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.motion.required.course import Harmonics
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.problem import Periodic
 

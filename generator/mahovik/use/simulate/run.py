@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.motion.motor import available_torque, required_torque
+from mahovik.core.motion.laws import available_torque, required_torque
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
 from mahovik.errors import StateError, UsageError

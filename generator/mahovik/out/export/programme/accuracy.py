@@ -8,7 +8,8 @@ import numpy as np
 
 from mahovik.core.lower.programme import Course
 from mahovik.core.lower.programme_play import Player
-from mahovik.core.motion.programme import Angles, RunUpTable
+from mahovik.core.motion.functions import Angles
+from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.program.types import Precision
 from mahovik.out.export.programme.tables import Array, Table
 from mahovik.proof.verify.programme.compiled import spread_phases

@@ -21,7 +21,8 @@ from mahovik.core.emit.reading import read_header
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.programme import Form, ProgrammeProgram, lower_programme
 from mahovik.core.lower.programme_play import Player
-from mahovik.core.motion.programme import Angles, Programme, RunUpTable
+from mahovik.core.motion.functions import Angles
+from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

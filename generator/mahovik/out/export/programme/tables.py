@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.lower.programme import Form
-from mahovik.core.motion.programme import Angles, Fourier, Programme
+from mahovik.core.motion.functions import Angles, Fourier
+from mahovik.core.motion.programme import Programme
 from mahovik.core.program.types import NamedCount
 
 MOST_HARMONICS = 120

@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.core.motion.programme import Angles, Programme
+from mahovik.core.motion.functions import Angles
+from mahovik.core.motion.programme import Programme
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.out.report.plot.panel import Array, Panel, family, limit
 from mahovik.proof.verify.programme.mechanics import simulate
 from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 if TYPE_CHECKING:
-    from mahovik.core.motion.required import RequiredMotion
-    from mahovik.core.motion.required.model import Each
+    from mahovik.core.motion.required import Each, RequiredMotion
     from mahovik.core.stand.model import Stand
 
 POINTS = 400

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from mahovik.contract.limits import LIMITS, Limits
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.check import Check

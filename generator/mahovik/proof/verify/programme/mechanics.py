@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles, Programme
-from mahovik.core.motion.required import Course, RequiredMotion
+from mahovik.core.motion.functions import Angles, Course
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state

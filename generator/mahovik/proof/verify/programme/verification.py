@@ -10,8 +10,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from mahovik.core.motion.motor import available_torque, required_torque
-from mahovik.core.motion.programme import Angles, Fourier, Programme, RunUpTable, Samples
+from mahovik.core.motion.functions import Angles, Fourier, Samples
+from mahovik.core.motion.laws import available_torque, required_torque
+from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.coordinates import FREE, coordinates_of
 from mahovik.core.stand.identity import identities

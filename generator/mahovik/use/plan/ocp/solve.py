@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget, defer_interrupt

@@ -16,7 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mahovik.core.motion.programme import Angles
+from mahovik.core.motion.functions import Angles
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.problem import BiasPerturbations, Grid, Periodic, Problem

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.evaluate import flywheel_wrenches

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.course import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.required import Course
+from mahovik.core.motion.functions import Course
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array

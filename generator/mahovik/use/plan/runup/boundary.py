@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import BSpline
 
-from mahovik.core.motion.programme import Angles, Programme, Samples
+from mahovik.core.motion.functions import Angles, Samples
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import (

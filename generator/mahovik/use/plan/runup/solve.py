@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from mahovik.core.motion.programme import Programme, RunUpTable, Samples
+from mahovik.core.motion.functions import Samples
+from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError

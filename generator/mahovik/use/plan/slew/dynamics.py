@@ -18,9 +18,8 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.programme import Angles
-from mahovik.core.motion.required import Course
-from mahovik.core.motion.required.slew import Slew
+from mahovik.core.motion.functions import Angles, Course
+from mahovik.core.motion.required import Slew
 from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
 from mahovik.use.plan.array import Array

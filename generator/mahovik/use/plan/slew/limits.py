@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.required.bounds import Bounds
+from mahovik.core.motion.required import FlywheelBounds
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
 
@@ -32,7 +32,7 @@ class Limits:
     coulomb_speed: Array
 
     @staticmethod
-    def of(stand: Stand, bounds: Bounds) -> Limits:
+    def of(stand: Stand, bounds: FlywheelBounds) -> Limits:
         """Limits of a stand's motors and of given bounds; a flywheel without either has `inverse_most`."""
         wheels = stand.flywheels
 

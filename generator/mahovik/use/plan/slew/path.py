@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.required.slew import Slew
+from mahovik.core.motion.required import Slew
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.slew.limits import Limits

@@ -8,11 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.course import PlannedCourse
-from mahovik.core.motion.programme import Angles, Programme, Samples
-from mahovik.core.motion.required.reach import SINGULAR
-from mahovik.core.motion.required.slew import Slew, rows_of
-from mahovik.core.motion.required.slew_file import motion_of_slew
+from mahovik.core.motion.functions import Angles, PlannedCourse, Samples
+from mahovik.core.motion.motion_file import motion_of_slew
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import SINGULAR, Slew, rows_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.motion.required.slew import Slew
+from mahovik.core.motion.required import Slew
 from mahovik.use.plan.array import Array
 
 

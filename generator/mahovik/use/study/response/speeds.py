@@ -11,7 +11,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from mahovik.core.motion.ranges import MAX_SPEED
+from mahovik.core.motion.laws import MAX_SPEED
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import SPEED, QuantityError, number
 from mahovik.errors import UsageError, whole_number
