@@ -11,7 +11,6 @@ import json
 import math
 from collections.abc import Callable, Sequence
 from decimal import Decimal
-from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -90,16 +89,10 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
 def validate_table(table: type[T], raw: Any, problems: Problems, where: str = "", **context: Any) -> T | None:
     """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
     try:
-        value: T = _adapter(table).validate_python(raw, context=context)
-        return value
+        return TypeAdapter(table).validate_python(raw, context=context)
     except ValidationError as error:
         problems.add_schema_errors(where, table, error)
         return None
-
-
-@cache
-def _adapter(table: Any) -> TypeAdapter[Any]:
-    return TypeAdapter(table)
 
 
 # -- fields ----------------------------------------------------------------------------------------------------------
