@@ -14,12 +14,12 @@ from mahovik.errors import UsageError
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.foreign import Program, verify_program
-from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
+from mahovik.proof.verify.foreign import Program, TorqueCase, torque_checks, torque_requests, verify_program
+from mahovik.proof.verify.scales import Scales
 
 SAT = mahovik.example("sat4")
-SETTING = TaskSetting(SAT, uniform(1e-12), Second(SAT), 1)
-REQUESTS = torque_requests(SETTING, draw(SAT, 1, 36, wrenches=False))
+CASE = TorqueCase(SAT, uniform(1e-12), Second(SAT), Scales(SAT))
+REQUESTS = torque_requests(SAT, draw(SAT, 1, 36, wrenches=False), 1)
 
 
 def answers() -> list[dict[str, Any]]:
@@ -27,12 +27,16 @@ def answers() -> list[dict[str, Any]]:
 
 
 def failed(results: list[dict[str, Any]]) -> set[str]:
-    return {row.quantity for row in torque_rows(SETTING, REQUESTS, results) if row.verdict == "FAILED"}
+    return {
+        row.quantity
+        for row in torque_checks(CASE, list(zip(REQUESTS, results, strict=True)))
+        if row.verdict == "FAILED"
+    }
 
 
 def test_the_reference_passes_and_every_row_has_states() -> None:
     results = answers()
-    rows = torque_rows(SETTING, REQUESTS, results)
+    rows = torque_checks(CASE, list(zip(REQUESTS, results, strict=True)))
     assert {row.verdict for row in rows} == {"ok"}
     assert next(row.states for row in rows if row.quantity == "tau") >= 6
     assert {result["status"] for result in results} >= {"OK", "LIMITED|UNREACHABLE"}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
@@ -41,6 +41,23 @@ ROWS_OF_TERMS = 3
 
 STATES = 200
 """Number of states by default."""
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A verdict, and what can be asked to find its fault.
+
+    answers    of requests
+    tolerance  accepted difference, relative to the natural scale
+    states     the only ones with answers, those of a log; None: any
+    program    that answers; None of a log
+    """
+
+    found: Report
+    answers: Callable[[Sequence[Request]], Answers]
+    tolerance: float
+    states: States | None = None
+    program: Program | None = None
 
 
 def judge(
@@ -85,18 +102,18 @@ def judge(
         raise UsageError("--attitude: only of a program, --with; a map and a log have their own attitudes")
     if attitude not in (None, "quaternion", "angles"):
         raise UsageError(f'attitude: found "{attitude}", expected "quaternion" or "angles"')
-    if log is not None:
-        return _judge_log(own, Path(log), explain, wants, seed, tolerance, progress)
     from mahovik.proof.verify.fmu import fmu_program
     from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
+        tell(progress, Progress(f"judge {next(filter(None, (command, log, fmu)))}"))
+        if log is not None:
+            return _explained(own, _judge_log(own, Path(log), wants, tolerance), explain, seed, progress)
         if fmu is not None and variables is not None:
             program = fmu_program(Path(fmu), Path(unpacked), Path(variables), own, str(stand))
         else:
             program = program_of(str(command), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(own, program, longest))
-        tell(progress, Progress(f"judge {program.name}"))
         found = verify_program(own, program, wants=wants, seed=seed, count=states, timeout=longest, tolerance=tolerance)
 
         def answers(requests: Sequence[Request]) -> Answers:
@@ -104,7 +121,7 @@ def judge(
             by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
             return lambda request: by_id[request.id]
 
-        return _explain(own, found, explain, answers, seed, tolerance, None, progress, program)
+        return _explained(own, Judged(found, answers, tolerance, program=program), explain, seed, progress)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -126,15 +143,8 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
     return found
 
 
-def _judge_log(
-    stand: CoreStand,
-    path: Path,
-    explain: bool,
-    wants: tuple[str, ...],
-    seed: int,
-    tolerance: float,
-    progress: OnProgress | None,
-) -> Verification:
+def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
+    """The verdict on a log."""
     from mahovik.proof.verify.foreign import verify_log
     from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
@@ -145,7 +155,6 @@ def _judge_log(
     if log.error and MARGIN * log.error > tolerance:
         tolerance = min(MARGIN * log.error, COARSEST)
         warn(f"{path}: accepted are differences of {tolerance:.0e}, as derived accelerations need")
-    tell(progress, Progress(f"judge {path}"))
     answered = [
         (Request(f"{name}, {want}", state, (want,)), rows[name])
         for name, state in log.states
@@ -154,53 +163,28 @@ def _judge_log(
     ]
     found = verify_log(stand, str(path), answered, len(log.states), wants=wants, tolerance=tolerance)
     by_id = {request.id: result for request, result in answered}
-
-    def answers(_: Sequence[Request]) -> Answers:
-        return lambda request: by_id.get(request.id, {})
-
-    return _explain(stand, found, explain, answers, seed, tolerance, log.states, progress)
+    return Judged(found, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
 
 
-def _explain(
-    stand: CoreStand,
-    found: Report,
-    explain: bool,
-    answers: Callable[[Sequence[Request]], Answers],
-    seed: int,
-    tolerance: float,
-    states: States | None,
-    progress: OnProgress | None,
-    program: Program | None = None,
-) -> Verification:
+def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: OnProgress | None) -> Verification:
     """The verdict with its diagnosis, where one is asked for and possible."""
-    if not explain or found.error:
-        return Verification(found)
+    if not explain or judged.found.error:
+        return Verification(judged.found)
     tell(progress, Progress("distinguish faults"))
     try:
-        diagnosed = _diagnosis(stand, found, answers, seed, tolerance, states, program)
-        return Verification(found, diagnosed)
+        return Verification(judged.found, _diagnosis(stand, judged, seed))
     except CheckError as error:
-        return Verification(replace(found, error=str(error)))
+        return Verification(replace(judged.found, error=str(error)))
 
 
-def _diagnosis(
-    stand: CoreStand,
-    found: Report,
-    answers: Callable[[Sequence[Request]], Answers],
-    seed: int,
-    tolerance: float,
-    states: States | None,
-    program: Program | None,
-) -> Diagnosis:
-    """Diagnosis of what differs, for the wants that it offers. `states`: the only ones with answers, or None.
-
-    Raises CheckError, UsageError.
-    """
+def _diagnosis(stand: CoreStand, judged: Judged, seed: int) -> Diagnosis:
+    """Diagnosis of what differs, for the wants that it offers. Raises CheckError, UsageError."""
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
     from mahovik.proof.diagnose.states import spread_rows
     from mahovik.proof.diagnose.terms.products import count
     from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
 
+    found, states, program = judged.found, judged.states, judged.program
     if found.passed:
         return Diagnosis("none")
     offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
@@ -208,8 +192,10 @@ def _diagnosis(
         return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
     rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     document = Stand.of(stand).to_dict()
-    diagnoser = Diagnoser(stand, document, seed=seed, wants=offered, states=rows, tolerance=tolerance, program=program)
-    diagnosed = diagnoser.diagnose(answers(diagnoser.requests))
+    diagnoser = Diagnoser(
+        stand, document, seed=seed, wants=offered, states=rows, tolerance=judged.tolerance, program=program
+    )
+    diagnosed = diagnoser.diagnose(judged.answers(diagnoser.requests))
     diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
     precision = diagnosed.precision
     if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
@@ -222,7 +208,7 @@ def _diagnosis(
         states = spread_rows(states, ROWS_OF_TERMS * count(stand))
     terms = TermSearch(stand, seed, offered, states, precision, program, diagnosed.wrong)
     try:
-        return diagnosed.with_terms(terms.find(answers(terms.requests)))
+        return diagnosed.with_terms(terms.find(judged.answers(terms.requests)))
     except CheckError as error:
         if not (diagnosed.missing or diagnosed.causes):
             raise

@@ -21,23 +21,30 @@ import numpy as np
 
 from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, answers_of
 from mahovik.contract.functions import wants_of_carrier
-from mahovik.contract.limits import DOUBLE, uniform
+from mahovik.contract.limits import DOUBLE, Limits, uniform
+from mahovik.contract.status import BITS, STATUS_VALUES
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
-from mahovik.errors import CheckError, UsageError
+from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.proof.reference.motion import coupled
+from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
-from mahovik.proof.verify.check import Check, Report, report
+from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw, with_drawn_actuators
+from mahovik.proof.verify.functions.case import Rows, ordinary
+from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.held import onto_hold, with_angles, with_quaternion
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
-from mahovik.proof.verify.torque_want import WANT as TORQUE_FOR
-from mahovik.proof.verify.torque_want import TaskSetting, torque_requests, torque_rows
 
 Attitude = Literal["angles", "quaternion"]
+
+TORQUE_FOR, SHARES, STATES = "torque_for", (0.3, 1.0, 2.0), 24
+"""Want of torques within bounds; demands of it as shares of what motors have; ordinary states of a task, at most."""
 
 Answered = Sequence[tuple[Request, Mapping[str, Any]]]
 """Requests of one want each, with their results."""
@@ -119,14 +126,13 @@ def verify_program(
         for want in asked
         if applicable(state, want)
     ]
-    setting = TaskSetting(stand, uniform(tolerance), Second(stand), seed)
     if TORQUE_FOR in asked:
-        requests += torque_requests(setting, states)
+        requests += torque_requests(stand, states, seed)
     try:
         results = answers_of_program(program, requests, timeout)
     except CheckError as error:
         return report(stand, program.name, seed, len(states), tolerance, (), str(error))
-    rows = _rows(setting, "program", list(zip(requests, results, strict=True)), program.left_out, wants)
+    rows = _rows(stand, tolerance, "program", list(zip(requests, results, strict=True)), program.left_out, wants)
     return report(stand, program.name, seed, len(states), tolerance, rows)
 
 
@@ -141,7 +147,7 @@ def verify_log(
 ) -> Report:
     """Judge the answers of a log of `count` states. `wants`: those it must have."""
     asked = [(request, result) for request, result in answers if not wants or request.want[0] in wants]
-    rows = _rows(TaskSetting(stand, uniform(tolerance), Second(stand), 0), "log", asked, ("reaction",), wants)
+    rows = _rows(stand, tolerance, "log", asked, ("reaction",), wants)
     return report(stand, source, 0, count, tolerance, rows)
 
 
@@ -165,14 +171,14 @@ def takes_actuators(stand: Stand, program: Program, timeout: float) -> bool:
 
 
 def _rows(
-    setting: TaskSetting, judged: str, answered: Answered, left_out: Sequence[str], wants: Sequence[str]
+    stand: Stand, tolerance: float, judged: str, answered: Answered, left_out: Sequence[str], wants: Sequence[str]
 ) -> list[Check]:
     """Rows of the wants that a program offers; one row for each that it does not, MISSING where it is in `wants`."""
     by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {want: [] for want in wants}
     for request, result in answered:
         by_want.setdefault(request.want[0], []).append((request, result))
-    judge = Judge(setting.stand, setting.limits, setting.second, judged)
-    rows: list[Check] = []
+    second, limits = Second(stand), uniform(tolerance)
+    judge, rows = Judge(stand, limits, second, judged), list[Check]()
     for want, pairs in by_want.items():
         refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
         if len(refusals) == len(pairs):
@@ -180,17 +186,81 @@ def _rows(
             rows.append(Check(want, want, verdict="MISSING" if wants else "not offered", words=words))
             continue
         if want == TORQUE_FOR:
-            rows += torque_rows(setting, *map(list, zip(*pairs, strict=True)))
+            rows += torque_checks(TorqueCase(stand, limits, second, judge.scales), pairs)
             continue
         # what is in some of its results must be in all
         absent = [name for name in left_out if not any(name in result for _, result in pairs)]
-        absent = [name for name in answers_of(want, setting.stand.hold is not None) if name in absent]
+        absent = [name for name in answers_of(want, stand.hold is not None) if name in absent]
         silent = [name for name in absent if name not in by_want]  # a reaction may have a want of its own
         rows += [Check(want, name, verdict="not offered", words="in none of its results") for name in silent]
         for request, result in pairs:
             refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
             judge.compare(request, want, None if refusal else result, absent, refusal)
     return [*judge.checks(), *rows]
+
+
+@dataclass(frozen=True)
+class TorqueCase:
+    """Where torques of a program within the bounds of its motors are judged, by what they reach, as those of the C."""
+
+    stand: Stand
+    limits: Limits
+    second: Second
+    scales: Scales
+
+
+def motor_options(stand: Stand) -> dict[str, Any]:
+    """Options of `eval`: weights 1, motors of the stand file, no power, no wanted speeds."""
+    motors = [wheel.motor for wheel in stand.flywheels]
+    return {
+        "weight": [1.0] * len(motors),
+        "motor_torque": [np.inf if m is None or m.torque is None else m.torque for m in motors],
+        "motor_speed": [np.inf if m is None or m.speed is None else m.speed for m in motors],
+        "motor_power": [np.inf] * len(motors),
+        "target_speed": [0.0] * len(motors),
+        "target_rate": 0.0,
+        "avoid_speed": 0.0,
+    }
+
+
+def torque_requests(stand: Stand, states: Sequence[tuple[str, State]], seed: int) -> list[Request]:
+    """Requests for each task of the stand, none without tasks.
+
+    A demand is what random torques reach, SHARES of those of the motors, or of 1000 rad/s2 where these have no limit.
+    """
+    scales, options = Scales(stand), motor_options(stand)
+    inputs, found = [body.name for body in stand.bodies if body.wrench_input], []
+    for task in stand.tasks:
+        for number, (name, state) in enumerate(ordinary(states, inputs, STATES)):
+            at, (_, most) = scales.at(state), motor_bounds(state, options)
+            drawn = np.random.default_rng((seed, 900 + number)).uniform(-1.0, 1.0, len(most))
+            tau = drawn * SHARES[number % len(SHARES)] * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))
+            demand = tuple(task_rows(at, stand, task).acceleration(coupled(at, tau)[0]).tolist())
+            asked = replace(state, V_dot=(0.0,) * 6, task=task.name, demand=demand)
+            found.append(Request(f"{name}, {TORQUE_FOR} {task.name}", asked, (TORQUE_FOR,)))
+    return found
+
+
+def torque_checks(case: TorqueCase, answered: Answered) -> list[Check]:
+    """tau where no bound is touched, the error within bounds, the motion that results, status and limited."""
+    rows, N = Rows(case.limits, case.scales, TORQUE_FOR, "optimality"), len(case.stand.flywheels)
+    for request, result in answered:
+        state, where, names = request.state, str(request.id).partition(",")[0], str(result.get("status")).split("|")
+        sizes = {"tau": N, "phi_ddot": N, "V_dot": 6, "residual": len(state.demand), "limited": N}
+        faults = [
+            f"{k}: {fault}" for k, n in sizes.items() if (fault := difference(result.get(k), np.zeros(n), 1.0)[1])
+        ]
+        if names != ["OK"] and not {*names} <= {*BITS}:
+            faults.insert(0, f"status: expected OK or names joined by |, found {result.get('status')!r}")
+        if "error" in result:
+            faults = [f"refused: {result['error']}"]
+        if faults:
+            rows.check("tau", "value").refuse(StateError(faults[0][:200]), where)
+            continue
+        status = 0 if names == ["OK"] else sum(STATUS_VALUES[name] for name in {*names})
+        found = {name: np.array(result[name], dtype=np.float64) for name in sizes}
+        judge_torques(case, rows, where, state, motor_options(case.stand), np.zeros(N, dtype=bool), status, found)
+    return rows.checks()
 
 
 def answers_of_program(program: Program, requests: Sequence[Request], timeout: float) -> list[Mapping[str, Any]]:
