@@ -112,6 +112,12 @@ def test_what_derivations_share_computes_nothing() -> None:
                 named = {n.attr for n in nodes if isinstance(n, ast.Attribute)}
                 named |= {each.name for n in nodes if isinstance(n, ast.ImportFrom) for each in n.names}
                 assert not computing & named, path
+    for path in (
+        p for folder in ("core/derive", "proof/reference", "proof/second") for p in PACKAGE.glob(f"{folder}/*.py")
+    ):
+        imports = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.ImportFrom)]
+        of_model = [each.name for n in imports if n.module == "mahovik.core.stand.model" for each in n.names]
+        assert all(name[0].isupper() for name in of_model), path  # classes and constants of raw data
     assert arithmetic("def moved(J, m, r):\n    return J + m * (r @ r)\n") == [2, 2, 2]
 
 

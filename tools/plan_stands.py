@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.functions import Harmonics, SampledCourse
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
-from mahovik.core.stand.model import Carrier, Flywheel, Mat3, Mat6, MountingAngles, Stand, Vec3
+from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.model import Carrier, Flywheel, Mat6, MountingAngles, Stand, Vec3
 from mahovik.laws.suspension.law import Suspension
 
 Array = NDArray[np.float64]

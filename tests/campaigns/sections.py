@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import mahovik
-from mahovik.core.motion.document import validate_table
 from mahovik.core.stand.editing import exact
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import CampaignError, UsageError
@@ -23,11 +22,8 @@ Keys = Mapping[str, Any]
 def computation(stand: mahovik.Stand, run: Keys, quantities: Mapping[str, Keys], **options: Any) -> Computation:
     """The computation of these sections. Raises what is raised of the file."""
     problems = Problems("C.toml")
-    over = validate_table(OverTable, exact(run), problems, "run")
-    wanted = {
-        name: validate_table(WantedTable, exact(keys), problems, f"quantity {name}")
-        for name, keys in quantities.items()
-    }
+    over = problems.valid(OverTable, exact(run), "run")
+    wanted = {name: problems.valid(WantedTable, exact(keys), f"quantity {name}") for name, keys in quantities.items()}
     if problems.lines:
         raise UsageError(problems.lines[0])
     assert over is not None

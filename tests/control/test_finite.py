@@ -16,7 +16,7 @@ from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import save_programme
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
-from mahovik.core.stand.model import Mat3
+from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.write import dumps
 from mahovik.proof.verify.programme.verification import ARCSEC
 from mahovik.use.control.finite import tracking

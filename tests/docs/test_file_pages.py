@@ -24,8 +24,8 @@ from mahovik.core.motion.programme import ProgrammeTable
 from mahovik.core.motion.regime import load as load_regime
 from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
+from mahovik.core.stand.model import Encoder, Motor
 from mahovik.core.stand.problems import keys_of
-from mahovik.core.stand.schema import EncoderTable, MotorTable
 from mahovik.out.campaign.campaign import Campaign
 from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.file import CampaignTable
@@ -76,7 +76,7 @@ def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
     assert motion | slew | fields(ProgrammeTable) - {"report"} <= documented
 
 
-@pytest.mark.parametrize(("head", "model"), [("`motor` key", MotorTable), ("`encoder` key", EncoderTable)])
+@pytest.mark.parametrize(("head", "model"), [("`motor` key", Motor.table()), ("`encoder` key", Encoder.table())])
 def test_drives_are_documented_key_by_key(head: str, model: Any) -> None:
     """Each key has a row with its SI unit, its default and its meaning."""
     table = {row[0].strip("`"): row[1:] for row in rows(DOCS / "stand-file.md", head)}

@@ -15,7 +15,7 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.stand import load
 from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, LawData, Stand
+from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, Law, Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
@@ -106,7 +106,7 @@ def other_numbers(given: Stand, rng: np.random.Generator) -> Stand:
     def body(old: Body) -> dict[str, Any]:
         k = float(rng.uniform(1.1, 1.5))  # the same shape of another density
         new: dict[str, Any] = {"mass": old.mass * k, "inertia": scaled(old.inertia, k)}
-        laws: list[LawData] = []
+        laws: list[Law] = []
         if (buoyancy := old.law(Buoyancy)) is not None:
             laws.append(Buoyancy(buoyancy.displaced_mass * k, vec(buoyancy.center)))
         if (damping := old.law(Damping)) is not None:

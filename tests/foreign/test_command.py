@@ -11,7 +11,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from cli.run import refused, run
-from mahovik.core.stand.names import name_problem
+from mahovik.core.stand.fields import name_problem
 from mahovik.out.foreign.model import angles_of
 from mahovik.out.foreign.naming import Names
 

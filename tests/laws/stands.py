@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from mahovik.core.stand import Stand, loads
-from mahovik.core.stand.model import LawData
+from mahovik.core.stand.model import Law
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.laws.cross_flow.law import CrossFlow
 from mahovik.laws.damping.law import Damping
@@ -203,8 +203,8 @@ def bearing(law: str, seed: int = 1) -> Stand:
     if law in ("products", "all"):
         features = replace(features, fluid=True, stream=True)
     stand = random_stand(np.random.default_rng(seed), 2, features)
-    carrier: list[LawData] = list(stand.carrier.laws) if law == "products" else []
-    further: list[LawData] = []
+    carrier: list[Law] = list(stand.carrier.laws) if law == "products" else []
+    further: list[Law] = []
     if law in ("products", "all"):
         damping = stand.carrier.law(Damping) or Damping(None, None, ())
         carrier = [replace(damping, contains_products=True)]

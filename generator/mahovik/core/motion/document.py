@@ -15,14 +15,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
-from pydantic import BeforeValidator, ConfigDict, PlainValidator, TypeAdapter, ValidationError, ValidationInfo
+from pydantic import BeforeValidator, ConfigDict, PlainValidator, ValidationInfo
 
 from mahovik.core.stand import toml
 from mahovik.core.stand.content import content
 from mahovik.core.stand.echoes import echo, list_item
-from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.shapes import vector
+from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator, vector
 from mahovik.core.stand.units import PLAIN, SPEED, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import FileError
 from mahovik.nearest import suggestion
@@ -84,15 +82,6 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
     if isinstance(document["schema"], bool) or document["schema"] != 1:
         raise error([f"{source}: schema: expected 1, found {show(document['schema'])}"])
     return {key: value for key, value in document.items() if key != "schema"}
-
-
-def validate_table(table: type[T], raw: Any, problems: Problems, where: str = "", **context: Any) -> T | None:
-    """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
-    try:
-        return TypeAdapter(table).validate_python(raw, context=context)
-    except ValidationError as error:
-        problems.add_schema_errors(where, table, error)
-        return None
 
 
 # -- fields ----------------------------------------------------------------------------------------------------------

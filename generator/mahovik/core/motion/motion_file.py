@@ -27,7 +27,6 @@ from mahovik.core.motion.document import (
     short_integer,
     text_of,
     times,
-    validate_table,
 )  # fmt: skip
 from mahovik.core.motion.functions import Array, Harmonics, SampledCourse, quintic_spline
 from mahovik.core.motion.programme import Programme
@@ -46,13 +45,12 @@ from mahovik.core.motion.required import (
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import FREE, Coordinates, SixRows, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
-from mahovik.core.stand.fields import Length3, Table, Text, require_bounds, scalar, validator
+from mahovik.core.stand.fields import Length3, Table, Text, direction, require_bounds, scalar, validator, vec3, vector
 from mahovik.core.stand.frames import turn
 from mahovik.core.stand.mean import Unbalance
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.shapes import direction, vec3, vector
-from mahovik.core.stand.task import TaskTable, check_tasks
+from mahovik.core.stand.task import check_tasks
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TIME, Dimension, QuantityError, factor, number, show
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion
@@ -340,10 +338,10 @@ def _checked(motion: RequiredMotion, stand: Stand, problems: Problems) -> Requir
 def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Problems) -> RequiredMotion:
     """A periodic or a finite motion."""
     N, coordinates = len(stand.flywheels), coordinates_of(stand)
-    units = validate_table(UnitsTable, document.get("units", {}), Problems(problems.source)) or UnitsTable()
+    units = Problems(problems.source).valid(UnitsTable, document.get("units", {})) or UnitsTable()
     along = Rows(coordinates, None if stand.hold is None else SixRows.of(stand))
     context: dict[str, Any] = {"units": {LENGTH: units.linear, ANGLE: units.angular}, "coordinates": coordinates}
-    table = validate_table(MotionTable, document, problems, flywheels=N, **context)
+    table = problems.valid(MotionTable, document, flywheels=N, **context)
     kind = document.get("type", "periodic")
     for key, (of, words) in _ONLY.items():
         if key in document and kind in ("periodic", "finite") and kind != of:
@@ -592,7 +590,7 @@ class SlewTable(Table):
 def _read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Problems) -> Slew:
     """The slew of a document. Raises MotionError with every problem."""
     N = len(stand.flywheels)
-    table = validate_table(SlewTable, document, problems, flywheels=N)
+    table = problems.valid(SlewTable, document, flywheels=N)
     if table is None:
         raise MotionError(problems.lines)
     task = _task(table, stand, problems)
@@ -628,10 +626,10 @@ def _task(table: SlewTable, stand: Stand, problems: Problems) -> Task | None:
         if table.task not in tasks:
             problems.add("task", f"unknown {show(table.task)}{suggestion(table.task, tasks, 'the stand has none')}")
         return tasks.get(table.task)
-    given = validate_table(TaskTable, {"rows": table.rows}, problems)
+    given = problems.valid(Task.table(), {"rows": table.rows})
     if given is None:
         return None
-    task = Task("rows", given.rows)
+    task = Task.of_table(given, name="rows")
     check_tasks(problems, (task,), stand.instruments, stand.points)
     return task
 

@@ -26,16 +26,14 @@ from mahovik.core.motion.document import (
     rows,
     short_integer,
     text_of,
-    validate_table,
 )  # fmt: skip
 from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse, Samples
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Table, Text, scalar, validator
+from mahovik.core.stand.fields import Table, Text, scalar, validator, vector
 from mahovik.core.stand.mean import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems, keys_of
-from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.errors import ProgrammeError
 from mahovik.writing import write
@@ -199,7 +197,7 @@ def read_programme(text: str, source: str = "programme") -> Programme:
         raise ProgrammeError([f"{source}: is a motion file; expected a programme file here: were the two swapped?"])
     problems, names = Problems(source), document.get("flywheels")
     N = len(names) if isinstance(names, list) else 0
-    table = validate_table(ProgrammeTable, document, problems, flywheels=N)
+    table = problems.valid(ProgrammeTable, document, flywheels=N)
     for pair in (("period", "duration"), ("fourier", "samples")):
         there = [key for key in pair if key in document]
         if len(there) != 1:

@@ -18,7 +18,7 @@ from typing import Annotated, Any, cast
 import numpy as np
 from pydantic import Field
 
-from mahovik.core.motion.document import document_of, text_of, validate_table
+from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.motion.functions import Array, Fourier, Motion
 from mahovik.core.motion.laws import (
     MAX_PHASE,
@@ -275,7 +275,7 @@ def loads_regime(
         return _of_programme(text, stand, until, source)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}
-    regime = validate_table(RegimeTable, document, problems) or RegimeTable.model_construct(**tables)
+    regime = problems.valid(RegimeTable, document) or RegimeTable.model_construct(**tables)
     flywheels = _flywheels(regime, stand, problems, folder, until)
     wrenches = {}
     for body in _names_known(problems, "wrench", regime.wrench, [body.name for body in stand.bodies], "body"):
@@ -347,7 +347,7 @@ def _flywheel(
         laws = [key for key in LAWS if key in raw][:1]
     if not laws:
         problems.add(where, f"no law: expected one of {', '.join(LAWS)}")
-    table = validate_table(DrivenTable, raw, problems, where)
+    table = problems.valid(DrivenTable, raw, where)
     if table is None or not laws:
         return None
     try:

@@ -21,7 +21,6 @@ from mahovik.core.motion.document import (
     per_flywheel,
     positions,
     text_of,
-    validate_table,
     whole_number,
 )  # fmt: skip
 from mahovik.core.motion.laws import MAX_WRENCH
@@ -128,7 +127,7 @@ def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
     problems, N = Problems(source), len(stand.flywheels)
     known = FREE if stand.hold is None else tuple(freedom_names(stand.hold))
     document = document_of(text, source, ServoError, is_json=False)
-    servo = validate_table(Servo, document, problems, flywheels=N, coordinates=known)
+    servo = problems.valid(Servo, document, flywheels=N, coordinates=known)
     if not N:
         problems.add(f'the stand "{stand.name}" has no flywheels: there is nothing to drive')
     if servo is not None:

@@ -1,4 +1,4 @@
-"""Flywheels as data sheets give them: moments of inertia and unbalance, turned into centre of mass and tensor.
+"""Flywheels as data sheets give them: mountings by angles or axes, moments of inertia and unbalance.
 
 Static unbalance U_s = mass r at angle a from axis 2: center_of_mass = r (0, cos a, sin a).
 Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. All at the flywheel's origin.
@@ -7,11 +7,115 @@ Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. A
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Annotated, Any
 
+from mahovik.core.stand import units
 from mahovik.core.stand.columns import polar
-from mahovik.core.stand.model import Mat3, Vec3
-from mahovik.core.stand.moments import Moments
-from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
+from mahovik.core.stand.declare import Note
+from mahovik.core.stand.directions import parallel
+from mahovik.core.stand.echoes import Moments, list_item
+from mahovik.core.stand.fields import Direction, Mat3, Table, Vec3, require_bounds, scalar, validator, vector
+from mahovik.core.stand.units import QuantityError, number
+
+
+@dataclass(frozen=True)
+class MountingAngles:
+    """Mounting of a flywheel by angles: C3(psi) C2(theta) C1(zero + phi_s)."""
+
+    psi: float
+    theta: float
+    zero: float
+
+
+@dataclass(frozen=True)
+class MountingAxes:
+    """Mounting of a flywheel by directions in the mount's frame, of any length.
+
+    `axis`: spin axis (first axis of Es); `zero`: its part across the axis is the second axis of Es at phi_s = 0.
+    """
+
+    axis: Vec3
+    zero: Vec3
+
+
+class UnbalanceTable(Table):
+    """`unbalance` of a flywheel: amounts (kg m, kg m2) and angles (rad) of the static and the dynamic one."""
+
+    static: Annotated[float, scalar(units.STATIC_UNBALANCE, least=0.0)] = 0.0
+    static_at: Annotated[float, scalar(units.ANGLE)] = 0.0
+    dynamic: Annotated[float, scalar(units.DYNAMIC_UNBALANCE, least=0.0)] = 0.0
+    dynamic_at: Annotated[float, scalar(units.ANGLE)] = 0.0
+
+
+def _spin_angles(raw: Any) -> tuple[float, ...]:
+    return vector(raw, (2, 3), units.ANGLE)
+
+
+def _transverse(raw: Any) -> tuple[float, ...]:
+    """One number for both transverse axes, or two."""
+    if not isinstance(raw["value"] if isinstance(raw, dict) and "value" in raw else raw, list):
+        return (require_bounds(number(raw, units.INERTIA), units.INERTIA.si, least=0.0, raw=raw),) * 2
+    pair = vector(raw, (2,), units.INERTIA)
+    for i, value in enumerate(pair):
+        try:
+            require_bounds(value, units.INERTIA.si, least=0.0, raw=list_item(raw, i))
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+    return pair
+
+
+class FlywheelForm(Table):
+    """Keys of a flywheel that are none of its data: they say its mounting, its centre of mass and its inertia."""
+
+    angles: Annotated[tuple[float, ...], validator(_spin_angles, units.ANGLE)] | None = None
+    axis: Direction | None = None
+    zero: Direction | None = None
+    spin_inertia: Annotated[float, scalar(units.INERTIA, least=0.0)] | None = None
+    transverse_inertia: Annotated[tuple[float, ...], validator(_transverse, units.INERTIA)] | None = None
+    unbalance: UnbalanceTable | None = None
+
+    def mounting(self, note: Note) -> MountingAngles | MountingAxes | None:
+        """The mounting; None where it is not known, which is noted."""
+        if self.axis is None and self.zero is None:
+            psi, theta, *zero = self.angles or (0.0, 0.0)
+            return MountingAngles(psi, theta, zero[0] if zero else 0.0)
+        if self.angles is not None:
+            note("angles", "given together with axis, zero: expected one or the other")
+        elif self.axis is None:
+            note("axis", "required with zero, but missing")
+        elif self.zero is None:
+            note("zero", "required with axis (direction of the second axis at phi_s = 0), but missing")
+        elif parallel(self.axis, self.zero):
+            note("zero", "parallel to axis, expected another direction")
+        else:
+            return MountingAxes(self.axis, self.zero)
+        return None
+
+    def masses(self: Any, note: Note, moments: Moments) -> dict[str, Any] | None:
+        """Centre of mass and inertia by the data sheet; {}: given as such; None where not known, which is noted."""
+        sheet = [key for key in ("spin_inertia", "transverse_inertia", "unbalance") if getattr(self, key) is not None]
+        if not sheet:
+            if self.inertia is not None:
+                return {}
+            note("inertia", "required, but missing (or spin_inertia and transverse_inertia)")
+            return None
+        mixed = [key for key in ("center_of_mass", "inertia", "inertia_about") if key in self.model_fields_set]
+        if mixed:
+            note(mixed[0], f"given together with {', '.join(sheet)}: expected one way or the other")
+            return None
+        if self.spin_inertia is None or self.transverse_inertia is None:
+            missing = "spin_inertia" if self.spin_inertia is None else "transverse_inertia"
+            note(missing, f"required with {', '.join(sheet)}, but missing{thin_disc(self, moments)}")
+            return None
+        if self.mass == 0.0 and self.unbalance is not None and self.unbalance.static != 0.0:
+            note("unbalance", "static", "a flywheel of mass 0 cannot have a static unbalance")
+            return None
+        return {
+            "center_of_mass": center_of_mass(self.mass, self.unbalance),
+            "inertia": inertia(self.spin_inertia, self.transverse_inertia, self.unbalance),
+            "inertia_about": "origin",
+        }
 
 
 def center_of_mass(mass: float, unbalance: UnbalanceTable | None) -> Vec3:
@@ -36,39 +140,26 @@ def least_transverse(mass: float, spin: float, unbalance: UnbalanceTable | None)
     `spin/2` without dynamic unbalance. None where the static unbalance alone needs more spin inertia.
     """
     static, dynamic = (0.0, 0.0) if unbalance is None else (unbalance.static, unbalance.dynamic)
-    thickness = spin / 2 - (
-        static * static / mass if mass > 0.0 else 0.0
-    )  # least second moment of mass across the axis
+    thickness = spin / 2 - (static * static / mass if mass > 0.0 else 0.0)  # second moment of mass across the axis
     if dynamic == 0.0:
         return spin / 2 if thickness >= 0.0 else None
     return spin / 2 + dynamic * dynamic / thickness if thickness > 0.0 else None
 
 
-def thin_disc(table: FlywheelTable) -> str:
+def thin_disc(form: Any, moments: Moments) -> str:
     """What to write where a data sheet's transverse inertia is missing or below that of a thin disc; else ""."""
-    if table.spin_inertia is None:
+    if form.spin_inertia is None:
         return ""
-    least = least_transverse(table.mass, table.spin_inertia, table.unbalance)
-    if table.transverse_inertia is None:
-        return (
-            ""
-            if least is None or not math.isfinite(least)
-            else f"; a thin disc has {_half(table.spin_inertia, least, table.moments)}"
-        )
-    if (
-        least is None
-        or not math.isfinite(least)
-        or sum(table.transverse_inertia) / len(table.transverse_inertia) >= least
-    ):
+    spin, least = form.spin_inertia, least_transverse(form.mass, form.spin_inertia, form.unbalance)
+    if least is None or not math.isfinite(least):
         return ""
-    return f"no disc has less than {_half(table.spin_inertia, least, table.moments)}"
-
-
-def _half(spin: float, least: float, moments: Moments) -> str:
-    """The transverse inertia of a thin disc, and what to write."""
     half = spin / 2
     more = "" if least == half else f", with this unbalance {moments.at_least(least)} {moments.unit}"
-    return (
+    advice = (
         f"spin_inertia/2 = {moments.at_least(half)} {moments.unit} across its axis{more}: "
         f"for a thin disc write transverse_inertia = {moments.value(least)}"
     )
+    if form.transverse_inertia is None:
+        return f"; a thin disc has {advice}"
+    is_less = sum(form.transverse_inertia) / len(form.transverse_inertia) < least
+    return f"no disc has less than {advice}" if is_less else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mahovik.core.stand.columns import hypot
-from mahovik.core.stand.model import Vec3
+from mahovik.core.stand.fields import Vec3
 
 _PARALLEL = 1e-9  # sine of the smallest angle between two directions that still says where the second one points
 

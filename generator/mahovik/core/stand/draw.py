@@ -8,7 +8,7 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Mat6, Vec3
+from mahovik.core.stand.fields import Mat6, Vec3
 
 Array = NDArray[np.float64]
 

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
+from functools import partial
 from numbers import Integral, Real
 from typing import Any
 
-from pydantic import ValidationError
-
-from mahovik.core.stand import build, datasheet
+from mahovik.core.stand import datasheet
 from mahovik.core.stand.columns import atan2, hypot
+from mahovik.core.stand.datasheet import UnbalanceTable
+from mahovik.core.stand.echoes import moments_of
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.core.stand.laws import AnyTable, with_laws
+from mahovik.core.stand.laws import arrays
 from mahovik.core.stand.model import Flywheel
 from mahovik.core.stand.paths import plain_paths, shown_path
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.schema import FlywheelTable, UnbalanceTable
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError, UsageError
 from mahovik.nearest import suggestion
@@ -128,24 +128,17 @@ def unbalance_of(wheel: Flywheel) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _validate(table: type[AnyTable], raw: Any, problems: Problems, where: str) -> AnyTable | None:
-    try:
-        return table.model_validate(raw)
-    except ValidationError as error:
-        problems.add_schema_errors(where, table, error)
-        return None
-
-
 def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], keys: Mapping[str, Any]) -> dict[str, Any]:
     """The centre of mass and the inertia of a flywheel with other numbers of its unbalance, as keys of its table."""
     problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
-    given = _validate(with_laws(FlywheelTable), dict(table), problems, where)
-    wheel = None if given is None else build.flywheel(given, where, problems)
+    given = problems.valid(arrays()["flywheel"], dict(table), where)
+    note, moments = partial(problems.add, where), moments_of(table)
+    wheel = None if given is None else Flywheel.read(given, note, moments)
     if wheel is None:
         raise StandError(problems.lines)
     (x, _, _), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
     changed = {name: exact(number) for name, number in (unbalance_of(wheel) | dict(keys)).items()}
-    found = _validate(UnbalanceTable, changed, problems, f"{where} unbalance")
+    found = problems.valid(UnbalanceTable, changed, f"{where} unbalance")
     if found is None:
         raise StandError(problems.lines)
     _, y, z = datasheet.center_of_mass(wheel.mass, found)

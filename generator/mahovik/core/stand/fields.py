@@ -1,25 +1,36 @@
-"""Types of the keys in a stand file's tables, also in those of laws.
+"""Types of the keys in a stand file's tables, also in those of laws: numbers, vectors, matrices, names, texts.
 
-A field holds its value in SI already.
+Lists of quantities are spelt as docs/stand-file.md allows. A field holds its value in SI already.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, TypeVar, cast
 
 from pydantic import BaseModel, ConfigDict, PlainValidator
 from pydantic_core import PydanticCustomError
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
-from mahovik.core.stand.echoes import echo
-from mahovik.core.stand.model import Mat3, Mat6, Vec3
-from mahovik.core.stand.names import name_problem, stand_name_problem
-from mahovik.core.stand.shapes import Blocks, direction, matrix6, symmetric3, vec3
-from mahovik.core.stand.units import Dimension, QuantityError, number, show
+from mahovik.core.stand.echoes import as_written, echo, list_item
+from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, last_digit, number, show, split_value_unit
 
 T = TypeVar("T")
+Vec3 = tuple[float, float, float]
+Vec6 = tuple[float, float, float, float, float, float]
+Mat3 = tuple[Vec3, Vec3, Vec3]
+Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
+
+ZERO3: Vec3 = (0.0, 0.0, 0.0)
+ZERO6: Mat6 = ((0.0,) * 6,) * 6
+
+Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
+"""Dimensions of a 6x6 by its four 3x3 blocks: (force, moment) rows by (linear, angular) columns."""
+
 
 ADDED_MASS: Blocks = (
     (Dimension("an added mass", "kg"), Dimension("an added first moment", "kg m")),
@@ -35,6 +46,192 @@ QUADRATIC: Blocks = (
 )
 
 
+# -- lists of quantities ----------------------------------------------------------------------------------------------
+
+
+def vector(raw: Any, lengths: tuple[int, ...], dimension: Dimension, unit: str | None = None) -> tuple[float, ...]:
+    """A list of as many numbers as one of `lengths` says. Raises QuantityError."""
+    if isinstance(raw, dict):
+        value, unit = split_value_unit(raw, unit)
+        return vector(value, lengths, dimension, unit)
+    wanted = " or ".join(str(n) for n in lengths)
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected {wanted} numbers, found {show(raw)}")
+    if len(raw) not in lengths:
+        raise QuantityError(f"expected {wanted} numbers, found {len(raw)}")
+    return tuple(_element(item, dimension, unit, f"[{i}]") for i, item in enumerate(raw))
+
+
+def vec3(raw: Any, dimension: Dimension) -> Vec3:
+    """Three numbers."""
+    return cast(Vec3, vector(raw, (3,), dimension))
+
+
+def direction(raw: Any) -> Vec3:
+    """A direction of any length but zero, without unit."""
+    found = vec3(raw, PLAIN)
+    if not any(found):
+        raise QuantityError("[0, 0, 0] has no direction")
+    return found
+
+
+def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
+    """A symmetric 3x3, or the three numbers of its diagonal. Raises QuantityError."""
+    if isinstance(raw, dict):
+        value, unit = split_value_unit(raw, unit)
+        return symmetric3(value, dimension, unit)
+    if not isinstance(raw, list) or len(raw) != 3:
+        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected three rows of three numbers, or a diagonal of three, found {found}")
+    if not any(isinstance(item, list) for item in raw):
+        return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
+    rows = tuple(_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
+    given = raw if unit is None else {"value": raw, "unit": unit}
+    return cast(Mat3, _symmetric(rows, given, ((dimension,) * 2,) * 2))
+
+
+def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None:
+    """A 6x6, or the six numbers of its diagonal; None where all are zero. Raises QuantityError.
+
+    The four blocks differ in unit, so one unit for all is refused; an element may have its own.
+    """
+    if isinstance(raw, dict):
+        raise QuantityError("a 6x6 mixes units (metres and radians), so one unit cannot be for all: write SI numbers")
+    if not isinstance(raw, list) or len(raw) != 6:
+        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected six rows of six numbers, or a diagonal of six, found {found}")
+    if not any(isinstance(item, list) for item in raw):
+        numbers = tuple(_element(raw[i], blocks[i // 3][i // 3], None, f"[{i}]") for i in range(6))
+        rows = _diagonal(numbers)
+    else:
+        rows = _rows_of(raw, blocks)
+        if symmetric:
+            rows = _symmetric(rows, raw, blocks, SHARE)
+    return cast(Mat6, rows) if any(any(row) for row in rows) else None
+
+
+def _element(raw: Any, dimension: Dimension, unit: str | None, where: str) -> float:
+    try:
+        return number(raw, dimension, unit)
+    except QuantityError as error:
+        raise QuantityError(f"{where}: {error}") from None
+
+
+def _row(raw: Any, length: int, dimensions: tuple[Dimension, ...], unit: str | None, i: int) -> tuple[float, ...]:
+    if isinstance(raw, dict) and len(set(dimensions)) == 1:
+        try:
+            raw, unit = split_value_unit(raw, unit)
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+    if not isinstance(raw, list) or len(raw) != length:
+        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"[{i}]: expected {length} numbers, found {found}")
+    return tuple(_element(raw[j], dimensions[j], unit, f"[{i}][{j}]") for j in range(length))
+
+
+def _diagonal(numbers: tuple[float, ...]) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(x if i == j else 0.0 for j in range(len(numbers))) for i, x in enumerate(numbers))
+
+
+SHARE = 1e-3
+"""Part of sqrt(M_ii M_jj) by which two elements of an added mass may differ: panel codes do not make them equal."""
+
+
+def asymmetries(raw: Any, blocks: Blocks, share: float = 0.0) -> list[tuple[str, str, bool]]:
+    """Pairs of elements of a matrix that differ, as written: "[2][5] = 10.774 kg m"; and whether as rounded.
+
+    As rounded they differ by at most one unit of the last printed digit, or by `share` of the diagonal.
+    """
+    rows = _rows_of(raw, blocks)
+    items = [[list_item(list_item(raw, i), j) for j in range(len(rows))] for i in range(len(rows))]
+
+    def show(i: int, j: int) -> str:
+        si = blocks[i // 3][j // 3].si
+        return f"[{i}][{j}] = {echo(items[i][j], rows[i][j], si) or as_written(items[i][j], si)}"
+
+    def is_rounded(i: int, j: int) -> bool:
+        apart, dimension = abs(rows[i][j] - rows[j][i]), blocks[i // 3][j // 3]
+        digit = min(last_digit(items[i][j], dimension), last_digit(items[j][i], dimension))
+        if rows[i][j] and rows[j][i] and apart <= digit * (1.0 + 1e-6):
+            return True
+        return apart <= share * math.sqrt(max(rows[i][i], 0.0) * max(rows[j][j], 0.0))
+
+    pairs = [(j, i) for i in range(len(rows)) for j in range(i) if rows[j][i] != rows[i][j]]
+    return [(show(j, i), show(i, j), is_rounded(j, i)) for j, i in pairs]
+
+
+def _rows_of(raw: Any, blocks: Blocks) -> tuple[tuple[float, ...], ...]:
+    """The numbers of a valid matrix that is given by its rows, in SI."""
+    value, unit = split_value_unit(raw, None) if isinstance(raw, dict) else (raw, None)
+    dimensions = [tuple(blocks[i // 3][j // 3] for j in range(len(value))) for i in range(len(value))]
+    return tuple(_row(row, len(value), dimensions[i], unit, i) for i, row in enumerate(value))
+
+
+def _symmetric(
+    rows: tuple[tuple[float, ...], ...], raw: Any, blocks: Blocks, share: float = 0.0
+) -> tuple[tuple[float, ...], ...]:
+    """The rows, with the mean of two elements that differ as rounded. Raises QuantityError of others."""
+    if all(rows[j][i] == row[j] for i, row in enumerate(rows) for j in range(i)):
+        return rows
+    for above, below, is_rounded in asymmetries(raw, blocks, share):
+        if not is_rounded:
+            raise QuantityError(f"not symmetric, {above} but {below}")
+    return tuple(tuple(0.5 * (x + rows[j][i]) for j, x in enumerate(row)) for i, row in enumerate(rows))
+
+
+# -- names: they become C identifiers, in a header that C++ may include ----------------------------------------------
+
+_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+# C99, then C11 and C23
+_C = """
+auto break case char const continue default do double else enum extern float for goto if inline int long
+register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+_Bool _Complex _Imaginary
+_Alignas _Alignof _Atomic _BitInt _Decimal128 _Decimal32 _Decimal64 _Generic _Noreturn _Static_assert
+_Thread_local alignas alignof bool constexpr false nullptr static_assert thread_local true typeof typeof_unqual
+"""
+_CPP = """
+alignas alignof and and_eq asm bitand bitor bool catch char16_t char32_t char8_t class co_await co_return
+co_yield compl concept const_cast consteval constexpr constinit decltype delete dynamic_cast explicit export
+false friend mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public
+reinterpret_cast requires static_assert static_cast template this thread_local throw true try typeid typename
+using virtual wchar_t xor xor_eq
+"""
+_HEADERS = """
+assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool stddef stdint
+stdio stdlib string tgmath time wchar wctype windows
+"""
+C_HEADERS = frozenset(_HEADERS.split())
+"""Standard headers and that of Windows: a stand of such a name would have a header that hides one of them."""
+
+C_KEYWORDS = frozenset(_C.split())
+CPP_KEYWORDS = frozenset(_CPP.split())
+
+
+def name_problem(name: str) -> str | None:
+    """Why `name` cannot be a name in generated C, or None."""
+    if not _IDENTIFIER.fullmatch(name):
+        return f"{show(name)} is not a C identifier (letters, digits, _; no digit first)"
+    if name in C_KEYWORDS:
+        return f"{show(name)} is a C keyword"
+    if name in CPP_KEYWORDS:
+        return f"{show(name)} is a C++ keyword"
+    return None
+
+
+def stand_name_problem(name: str) -> str | None:
+    """Why `name` cannot be the name of a stand, hence of its files, or None."""
+    if name in C_HEADERS:
+        return f"{show(name)} is the name of a standard header of C: {name}.h would hide it"
+    if name.startswith("_"):
+        return f"{show(name)} begins with _: all names of the C would, and C reserves such names; begin with a letter"
+    return name_problem(name)
+
+
+# -- what a key takes ------------------------------------------------------------------------------------------------
+
+
 def refuse(error: str, key: str = "") -> PydanticCustomError:
     """The error that pydantic is to report, of `key` inside the table where one is named."""
     return PydanticCustomError("stand", "{reason}", {"reason": error, "key": key})
@@ -46,18 +243,18 @@ class QuantityValidator(PlainValidator):
 
     dimension  of its numbers, of a 6x6 by blocks; None where it reads none
     least      smallest accepted number, above: one that is too small, most: the largest; SI, None: no bound
+    write      value of the file for one of the data, where it is another
     """
 
     dimension: Dimension | Blocks | None = None
     least: float | None = None
     above: float | None = None
     most: float | None = None
+    write: Callable[[Any], Any] | None = None
 
 
-def validator(
-    read: Callable[[Any], T], dimension: Dimension | Blocks | None = None, **bounds: float | None
-) -> QuantityValidator:
-    """A validator that reads a raw value by `read`, which raises QuantityError; `bounds`: see QuantityValidator."""
+def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = None, **more: Any) -> QuantityValidator:
+    """A validator that reads a raw value by `read`, which raises QuantityError; `more`: see QuantityValidator."""
 
     def validate(raw: Any) -> T:
         try:
@@ -65,7 +262,7 @@ def validator(
         except QuantityError as error:
             raise refuse(str(error)) from None
 
-    return QuantityValidator(validate, dimension=dimension, **bounds)
+    return QuantityValidator(validate, dimension=dimension, **more)
 
 
 def require_bounds(
@@ -124,15 +321,26 @@ def text(raw: Any) -> str:
     return raw
 
 
-def letter(letters: tuple[str, ...]) -> Callable[[Any], int]:
-    """What reads one of some letters as its place among them; it raises QuantityError."""
+def letter(letters: tuple[str, ...]) -> QuantityValidator:
+    """A validator of one of some letters, which is read as its place among them."""
 
     def read(raw: Any) -> int:
         if text(raw) not in letters:
             raise QuantityError(f"expected one of {' '.join(letters)}, found {show(raw)}")
         return letters.index(raw)
 
-    return read
+    return validator(read, write=letters.__getitem__)
+
+
+def one_word(words: Mapping[str, Any], expected: str = "") -> QuantityValidator:
+    """A validator of words by what each means; `expected`: how messages tell of them."""
+
+    def read(raw: Any) -> Any:
+        if not isinstance(raw, str) or raw not in words:
+            raise QuantityError(f"expected {expected or ' or '.join(map(show, words))}, found {show(raw)}")
+        return words[raw]
+
+    return validator(read)
 
 
 def flag(raw: Any) -> bool:
@@ -142,31 +350,27 @@ def flag(raw: Any) -> bool:
     return raw
 
 
-def _stand_name(raw: Any) -> str:
-    problem = stand_name_problem(text(raw))
-    if problem is not None:
-        raise QuantityError(problem)
-    return str(raw)
+def _name(problem_of: Callable[[str], str | None]) -> QuantityValidator:
+    def read(raw: Any) -> str:
+        if (problem := problem_of(text(raw))) is not None:
+            raise QuantityError(problem)
+        return str(raw)
+
+    return validator(read)
 
 
-def _name(raw: Any) -> str:
-    problem = name_problem(text(raw))
-    if problem is not None:
-        raise QuantityError(problem)
-    return str(raw)
-
-
-Name = Annotated[str, validator(_name)]
-StandName = Annotated[str, validator(_stand_name)]
+Name = Annotated[str, _name(name_problem)]
+StandName = Annotated[str, _name(stand_name_problem)]
 Text = Annotated[str, validator(text)]
 Flag = Annotated[bool, validator(flag)]
 Length3 = Annotated[Vec3, vector3(units.LENGTH)]
 Angle3 = Annotated[Vec3, vector3(units.ANGLE)]
 Direction = Annotated[Vec3, validator(direction)]
 Mass = Annotated[float, scalar(units.MASS, least=0.0)]
+_WEIGHT = BOUNDS["MAX_WEIGHT"].value
+Weight = Annotated[float, scalar(units.PLAIN, least=1.0 / _WEIGHT, most=_WEIGHT)]
 Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA), units.INERTIA)]
 AddedMass = Annotated[Mat6 | None, matrix(ADDED_MASS, symmetric=True)]
-ZERO3: Vec3 = (0.0, 0.0, 0.0)
 
 
 class Table(BaseModel):

@@ -12,11 +12,9 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator
+from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator, vector
 from mahovik.core.stand.model import TWIST_LETTERS, Freedom, Hold, Vec3, Vec6
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.shapes import vector
-from mahovik.core.stand.toml import line_of, value_of
 from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.nearest import suggestion
 
@@ -347,18 +345,19 @@ def _word(freedom: Freedom) -> str:
     return f"turning about ({axis})" if freedom.kind == "turn" else f"sliding along ({axis})"
 
 
-def lines(hold: Hold) -> list[str]:
-    """The table in SI, from which the same Hold is read."""
+def keys_of_hold(hold: Hold) -> dict[str, Any]:
+    """The keys of the table in SI, from which the same Hold is read."""
     kinds = [each.kind for each in hold.freedoms]
+    found: dict[str, Any]
     if kinds and kinds[0] == "twist":
-        own = [line_of("basis", [each.twist for each in hold.freedoms])]
+        found = {"basis": [each.twist for each in hold.freedoms]}
     elif len(kinds) == 1 and hold.freedoms[0] not in _NAMES:
-        own = [line_of("axis" if kinds[0] == "turn" else "slide", hold.freedoms[0].direction)]
+        found = {"axis" if kinds[0] == "turn" else "slide": hold.freedoms[0].direction}
     else:
-        own = [f"freedoms = [{', '.join(value_of(_NAMES[each]) for each in hold.freedoms)}]"]
+        found = {"freedoms": [_NAMES[each] for each in hold.freedoms]}
     if kinds and kinds[0] != "twist" and any(hold.pivot):
-        own.append(line_of("pivot", hold.pivot))
-    return ["", "[hold]", *own, line_of("position", hold.position), line_of("angles", hold.angles)]
+        found["pivot"] = hold.pivot
+    return found | {"position": hold.position, "angles": hold.angles}
 
 
 def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:

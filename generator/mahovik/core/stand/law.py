@@ -1,252 +1,35 @@
-"""A law of wrenches as the classes of its data declare it.
-
-Each field of such a class is annotated with all that is known of it, beside the type and the validator that reads it
-from the stand file. `Annotated[float, scalar(STIFFNESS, least=0.0), Default(0.0), InC(), uniform(50.0, 500.0), TIMES]`
-is a key of the file that may be missing, a member of the struct in C, a number that random stands draw, and one that is
-measured with an error. The table of the file, its text, the struct, draws and errors are made of these.
-"""
+"""Laws of wrenches: on bodies, between E0 and the carrier, along the freedoms of a hold. `declare` has their marks."""
 
 from __future__ import annotations
 
 import math
-import typing
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from functools import cache
-from typing import Annotated, Any, ClassVar, Protocol, Self, TypeVar
+from typing import Any, ClassVar, Self, TypeVar
 
 from pydantic import create_model
 
-from mahovik.core.stand.actuator import Actuator
-from mahovik.core.stand.draw import Draw, Errors
-from mahovik.core.stand.fields import QuantityValidator, Table, Text, require_bounds
+from mahovik.core.stand.declare import Declared, Default, Note, Size
+from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.fields import Table, Text, Vec3, require_bounds
 from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_labels, freedom_names
-from mahovik.core.stand.model import TWIST_LETTERS, Body, FreedomKind, Hold, LawData, Mat6, Stand, Vec3
-from mahovik.core.stand.toml import line_of
+from mahovik.core.stand.model import Body, FreedomKind, Hold, Law, Stand
 from mahovik.core.stand.units import Dimension, QuantityError, number
 
-Mark = TypeVar("Mark")
-
-ZERO6: Mat6 = ((0.0,) * 6,) * 6
-
-
-class Note(Protocol):
-    """Notes a problem of the file: the parts of the key path, the last the reason."""
-
-    def __call__(self, *words: str) -> None: ...
-
-
-# -- what is said of a field -----------------------------------------------------------------------------------------
-
 
 @dataclass(frozen=True)
-class Default:
-    """The value of a key that the file leaves out."""
+class Actuator:
+    """An input that a law takes at run time, which has the name of its fin or propeller in states.
 
-    value: Any
-
-
-@dataclass(frozen=True)
-class Tables:
-    """A list of tables inside, each of this class."""
-
-    of: type[Declared]
-
-
-@dataclass(frozen=True)
-class InC:
-    """A member of the struct in C, with its comment; `unit`: where the C writes another than the file."""
-
-    comment: str = ""
-    unit: str | None = None
-
-
-@dataclass(frozen=True)
-class Size:
-    """A body of a random stand: `mass` (kg) and `size` (m); `mean`, the average mass of such bodies."""
-
-    mass: float = 1.0
-    size: float = 1.0
-    mean: float = 1.0
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """How random stands draw it."""
-
-    draw: Callable[[Draw, Size], Any]
-
-
-def uniform(low: float, high: float) -> Drawn:
-    """A number of this range."""
-    return Drawn(lambda draw, of: draw.uniform(low, high))
-
-
-def normal(size: float) -> Drawn:
-    """A vector with components of this size."""
-    return Drawn(lambda draw, of: draw.vec3(size))
-
-
-@dataclass(frozen=True)
-class Spread:
-    """The error that it is measured with; those that are `late` are drawn after all others of their table."""
-
-    add: Callable[[Errors, Any], Any]
-    late: bool = False
-
-
-TIMES = Spread(Errors.times)
-TIMES_EACH = Spread(lambda errors, values: tuple(map(errors.times, values)))
-AS_VECTOR = Spread(Errors.vector, late=True)
-AS_MATRIX = Spread(Errors.matrix, late=True)
-
-
-@dataclass(frozen=True)
-class Warns:
-    """A 6x6 matrix that does this, where it has a negative number on its diagonal: `check` warns of it."""
-
-    does: str
-
-
-BRAKES = Warns("it drives where it should brake; coefficients that damp are positive")
-PULLS_BACK = Warns("it pushes away where it should pull back; what pulls back is positive")
-
-
-# -- tables ----------------------------------------------------------------------------------------------------------
-
-
-class Declared:
-    """A dataclass that declares a table of the stand file by the annotations of its fields.
-
-    keys   base of its table: keys that are none of its fields, and what several keys tell together
+    what   the quantity and its unit
+    limit  largest magnitude, SI; None: that of every speed
+    usual  magnitude in states that are drawn, SI
     """
 
-    keys: ClassVar[type[Table]] = Table
-
-    @classmethod
-    @cache
-    def annotations(cls) -> dict[str, tuple[Any, ...]]:
-        """Type of each field, and what is said of it."""
-        hints = typing.get_type_hints(cls, include_extras=True)
-        found = {f.name: hints[f.name] for f in fields(cls)}  # type: ignore[arg-type]  # every subclass is a dataclass
-        return {
-            name: (hint.__origin__, *hint.__metadata__) if hasattr(hint, "__metadata__") else (hint,)
-            for name, hint in found.items()
-        }
-
-    @classmethod
-    def marked(cls, kind: type[Mark]) -> dict[str, Mark]:
-        """What is said of fields in a word of one kind, by their names."""
-        every = ((name, [x for x in said if isinstance(x, kind)]) for name, said in cls.annotations().items())
-        return {name: found[0] for name, found in every if found}
-
-    @classmethod
-    @cache
-    def table(cls) -> type[Table]:
-        """The table of the file: its keys are the fields that a validator reads, or that are tables inside."""
-        keys: dict[str, Any] = {}
-        for name, said in cls.annotations().items():
-            for mark in said:
-                if isinstance(mark, QuantityValidator):
-                    keys[name] = Annotated[said[0], mark]
-                elif isinstance(mark, Tables):
-                    keys[name] = list[mark.of.table()]  # type: ignore[misc]  # made here
-        defaults = cls.marked(Default)
-        keys = {name: (key, defaults[name].value if name in defaults else ...) for name, key in keys.items()}
-        return create_model(f"{cls.__name__}Table", __base__=cls.keys, __doc__=cls.__doc__, **keys)
-
-    @classmethod
-    def of_table(cls, table: Table, **more: Any) -> Self:
-        """The data of a valid table; a 6x6 of zeros, which tables have as None, with its zeros."""
-        values: dict[str, Any] = {}
-        inside = cls.marked(Tables)
-        for name in cls.annotations().keys() & type(table).model_fields.keys():
-            value = getattr(table, name)
-            if name in inside:
-                value = tuple(map(inside[name].of.of_table, value))
-            elif value is None and cls.annotations()[name][0] == Mat6:
-                value = ZERO6
-            values[name] = value
-        return cls(**(values | more))
-
-    def lines(self) -> list[str]:
-        """Its keys in a stand file, in SI."""
-        given = ((key, getattr(self, key)) for key in self.marked(QuantityValidator))
-        return [line_of(key, value) for key, value in given if value is not None]
-
-    @classmethod
-    def random(cls, draw: Draw, of: Size = Size()) -> Self:
-        """A random one, field by field."""
-        return cls(**{name: mark.draw(draw, of) for name, mark in cls.marked(Drawn).items()})
-
-    def with_errors(self, errors: Errors) -> Self:
-        """One that was measured a little wrong: numbers and tables inside first, then vectors and matrices."""
-        changed: dict[str, Any] = {}
-        spreads = self.marked(Spread)
-        for late in (False, True):
-            for f in fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
-                value, spread = getattr(self, f.name), spreads.get(f.name)
-                if spread is not None and spread.late is late:
-                    changed[f.name] = spread.add(errors, value)
-                elif not late and isinstance(value, tuple) and value and isinstance(value[0], Declared):
-                    changed[f.name] = tuple(each.with_errors(errors) for each in value)
-        return replace(self, **changed)  # type: ignore[type-var]  # every subclass is a dataclass
-
-
-# -- laws ------------------------------------------------------------------------------------------------------------
-
-
-class Law(Declared, LawData):
-    """The data of one law, LAW of the module `law` of its folder.
-
-    key             its table in the file
-    name, plural    in words; by default the key, and that with an s
-    item            class of its tables, where the law is a list of tables [[key]]: its last field has them
-    mounted         have they a name and a mount, the carrier or an instrument?
-    carries_weight  can it carry a stand at rest?
-    """
-
-    key: ClassVar[str]
-    name: ClassVar[str]
-    plural: ClassVar[str]
-    item: ClassVar[type[Declared] | None] = None
-    mounted: ClassVar[bool] = False
-    carries_weight: ClassVar[bool] = False
-
-    def __init_subclass__(cls) -> None:
-        if "key" in cls.__dict__:
-            cls.name = cls.__dict__.get("name", cls.key)
-            cls.plural = cls.__dict__.get("plural", f"{cls.name}s")
-
-    @property
-    def items(self) -> tuple[Any, ...]:
-        """Its tables [[key]]."""
-        found: tuple[Any, ...] = getattr(self, fields(self)[-1].name)
-        return found
-
-    @property
-    def acts(self) -> bool:
-        """False where it does nothing, so that a stand has no such law."""
-        return self.item is None or bool(self.items)
-
-    @classmethod
-    def warnings(cls, stand: Stand) -> list[str]:
-        """Lines of `check` on what is suspicious."""
-        raise NotImplementedError
-
-    @classmethod
-    def short(cls, stand: Stand) -> str:
-        """The law in a few words; empty where the stand does not have it."""
-        raise NotImplementedError
-
-    def negative_diagonals(self, where: str) -> Iterator[str]:
-        """A warning of each matrix with what is negative on its diagonal; `where`: path of the law."""
-        for name, warns in self.marked(Warns).items():
-            rows = getattr(self, name) or ZERO6
-            diagonal = [(letter, rows[i][i]) for i, letter in enumerate(TWIST_LETTERS)]
-            negative = ", ".join(f"{value:.5g} for {letter}" for letter, value in diagonal if value < 0.0)
-            if negative:
-                yield f"{where}.{name} has {negative}: {warns.does}"
+    what: str
+    limit: float | None
+    usual: float
 
 
 class BodyLaw(Law):
@@ -354,12 +137,6 @@ class CarrierLaw(Law):
             given = {name: getattr(header, name) for name in cls.header if header is not None}
             found = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
         return next((law for law in found if law.acts), None)
-
-    def text(self) -> tuple[list[str], list[str]]:
-        """The lines of a stand file: those of the header, and those of the tables."""
-        if self.item is None:
-            return [], ["", f"[{self.key}]", *self.lines()]
-        return self.lines(), [line for item in self.items for line in ("", f"[[{self.key}]]", *item.lines())]
 
     @classmethod
     def content(cls, law: Self | None) -> dict[str, Any]:
@@ -504,9 +281,9 @@ class FreedomItem(Declared):
         """False where it does nothing."""
         return True
 
-    def lines(self) -> list[str]:
+    def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI."""
-        return [line_of("freedom", self.name), *(line_of(key, value) for key, value in self.numbers.items())]
+        return {"freedom": self.name, **self.numbers}
 
     def titled(self, label: str) -> str:
         """What it is, of a freedom that goes by a label."""
@@ -536,10 +313,6 @@ class HeldLaw(CarrierLaw):
     @classmethod
     def check_together(cls, items: Mapping[int, Any], hold: Hold, note: Note, complete: bool) -> None:
         """Notes what several tables, by their places in the file, tell together; `complete`: all are in order."""
-
-    def text(self) -> tuple[list[str], list[str]]:
-        """The lines of a stand file."""
-        return [], [line for item in self.items for line in ("", f"[[hold.{self.key}]]", *item.lines())]
 
     @classmethod
     def short(cls, stand: Stand) -> str:

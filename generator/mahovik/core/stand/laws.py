@@ -1,9 +1,9 @@
-"""The laws in the stand file: the classes of data of all of them, and the tables of bodies with their keys."""
+"""The laws in the stand file: the classes of data of all of them, and all tables with their keys."""
 
 from __future__ import annotations
 
 from functools import cache
-from typing import Any, TypeVar
+from typing import Any
 
 from pydantic import create_model
 
@@ -11,8 +11,7 @@ from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.hold import HoldTable
 from mahovik.core.stand.law import BodyLaw, CarrierLaw, HeldLaw
-
-AnyTable = TypeVar("AnyTable", bound=Table)
+from mahovik.core.stand.model import Body, Carrier, Flywheel, Header, Instrument, Point, StreamProfile
 
 
 @cache
@@ -32,22 +31,6 @@ def held_laws() -> tuple[type[HeldLaw], ...]:
     return tuple(law for law in carrier_laws() if issubclass(law, HeldLaw))
 
 
-def law_tables() -> dict[str, type[Table]]:
-    """Tables of the file by key, `[key]`, of the laws that have one."""
-    return {law.key: law.table() for law in carrier_laws() if law.item is None}
-
-
-def law_arrays() -> dict[str, type[Table]]:
-    """Arrays of tables by key, `[[key]]`: those between E0 and the carrier, then those mounted on bodies."""
-    own = [law for law in carrier_laws() if not issubclass(law, HeldLaw)]
-    return {law.key: law.item.table() for law in (*own, *mounted_laws()) if law.item is not None}
-
-
-def law_headers() -> list[type[Table]]:
-    """Keys of the laws outside any table."""
-    return [table for law in carrier_laws() if (table := law.header_table()) is not None]
-
-
 def mounted_laws() -> tuple[type[BodyLaw], ...]:
     """The laws of bodies whose tables are `[[key]]`, with the name of the body that each is mounted on."""
     return tuple(law for law in body_laws() if law.mounted)
@@ -59,14 +42,35 @@ def mounted_keys() -> tuple[str, ...]:
 
 
 @cache
-def with_laws(table: type[AnyTable]) -> type[AnyTable]:
+def body_table(body: type[Body]) -> type[Table]:
     """The table of a body with the keys of the laws."""
     keys: dict[str, Any] = {law.key: (law.table() | None, None) for law in body_laws() if not law.mounted}
-    return create_model(table.__name__, __base__=table, **keys)
+    return create_model(f"{body.__name__}Table", __base__=body.table(), **keys)
 
 
 @cache
-def hold_with_laws() -> type[HoldTable]:
+def tables() -> dict[str, type[Table]]:
+    """Tables [key] of the file by key, but [hold]."""
+    of_laws = {law.key: law.table() for law in carrier_laws() if law.item is None}
+    return {"carrier": body_table(Carrier), "stream_profile": StreamProfile.table(), **of_laws}
+
+
+@cache
+def arrays() -> dict[str, type[Table]]:
+    """Arrays of tables [[key]] by key: bodies, points, laws between E0 and the carrier, those mounted on bodies."""
+    own = [law for law in carrier_laws() if not issubclass(law, HeldLaw)]
+    of_laws = {law.key: law.item.table() for law in (*own, *mounted_laws()) if law.item is not None}
+    bodies = {"instrument": body_table(Instrument), "flywheel": body_table(Flywheel)}
+    return {**bodies, "point": Point.table(), **of_laws}
+
+
+def headers() -> list[type[Table]]:
+    """Keys outside any table: those of the stand, then those of laws."""
+    return [Header.table(), *(table for law in carrier_laws() if (table := law.header_table()) is not None)]
+
+
+@cache
+def hold_table() -> type[Table]:
     """`[hold]` with the keys of the laws that act along its freedoms."""
     keys: dict[str, Any] = {law.key: (list[law.item.table()], []) for law in held_laws()}  # type: ignore[misc]  # made here
     return create_model("HoldTable", __base__=HoldTable, **keys)

@@ -1,19 +1,51 @@
 """The stand as validated raw data in SI: what the stand file says, nothing derived from it.
 
-No spatial inertia, no transfer matrix and no rotation is built here: each derivation builds its own from
-these numbers, so that an error in one cannot hide in all. All classes are frozen and hashable; vectors are
-tuples of floats, matrices tuples of rows. Lengths m, masses kg, angles rad, forces N.
+A class is a table of the file: its fields say how they are read, and which defaults they have (`declare`). No spatial
+inertia, no transfer matrix and no rotation is built here: each derivation builds its own from these numbers, so that an
+error in one cannot hide in all. All classes are frozen and hashable; vectors are tuples of floats, matrices tuples of
+rows. Lengths m, masses kg, angles rad, forces N.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
-from typing import Literal, Self, TypeVar
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from decimal import Decimal
+from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
-Vec3 = tuple[float, float, float]
-Vec6 = tuple[float, float, float, float, float, float]
-Mat3 = tuple[Vec3, Vec3, Vec3]
-Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
+from pydantic import Field
+
+from mahovik.core.stand import units
+from mahovik.core.stand.datasheet import FlywheelForm, MountingAngles, MountingAxes
+from mahovik.core.stand.declare import Declared, Default, Inside, Note, Warns
+from mahovik.core.stand.echoes import Moments
+from mahovik.core.stand.fields import (
+    ZERO3,
+    ZERO6,
+    AddedMass,
+    Angle3,
+    Flag,
+    Inertia3,
+    Length3,
+    Mass,
+    Mat6,
+    Name,
+    StandName,
+    Table,
+    Text,
+    Vec3,
+    Vec6,
+    Weight,
+    integer,
+    one_word,
+    scalar,
+    validator,
+    vec3,
+    vector3,
+)
+from mahovik.core.stand.profile import StreamProfile
+from mahovik.core.stand.units import QuantityError, show
+from mahovik.nearest import suggestion
 
 Sequence = Literal["ship", "aircraft", "euler"]
 About = Literal["origin", "center_of_mass"]
@@ -32,8 +64,57 @@ TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
 
 
 @dataclass(frozen=True)
-class LawData:
-    """Raw data of one law of wrenches: each folder of `laws/` has its own class."""
+class Law(Declared):
+    """Raw data of one law of wrenches, LAW of the module `law` of its folder.
+
+    key             its table in the file
+    name, plural    in words; by default the key, and that with an s
+    item            class of its tables, where the law is a list of tables [[key]]: its last field has them
+    mounted         have they a name and a mount, the carrier or an instrument?
+    carries_weight  can it carry a stand at rest?
+    """
+
+    key: ClassVar[str]
+    name: ClassVar[str]
+    plural: ClassVar[str]
+    item: ClassVar[type[Declared] | None] = None
+    mounted: ClassVar[bool] = False
+    carries_weight: ClassVar[bool] = False
+
+    def __init_subclass__(cls) -> None:
+        if "key" in cls.__dict__:
+            cls.name = cls.__dict__.get("name", cls.key)
+            cls.plural = cls.__dict__.get("plural", f"{cls.name}s")
+
+    @property
+    def items(self) -> tuple[Any, ...]:
+        """Its tables [[key]]."""
+        found: tuple[Any, ...] = getattr(self, fields(self)[-1].name)
+        return found
+
+    @property
+    def acts(self) -> bool:
+        """False where it does nothing, so that a stand has no such law."""
+        return self.item is None or bool(self.items)
+
+    @classmethod
+    def warnings(cls, stand: Stand) -> list[str]:
+        """Lines of `check` on what is suspicious."""
+        raise NotImplementedError
+
+    @classmethod
+    def short(cls, stand: Stand) -> str:
+        """The law in a few words; empty where the stand does not have it."""
+        raise NotImplementedError
+
+    def negative_diagonals(self, where: str) -> Iterator[str]:
+        """A warning of each matrix with what is negative on its diagonal; `where`: path of the law."""
+        for name, warns in self.marked(Warns).items():
+            rows = getattr(self, name) or ZERO6
+            diagonal = [(letter, rows[i][i]) for i, letter in enumerate(TWIST_LETTERS)]
+            negative = ", ".join(f"{value:.5g} for {letter}" for letter, value in diagonal if value < 0.0)
+            if negative:
+                yield f"{where}.{name} has {negative}: {warns.does}"
 
     @property
     def nonlinear(self) -> bool:
@@ -76,34 +157,39 @@ class LawData:
         return None
 
 
-Law = TypeVar("Law", bound=LawData)
+AnyLaw = TypeVar("AnyLaw", bound=Law)
 
 
 @dataclass(frozen=True)
 class WithLaws:
     """What laws of wrenches act on: the stand by those between E0 and the carrier, a body by its own. See `law`."""
 
-    laws: tuple[LawData, ...] = field(default=(), kw_only=True)
+    laws: tuple[Law, ...] = field(default=(), kw_only=True)
 
-    def law(self, kind: type[Law]) -> Law | None:
+    def law(self, kind: type[AnyLaw]) -> AnyLaw | None:
         """The data of one law; None where it does not act."""
-        for found in self.laws:
-            if isinstance(found, kind):
-                return found
-        return None
+        return next((law for law in self.laws if isinstance(law, kind)), None)
 
-    def with_laws(self, *given: LawData) -> Self:
+    def with_laws(self, *given: Law) -> Self:
         """A copy with the given laws instead of its own of the same kinds."""
         kinds = {type(law): law for law in (*self.laws, *given)}
         return replace(self, laws=tuple(kinds.values()))
 
-    def without_laws(self, *kinds: type[LawData]) -> Self:
+    def without_laws(self, *kinds: type[Law]) -> Self:
         """A copy without some kinds of law; with no kind named, without any."""
         return replace(self, laws=tuple(law for law in self.laws if kinds and not isinstance(law, kinds)))
 
 
+def _about(table: Any, note: Note) -> About:
+    """Point that the inertia is about; if the centre of mass is the origin, the key may be left out."""
+    if table.inertia_about is None and any(table.center_of_mass):
+        note("inertia_about", 'required where center_of_mass is not zero, expected "origin" or "center_of_mass"')
+    about: About = table.inertia_about or "origin"
+    return about
+
+
 @dataclass(frozen=True)
-class Body(WithLaws):
+class Body(WithLaws, Declared):
     """What carrier, instruments and flywheels have in common, in the body's own frame.
 
     `inertia` is the full symmetric tensor as the file gives it, about the point named by `inertia_about`.
@@ -111,12 +197,14 @@ class Body(WithLaws):
     `wrench_input`: the emitted C takes a run-time wrench on this body.
     """
 
-    name: str
-    mass: float
-    center_of_mass: Vec3
-    inertia: Mat3
-    inertia_about: About
-    wrench_input: bool
+    name: Name
+    mass: Mass
+    center_of_mass: Annotated[Length3, Default(ZERO3)]
+    inertia: Inertia3
+    inertia_about: Annotated[
+        About, one_word({"origin": "origin", "center_of_mass": "center_of_mass"}), Default(None)
+    ]  # fmt: skip
+    wrench_input: Annotated[Flag, Default(False, written=False)]
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -128,12 +216,22 @@ class Body(WithLaws):
         """Mass (kg) and centre, in its frame, of the fluid that it displaces, by each law of its own that says so."""
         return [displaced for law in self.laws if (displaced := law.displaced) is not None]
 
+    @classmethod
+    def read(cls, table: Any, note: Note, moments: Moments, **more: Any) -> Self | None:
+        """The data of a valid table, and notes on it; None where something is not known. `moments`: as in the file."""
+        return cls.of_table(table, inertia_about=_about(table, note), **more)
+
+    def as_keys(self) -> dict[str, Any]:
+        """Its keys in a stand file, in SI, those of its laws among them."""
+        return super().as_keys() | {law.key: law.as_keys() for law in self.laws if not law.mounted}
+
 
 @dataclass(frozen=True)
 class Carrier(Body):
     """The carrier E1 (its `name` is "carrier"). `added_mass` about O1 in E1 axes; None where absent or zero."""
 
-    added_mass: Mat6 | None
+    name: str
+    added_mass: Annotated[AddedMass, Default(None)]
 
 
 @dataclass(frozen=True)
@@ -143,52 +241,40 @@ class Instrument(Body):
     `added_mass` is about O1 in E1 axes, as for the carrier.
     """
 
-    position: Vec3
-    angles: Vec3
-    added_mass: Mat6 | None
+    mass: Annotated[Mass, Default(0.0)]
+    inertia: Annotated[Inertia3, Default((ZERO3, ZERO3, ZERO3))]
+    position: Annotated[Length3, Default(ZERO3)]
+    angles: Annotated[Angle3, Default(ZERO3)]
+    added_mass: Annotated[AddedMass, Default(None)]
 
 
 @dataclass(frozen=True)
-class MountingAngles:
-    """Mounting of a flywheel by angles: C3(psi) C2(theta) C1(zero + phi_s)."""
-
-    psi: float
-    theta: float
-    zero: float
-
-
-@dataclass(frozen=True)
-class MountingAxes:
-    """Mounting of a flywheel by directions in the mount's frame, of any length.
-
-    `axis`: spin axis (first axis of Es); `zero`: its part across the axis is the second axis of Es at phi_s = 0.
-    """
-
-    axis: Vec3
-    zero: Vec3
-
-
-@dataclass(frozen=True)
-class Motor:
+class Motor(Declared):
     """Drive of a flywheel; acts in simulation only. None: no limit, or not known."""
 
-    torque: float | None
-    speed: float | None
-    constant: float | None
-    resistance: float | None
-    supply: float | None
-    viscous: float
-    coulomb: float
-    coulomb_speed: float
+    torque: Annotated[float | None, scalar(units.TORQUE, least=0.0), Default(None)]
+    speed: Annotated[float | None, scalar(units.SPEED, above=0.0), Default(None)]
+    constant: Annotated[float | None, scalar(units.TORQUE_CONSTANT, above=0.0), Default(None)]
+    resistance: Annotated[float | None, scalar(units.RESISTANCE, least=0.0), Default(None)]
+    supply: Annotated[float | None, scalar(units.VOLTAGE, above=0.0), Default(None)]
+    viscous: Annotated[float, scalar(units.VISCOUS, least=0.0), Default(0.0)]
+    coulomb: Annotated[float, scalar(units.TORQUE, least=0.0), Default(0.0)]
+    coulomb_speed: Annotated[float, scalar(units.SPEED, above=0.0), Default(0.1)]
+
+
+def _counts(raw: Any) -> int:
+    if integer(raw) == 0:
+        raise QuantityError("expected at least 1 count per turn, found 0")
+    return int(raw)
 
 
 @dataclass(frozen=True)
-class Encoder:
+class Encoder(Declared):
     """Encoder of a flywheel: counts per turn (with sign), count at phi_s = 0, latency in s."""
 
-    counts: int
-    zero: float
-    latency: float
+    counts: Annotated[int, validator(_counts)]
+    zero: Annotated[float, scalar(units.PLAIN), Default(0.0)]
+    latency: Annotated[float, scalar(units.TIME, least=0.0), Default(0.0)]
 
 
 @dataclass(frozen=True)
@@ -198,22 +284,41 @@ class Flywheel(Body):
     `inverse_weight` is its weight in the norm of phi'' that `inverse` makes least, 1 by default.
     """
 
-    mount: str
-    position: Vec3
+    inertia: Annotated[Inertia3, Default(None)]
+    mount: Annotated[Text, Default("carrier")]
+    position: Annotated[Length3, Default(ZERO3)]
     mounting: MountingAngles | MountingAxes
-    motor: Motor | None
-    encoder: Encoder | None
-    inverse_weight: float = 1.0
+    motor: Annotated[Motor | None, Inside(Motor), Default(None)]
+    encoder: Annotated[Encoder | None, Inside(Encoder), Default(None)]
+    inverse_weight: Annotated[Weight, Default(1.0, written=False)] = 1.0
+
+    keys: ClassVar[type[Table]] = FlywheelForm
+
+    @classmethod
+    def read(cls, table: Any, note: Note, moments: Moments, **more: Any) -> Self | None:
+        """The data of a valid table, and notes on it; None where its mounting or its inertia is not known."""
+        mounting, masses = table.mounting(note), table.masses(note, moments)
+        if mounting is None or masses is None:
+            return None
+        about = {} if masses else {"inertia_about": _about(table, note)}
+        return cls.of_table(table, mounting=mounting, **masses, **about, **more)
+
+    def as_keys(self) -> dict[str, Any]:
+        """Its keys in a stand file, in SI."""
+        at = self.mounting
+        if isinstance(at, MountingAngles):
+            return super().as_keys() | {"angles": [at.psi, at.theta, at.zero]}
+        return super().as_keys() | {"axis": list(at.axis), "zero": list(at.zero)}
 
 
 @dataclass(frozen=True)
-class Point:
+class Point(Declared):
     """A sensor or place of interest on the carrier or an instrument; axes C3(psi) C2(theta) C1(phi)."""
 
-    name: str
-    mount: str
-    position: Vec3
-    angles: Vec3
+    name: Name
+    mount: Annotated[Text, Default("carrier")]
+    position: Annotated[Length3, Default(ZERO3)]
+    angles: Annotated[Angle3, Default(ZERO3)]
 
 
 @dataclass(frozen=True)
@@ -227,12 +332,61 @@ class TaskRow:
     component: Component
 
 
+def _component(raw: Any) -> Component:
+    for known in COMPONENTS:
+        if raw == known:
+            return known
+    if not isinstance(raw, str):
+        raise QuantityError(f"expected one of {', '.join(COMPONENTS)}, found {show(raw)}")
+    raise QuantityError(f"unknown component {show(raw)}{suggestion(raw, COMPONENTS)}")
+
+
+def _items(raw: Any, read: Callable[[Any], Any]) -> Iterator[Any]:
+    """The items of a list that is not empty, each read; QuantityError names the place."""
+    if not isinstance(raw, list) or not raw:
+        found = "an empty list" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected a list of rows such as ["wx", "wy", "wz"], found {found}')
+    for i, item in enumerate(raw):
+        try:
+            yield read(item)
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+
+
+def _rows(raw: Any) -> tuple[TaskRow, ...]:
+    return tuple(row for rows in _items(raw, _rows_of_item) for row in rows)
+
+
+def _rows_of_item(raw: Any) -> tuple[TaskRow, ...]:
+    """One component of O1, or some of a point: { point = "camera", rows = ["wx", "wy"] }."""
+    if not isinstance(raw, dict):
+        return (TaskRow("", _component(raw)),)
+    keys = ("point", "rows")
+    unknown = [key for key in raw if key not in keys]
+    if unknown:
+        raise QuantityError(f"unknown key {show(unknown[0])}{suggestion(unknown[0], keys)}")
+    for key in keys:
+        if key not in raw:
+            raise QuantityError(f'{key} is missing, expected {{ point = "NAME", rows = [...] }}')
+    if not isinstance(raw["point"], str):
+        raise QuantityError(f"point: expected the name of a point or an instrument, found {show(raw['point'])}")
+    try:
+        return tuple(TaskRow(raw["point"], component) for component in _items(raw["rows"], _component))
+    except QuantityError as error:
+        where = "rows" if str(error).startswith("[") else "rows: "
+        raise QuantityError(f"{where}{error}") from None
+
+
+def _rows_in_file(rows: tuple[TaskRow, ...]) -> list[Any]:
+    return [{"point": row.of, "rows": [row.component]} if row.of else row.component for row in rows]
+
+
 @dataclass(frozen=True)
-class Task:
+class Task(Declared):
     """Components of the carrier's motion that are demanded together; what no row names is free."""
 
     name: str
-    rows: tuple[TaskRow, ...]
+    rows: Annotated[tuple[TaskRow, ...], validator(_rows, write=_rows_in_file)]
 
 
 @dataclass(frozen=True)
@@ -263,18 +417,46 @@ class Hold:
     angles: Vec3
 
 
+def _gravity(raw: Any) -> Vec3:
+    """Three numbers, or 0 for none at all."""
+    is_zero = isinstance(raw, int | Decimal) and not isinstance(raw, bool) and raw == 0
+    return ZERO3 if is_zero else vec3(raw, units.ACCELERATION)
+
+
+_SEQUENCES: Mapping[str, Sequence] = {
+    "ship": "ship", "zyx": "ship", "aircraft": "aircraft", "yzx": "aircraft", "euler": "euler", "zxz": "euler",
+}  # fmt: skip
+
+
+def _schema(raw: Any) -> int:
+    if integer(raw) != 1:
+        raise QuantityError(f"unknown version {raw}, this program reads schema 1")
+    return 1
+
+
+class _WithSchema(Table):
+    schema_: Annotated[int, validator(_schema)] = Field(alias="schema")
+
+
 @dataclass(frozen=True)
-class StreamProfile:
-    """Velocity of the fluid by depth, beside the uniform `stream`: linear between stations, none outside of them.
+class Header(Declared):
+    """The keys of a stand outside any table."""
 
-    down      direction in E0, of any length, along which the depth of a position is counted from the origin of E0
-    depth     m, increasing
-    velocity  m/s in E0, one for each depth
-    """
+    name: StandName
+    angles: Annotated[
+        Sequence,
+        one_word(_SEQUENCES, '"ship" (or "zyx"), "aircraft" ("yzx") or "euler" ("zxz")'), Default("ship"),
+    ]  # fmt: skip
+    gravity: Annotated[Vec3, validator(_gravity, units.ACCELERATION), Default(ZERO3)]
+    stream: Annotated[Vec3 | None, vector3(units.VELOCITY), Default(None)]
+    phase_input: Annotated[
+        PhaseInput, one_word({"angle": "angle", "sincos": "sincos"}), Default("angle", written=False)
+    ]  # fmt: skip
+    inverse_most: Annotated[
+        float, scalar(units.ANGULAR_ACCELERATION, above=0.0), Default(INVERSE_MOST, written=False)
+    ]  # fmt: skip
 
-    down: Vec3
-    depth: tuple[float, ...]
-    velocity: tuple[Vec3, ...]
+    keys: ClassVar[type[Table]] = _WithSchema
 
 
 @dataclass(frozen=True)

@@ -12,21 +12,13 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import Any
 
+from mahovik.core.stand.datasheet import FlywheelForm, UnbalanceTable
 from mahovik.core.stand.editing import exact, put, unbalance_of
 from mahovik.core.stand.fields import QuantityValidator, Table
 from mahovik.core.stand.hold import find_freedom
-from mahovik.core.stand.laws import held_laws, hold_with_laws, law_arrays, law_headers, law_tables, with_laws
+from mahovik.core.stand.laws import arrays, headers, held_laws, hold_table, tables
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import keys_of
-from mahovik.core.stand.schema import (
-    CarrierTable,
-    FlywheelTable,
-    Header,
-    InstrumentTable,
-    PointTable,
-    StreamProfileTable,
-    UnbalanceTable,
-)
 from mahovik.core.stand.units import PLAIN, Dimension, number, show
 from mahovik.core.stand.written import quantity_and_table
 from mahovik.errors import UsageError
@@ -161,17 +153,10 @@ class StandNumbers:
     def _read_tables(self) -> None:
         """All tables of the file by name, then the keys outside any table."""
         document, found = self._document, self._top.inside
-        arrays: dict[str, type[Table]] = {
-            "instrument": with_laws(InstrumentTable), "flywheel": with_laws(FlywheelTable), "point": PointTable,
-            **law_arrays(),
-        }  # fmt: skip
-        tables: dict[str, type[Table]] = {
-            "carrier": with_laws(CarrierTable), "stream_profile": StreamProfileTable, **law_tables()
-        }  # fmt: skip
-        for key, table in tables.items():
+        for key, table in tables().items():
             if key in document:
                 found[key] = self._table(table, document[key], key, (key,))
-        for key, table in arrays.items():
+        for key, table in arrays().items():
             for i, item in enumerate(document.get(key, [])):
                 if "name" in item:
                     found[item["name"]] = self._table(table, item, item["name"], (key, i))
@@ -180,10 +165,9 @@ class StandNumbers:
                     assert isinstance(items, _Table)
                     items.inside[str(i)] = self._table(table, item, f"{key}[{i}]", (key, i))
         if "hold" in document:
-            found.setdefault("hold", self._table(hold_with_laws(), document["hold"], "hold", ("hold",)))
+            found.setdefault("hold", self._table(hold_table(), document["hold"], "hold", ("hold",)))
         self._top.written = frozenset(found)
-        headers: list[type[Table]] = [Header, *law_headers()]
-        for header in headers:
+        for header in headers():
             keys = {key: value for key, value in document.items() if key in keys_of(header)}
             for key, each in self._table(header, keys, "", ()).inside.items():
                 found.setdefault(key, each)
@@ -191,7 +175,7 @@ class StandNumbers:
     def _table(self, schema: type[Table], raw: Mapping[str, Any], path: str, place: Steps) -> _Table:
         values = schema.model_validate(raw)
         found = _Table(written=frozenset(key for key in raw if key not in _IDLE))
-        by_sheet = issubclass(schema, FlywheelTable) and any(key in raw for key in _SHEET)
+        by_sheet = issubclass(schema, FlywheelForm) and any(key in raw for key in _SHEET)
         for name, info in schema.model_fields.items():
             key = info.alias or name
             below = f"{path}.{key}".lstrip(".")

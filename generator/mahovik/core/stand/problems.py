@@ -6,14 +6,15 @@ import re
 import types
 import typing
 from dataclasses import dataclass, field, fields, is_dataclass
-from typing import Any
+from typing import Any, TypeVar
 
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from mahovik.core.stand.units import show
 from mahovik.nearest import suggestion
 
+T = TypeVar("T")
 _ELEMENT = re.compile(r"((?:\[\d+\])+): (.*)", re.DOTALL)  # what `shapes` says of one element
 
 
@@ -33,6 +34,14 @@ class Problems:
         line = f"{self.source}: " + (f"{', '.join(path)}: {reason}" if path else reason)
         if line not in self.lines:
             self.lines.append(line)
+
+    def valid(self, table: type[T], raw: Any, where: str = "", **context: Any) -> T | None:
+        """The table that `raw` holds; None if it has problems, which are noted. Some fields use the `context`."""
+        try:
+            return TypeAdapter(table).validate_python(raw, context=context)
+        except ValidationError as error:
+            self.add_schema_errors(where, table, error)
+            return None
 
     def add_schema_errors(self, where: str, table: type, error: ValidationError) -> None:
         """Note everything pydantic found in the table that `where` names."""

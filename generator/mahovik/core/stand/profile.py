@@ -1,28 +1,97 @@
-"""Ranges of the numbers of `[stream_profile]`: velocities and shears that the C takes."""
+"""`[stream_profile]`: velocity of the fluid by depth, within the ranges of the C."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import model_validator
 
 from mahovik.contract.quantities import BOUNDS
-from mahovik.core.stand.model import Vec3
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand import units
+from mahovik.core.stand.declare import Declared, Default, Note
+from mahovik.core.stand.fields import Direction, Table, Vec3, refuse, validator, vec3, vector
+from mahovik.core.stand.units import QuantityError, show
+
+NEAREST_STATIONS = 1e-9
+"""Least distance of stations of a stream by their depth: nearer, rounding makes the shear between them."""
 
 
-def check_profile(problems: Problems, depth: Sequence[float], velocity: Sequence[Vec3], stream: Vec3) -> None:
+def _depths(raw: Any) -> tuple[float, ...]:
+    """Two numbers or more, increasing."""
+    values = raw.get("value") if isinstance(raw, dict) else raw
+    found = vector(raw, (max(2, len(values) if isinstance(values, list) else 0),), units.LENGTH)
+    for above, below in pairwise(found):
+        if not above < below:
+            raise QuantityError(f"expected increasing numbers, found {below:g} m after {above:g} m")
+        if below - above < NEAREST_STATIONS * max(abs(above), abs(below)):
+            raise QuantityError(
+                f"expected stations apart by at least {NEAREST_STATIONS:g} of their depth, found {below:.17g} m after "
+                f"{above:.17g} m: leave one of them out"
+            )
+    if (deepest := max(map(abs, found))) > (most := BOUNDS["MAX_POSITION"].value):
+        raise QuantityError(
+            f"expected depths of at most {most:g} m, which is the range of a position, found {deepest:g} m"
+        )
+    return found
+
+
+def _velocities(raw: Any) -> tuple[Vec3, ...]:
+    """A list of velocities (3)."""
+    if not isinstance(raw, list) or not all(isinstance(each, list | dict) for each in raw):
+        raise QuantityError(f"expected a list of velocities such as [[0.5, 0, 0], [0.1, 0, 0]], found {show(raw)}")
+    return tuple(vec3(each, units.VELOCITY) for each in raw)
+
+
+class _OneVelocityADepth(Table):
+    @model_validator(mode="after")
+    def _one_velocity_a_depth(self: Any) -> Any:
+        """There is one velocity for each depth."""
+        if len(self.velocity) != len(self.depth):
+            raise refuse(
+                f"expected {len(self.depth)} velocities, one for each `depth`, found {len(self.velocity)}", "velocity"
+            )
+        return self
+
+
+@dataclass(frozen=True)
+class StreamProfile(Declared):
+    """Velocity of the fluid by depth, beside the uniform `stream`: linear between stations, none outside of them.
+
+    down      direction in E0, of any length, along which the depth of a position is counted from the origin of E0
+    depth     m, increasing
+    velocity  m/s in E0, one for each depth
+    """
+
+    down: Annotated[Direction, Default(None)]
+    depth: Annotated[tuple[float, ...], validator(_depths, units.LENGTH)]
+    velocity: Annotated[tuple[Vec3, ...], validator(_velocities, units.VELOCITY)]
+
+    keys: ClassVar[type[Table]] = _OneVelocityADepth
+
+    @classmethod
+    def read(cls, table: Any, gravity: Vec3, stream: Vec3, note: Note) -> Self | None:
+        """The data of a valid table, downwards as gravity where it does not say; None without, which is noted."""
+        if table.down is None and not any(gravity):
+            note("down", "required without gravity (the direction of increasing depth)")
+            return None
+        _check_ranges(note, table.depth, table.velocity, stream)
+        return cls(table.down or gravity, table.depth, table.velocity)
+
+
+def _check_ranges(note: Note, depth: Sequence[float], velocity: Sequence[Vec3], stream: Vec3) -> None:
     """Note velocities (m/s), alone and with `stream`, and shears (1/s) beyond the ranges of the C."""
     fastest, steepest = BOUNDS["MAX_VELOCITY"].value, BOUNDS["MAX_SPEED"].value
     for k, each in enumerate(velocity):
         alone, whole = (max(map(abs, v)) for v in (each, [a + b for a, b in zip(each, stream, strict=True)]))
         if max(alone, whole) > fastest:
             what = f"{alone:g} m/s" if alone > fastest else f"{whole:g} m/s with `stream`"
-            problems.add(
-                "stream_profile", f"velocity[{k}]", f"expected components of at most {fastest:g} m/s, found {what}"
-            )
+            note(f"velocity[{k}]", f"expected components of at most {fastest:g} m/s, found {what}")
     stations = zip(pairwise(depth), pairwise(velocity), strict=True)
     for k, ((top, bottom), (above, below)) in enumerate(stations):
         change = max(abs(b - a) for a, b in zip(above, below, strict=True))
         if change > steepest * (bottom - top):
             found = f"found {change:g} m/s in {bottom - top:g} m"
-            problems.add("stream_profile", f"velocity[{k + 1}]", f"expected at most {steepest:g} (m/s)/m, {found}")
+            note(f"velocity[{k + 1}]", f"expected at most {steepest:g} (m/s)/m, {found}")

@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.laws import LAWS
+from mahovik.core.stand.declare import Size
 from mahovik.core.stand.draw import Draw, rows
-from mahovik.core.stand.law import Size
+from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import (
     COMPONENTS,
@@ -23,7 +24,6 @@ from mahovik.core.stand.model import (
     Encoder,
     Flywheel,
     Instrument,
-    Mat3,
     Mat6,
     Motor,
     MountingAngles,

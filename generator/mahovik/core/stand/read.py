@@ -2,55 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar
 
 from pydantic import ValidationError
 
-from mahovik.core.stand import build, datasheet, physical
+from mahovik.core.stand import physical
 from mahovik.core.stand.content import readable
+from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
+from mahovik.core.stand.echoes import Moments, moments_of
 from mahovik.core.stand.fields import ZERO3, Table
-from mahovik.core.stand.hold import HoldTable, hold_of
+from mahovik.core.stand.hold import hold_of
 from mahovik.core.stand.law import BodyLaw, CarrierLaw
 from mahovik.core.stand.laws import (
-    AnyTable,
+    arrays,
+    body_laws,
     carrier_laws,
+    headers,
     held_laws,
-    hold_with_laws,
-    law_arrays,
-    law_headers,
-    law_tables,
+    hold_table,
     mounted_keys,
     mounted_laws,
-    with_laws,
+    tables,
 )
-from mahovik.core.stand.model import Carrier, Flywheel, Hold, Instrument, LawData, Point, Stand, StreamProfile, Task
-from mahovik.core.stand.problems import Problems, keys_of
-from mahovik.core.stand.profile import check_profile
-from mahovik.core.stand.schema import (
-    CarrierTable,
-    FlywheelTable,
+from mahovik.core.stand.model import (
+    Body,
+    Carrier,
+    Flywheel,
     Header,
-    InstrumentTable,
-    PointTable,
-    StreamProfileTable,
+    Hold,
+    Instrument,
+    Law,
+    Point,
+    Stand,
+    StreamProfile,
+    Task,
 )
-from mahovik.core.stand.task import TaskTable, check_tasks, name_of_task_problem
+from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.task import check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
 from mahovik.nearest import nearest, nearest_name, suggestion
 
-AnyBody = TypeVar("AnyBody", Carrier, Instrument)
+AnyBody = TypeVar("AnyBody", bound=Body)
+_Item = tuple[str, Any, Any]
+"""The words that name a table, its keys in the file, and the valid table."""
 
 _CHECKED = {
     "mass", "center_of_mass", "inertia", "inertia_about", "spin_inertia", "transverse_inertia", "unbalance",
     "axis", "zero", "angles",
 }  # fmt: skip
-_ARRAYS: dict[str, type[Table]] = {"instrument": InstrumentTable, "flywheel": FlywheelTable, "point": PointTable}
-
 
 _OTHERS = {"sample_period": "a file of servos", "default": "a regime", "wrench": "a regime"}
 """Keys of other files in TOML, and what these are."""
@@ -103,60 +108,42 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if any(line.endswith("this version reads schema 1") for line in problems.lines):
         raise StandError([line for line in problems.lines if "schema" in line])  # all else would be noise
 
-    carrier_table = _table(problems, document, "carrier", with_laws(CarrierTable))
     if "carrier" not in document:
         problems.add("carrier", "required, but missing")
     laws = [_law(problems, document, law) for law in carrier_laws() if law not in held_laws()]
-    instrument_tables = _array(problems, document, "instrument", with_laws(InstrumentTable))
-    flywheel_tables = _array(problems, document, "flywheel", with_laws(FlywheelTable))
-    point_tables = _array(problems, document, "point", PointTable)
+    mounted = {law: [table for *_, table in _array(problems, document, law.key)] for law in mounted_laws()}
+    carriers = _bodies(problems, Carrier, _table(problems, document, "carrier"), mounted)
+    instruments = _bodies(problems, Instrument, _array(problems, document, "instrument"), mounted)
+    flywheels = _bodies(problems, Flywheel, _array(problems, document, "flywheel"), mounted)
+    points = tuple(Point.of_table(table) for *_, table in _array(problems, document, "point"))
     _check_names(problems, document)
     if header is not None and header.phase_input != "angle" and not document.get("flywheel"):
         problems.add("phase_input", f"{show(header.phase_input)} says how phases are given, but there is no flywheel")
-
-    mounted = [(law, _array(problems, document, law.key, law_arrays()[law.key])) for law in mounted_laws()]
-    carrier = build.carrier(carrier_table, problems) if carrier_table else None
-    instruments: list[Instrument] = [build.instrument(table, where, problems) for where, table in instrument_tables]
-    wheels = [build.flywheel(table, where, problems) for where, table in flywheel_tables]
-    flywheels: list[Flywheel] = [wheel for wheel in wheels if wheel is not None]
-    points: list[Point] = [build.point(table) for _, table in point_tables]
-    profile = _profile(problems, document, header)
+    profile = None
+    for where, _, table in _table(problems, document, "stream_profile") if header is not None else ():
+        profile = StreamProfile.read(table, header.gravity, header.stream or ZERO3, partial(problems.add, where))
     tasks = _tasks(problems, document)
-    in_order = len(problems.lines)
-    hold_table = _hold_table(problems, document)
-    hold = hold_of(hold_table, problems) if hold_table and len(problems.lines) == in_order else None
-    if hold_table and hold:
-        laws += _held_laws(problems, hold_table, hold)
+    hold, held = _hold(problems, document)
     if tasks and "hold" in document:
         problems.add("task", "tasks of a carrier with [hold] are not there yet: expected one without the other")
     if physics:
-        check_tasks(problems, tasks, tuple(instruments), tuple(points))
-        if carrier is not None and carrier_table is not None:
-            physical.check_body(_bearing(carrier, mounted), "carrier", problems, carrier_table.moments)
-        for (_, own), instrument in zip(instrument_tables, instruments, strict=True):
-            physical.check_body(_bearing(instrument, mounted), f'instrument "{instrument.name}"', problems, own.moments)
-        for (_, table), wheel in zip(flywheel_tables, wheels, strict=True):
-            if wheel is not None:
-                advice = datasheet.thin_disc(table)
-                physical.check_body(wheel, f'flywheel "{wheel.name}"', problems, table.moments, advice)
-
-    if problems.lines or header is None or carrier is None:
+        check_tasks(problems, tasks, tuple(each.body for each in instruments), points)
+        bodies: list[_ReadBody[Any]] = [*carriers, *instruments, *flywheels]
+        for each in bodies:
+            physical.check_body(each.body, each.where, problems, each.moments, each.advice)
+    if problems.lines or header is None:
         raise StandError(problems.lines)
+    stream = ZERO3 if header.stream is None and profile is not None else header.stream
     stand = Stand(
-        name=header.name,
-        angles=header.angles,
-        gravity=header.gravity,
-        stream=ZERO3 if header.stream is None and profile is not None else header.stream,
-        carrier=_bearing(carrier, mounted),
-        instruments=tuple(_bearing(instrument, mounted) for instrument in instruments),
-        flywheels=tuple(flywheels),
-        points=tuple(points),
-        phase_input=header.phase_input,
+        **vars(Header.of_table(header, stream=stream)),
+        carrier=carriers[0].body,
+        instruments=tuple(each.body for each in instruments),
+        flywheels=tuple(each.body for each in flywheels),
+        points=points,
         tasks=tasks,
-        inverse_most=header.inverse_most,
         hold=hold,
         profile=profile,
-        laws=tuple(law for law in laws if law is not None),
+        laws=tuple(law for law in (*laws, *held) if law is not None),
     )
     if physics:
         physical.check_stand(stand, problems)
@@ -165,85 +152,82 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     return stand
 
 
-def _header(document: dict[str, Any], problems: Problems) -> Header | None:
-    own_keys = keys_of(Header)
-    law_keys = [*law_tables(), *law_arrays(), *(key for table in law_headers() for key in keys_of(table))]
-    known = [*own_keys, "stream_profile", "carrier", *law_keys, *_ARRAYS, "task", "hold"]
-    own = {key: value for key, value in document.items() if key in own_keys}
+def _header(document: dict[str, Any], problems: Problems) -> Any:
+    """The valid keys of the stand outside any table; None where they are not in order."""
+    own_keys = keys_of(Header.table())
+    known = [*(key for header in headers() for key in keys_of(header)), *tables(), *arrays(), "task", "hold"]
     for key in document:
         if key not in known:
             problems.add(f"unknown key {show(key)}{suggestion(key, known)}")
-    return _validate(problems, "", Header, own)
+    return _valid(problems, "", Header.table(), {key: value for key, value in document.items() if key in own_keys})
 
 
-def _profile(problems: Problems, document: dict[str, Any], header: Header | None) -> StreamProfile | None:
-    """`[stream_profile]`, downwards as gravity where it does not say; None without."""
-    table = _table(problems, document, "stream_profile", StreamProfileTable)
-    if table is None or header is None:
-        return None
-    if table.down is None and not any(header.gravity):
-        problems.add("stream_profile", "down", "required without gravity (the direction of increasing depth)")
-        return None
-    check_profile(problems, table.depth, table.velocity, header.stream or ZERO3)
-    return StreamProfile(table.down or header.gravity, table.depth, table.velocity)
-
-
-def _law(problems: Problems, document: dict[str, Any], law: type[CarrierLaw]) -> LawData | None:
+def _law(problems: Problems, document: dict[str, Any], law: type[CarrierLaw]) -> Law | None:
     """The data of one law; None where the file does not have it, or not in order."""
     header = None
     if (header_table := law.header_table()) is not None:
         raw = {key: value for key, value in document.items() if key in keys_of(header_table)}
-        header = _validate(problems, "", header_table, raw)
-    if law.item is None:
-        found = _table(problems, document, law.key, law.table())
-        return law.read(header, [] if found is None else [found])
-    return law.read(header, [item for _, item in _array(problems, document, law.key, law.item.table())])
+        header = _valid(problems, "", header_table, raw)
+    items = (_table if law.item is None else _array)(problems, document, law.key)
+    return law.read(header, [table for *_, table in items])
 
 
-def _hold_table(problems: Problems, document: dict[str, Any]) -> HoldTable | None:
-    """`[hold]`; None without, or where it is not in order, which is noted."""
-    if isinstance(document.get("hold", {}), dict):
-        return _table(problems, document, "hold", hold_with_laws())
-    expected = 'expected one table, [hold] with a line such as freedoms = ["yaw"]'
-    problems.add("hold", f"{expected}, found {show(document['hold'])}")
-    return None
+def _hold(problems: Problems, document: dict[str, Any]) -> tuple[Hold | None, list[Law | None]]:
+    """`[hold]`, and the laws whose tables are its own; None, and no laws, without, or where it is not in order."""
+    in_order, raw = len(problems.lines), document.get("hold", {})
+    if not isinstance(raw, dict):
+        expected = 'expected one table, [hold] with a line such as freedoms = ["yaw"]'
+        problems.add("hold", f"{expected}, found {show(raw)}")
+    table = _valid(problems, "hold", hold_table(), raw) if isinstance(raw, dict) and "hold" in document else None
+    hold = hold_of(table, problems) if table is not None and len(problems.lines) == in_order else None
+    if hold is None:
+        return None, []
+    note = partial(problems.add, "hold")
+    return hold, [law.read_held(getattr(table, law.key), hold, note) for law in held_laws()]
 
 
-def _held_laws(problems: Problems, table: HoldTable, hold: Hold) -> list[LawData | None]:
-    """The data of the laws whose tables are those of the hold."""
+@dataclass(frozen=True)
+class _ReadBody(Generic[AnyBody]):
+    """A body; the words that name it, how its moments of inertia are shown, and what to write if they cannot be."""
 
-    def note(*words: str) -> None:
-        problems.add("hold", *words)
-
-    return [law.read_held(getattr(table, law.key), hold, note) for law in held_laws()]
-
-
-def _bearing(body: AnyBody, mounted: Sequence[tuple[type[BodyLaw], Sequence[tuple[str, Any]]]]) -> AnyBody:
-    """The body with the laws that are mounted on it, in the file's order."""
-    own: list[LawData | None] = [
-        law.read_mounted([t for _, t in tables if t.mount == body.name]) for law, tables in mounted
-    ]
-    return replace(body, laws=(*body.laws, *(data for data in own if data is not None)))
+    body: AnyBody
+    where: str
+    moments: Moments
+    advice: str
 
 
-def _validate(problems: Problems, where: str, table: type[AnyTable], raw: Any) -> AnyTable | None:
+def _bodies(
+    problems: Problems, kind: type[AnyBody], items: list[_Item], mounted: Mapping[type[BodyLaw], list[Any]]
+) -> list[_ReadBody[AnyBody]]:
+    """The bodies of valid tables with all laws on them, as far as they are known."""
+    found = []
+    for where, raw, table in items:
+        name, moments = getattr(table, "name", "carrier"), moments_of(raw)
+        given = {law: getattr(table, law.key) for law in body_laws() if not law.mounted}
+        laws: list[Law | None] = [law.read(own) for law, own in given.items() if own is not None]
+        laws += [law.read_mounted([each for each in own if each.mount == name]) for law, own in mounted.items()]
+        acting = tuple(law for law in laws if law is not None)
+        body = kind.read(table, partial(problems.add, where), moments, name=name, laws=acting)
+        if body is not None:
+            advice = thin_disc(table, moments) if isinstance(table, FlywheelForm) else ""
+            found.append(_ReadBody(body, where, moments, advice))
+    return found
+
+
+def _valid(problems: Problems, where: str, table: type[Table], raw: Any) -> Any:
+    """The valid table; None where it is not in order, which is noted.
+
+    It is read without its unreadable keys, so that unphysical values in the rest are reported as well, unless a bad key
+    says, or may be meant to say, what the checks of a body take.
+    """
     try:
         return table.model_validate(raw)
     except ValidationError as error:
         problems.add_schema_errors(where, table, error)
-        return _readable(table, raw, error)
-
-
-def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTable | None:
-    """Read the table without its unreadable keys, so that unphysical values in the rest are reported as well.
-
-    None where a bad key says, or may be meant to say, what the checks of a body take.
-    """
-    locations = [item["loc"] for item in error.errors(include_url=False)]
+        locations = [item["loc"] for item in error.errors(include_url=False)]
     bad = {str(location[0]) for location in locations if location}
     known = keys_of(table)
-    meant = {nearest(key, known) for key in bad}
-    if not isinstance(raw, dict) or not all(locations) or meant & _CHECKED:
+    if not isinstance(raw, dict) or not all(locations) or {nearest(key, known) for key in bad} & _CHECKED:
         return None
     try:
         return table.model_validate({key: value for key, value in raw.items() if key not in bad})
@@ -251,12 +235,14 @@ def _readable(table: type[AnyTable], raw: Any, error: ValidationError) -> AnyTab
         return None
 
 
-def _table(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> AnyTable | None:
-    return _validate(problems, key, table, document[key]) if key in document else None
+def _table(problems: Problems, document: dict[str, Any], key: str) -> list[_Item]:
+    """The valid table [key], if there is one."""
+    table = _valid(problems, key, tables()[key], document[key]) if key in document else None
+    return [] if table is None else [(key, document[key], table)]
 
 
-def _array(problems: Problems, document: dict[str, Any], key: str, table: type[AnyTable]) -> list[tuple[str, AnyTable]]:
-    """The valid tables of an array, each with the words that name it."""
+def _array(problems: Problems, document: dict[str, Any], key: str) -> list[_Item]:
+    """The valid tables [[key]]."""
     raw = document.get(key, [])
     if not isinstance(raw, list):
         problems.add(key, f"expected an array of tables, [[{key}]], found {show(raw)}")
@@ -265,9 +251,8 @@ def _array(problems: Problems, document: dict[str, Any], key: str, table: type[A
     for i, item in enumerate(raw):
         name = item.get("name") if isinstance(item, dict) else None
         where = f"{key} {show(name)}" if isinstance(name, str) else f"{key}[{i}]"
-        valid = _validate(problems, where, table, item)
-        if valid is not None:
-            found.append((where, valid))
+        if (table := _valid(problems, where, arrays()[key], item)) is not None:
+            found.append((where, item, table))
     return found
 
 
@@ -284,16 +269,15 @@ def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
         where = f"task {show(name)}"
         if (problem := name_of_task_problem(name)) is not None:
             problems.add(where, problem)
-        table = _validate(problems, where, TaskTable, item)
-        if table is not None:
-            found.append(Task(name, table.rows))
+        if (table := _valid(problems, where, Task.table(), item)) is not None:
+            found.append(Task.of_table(table, name=name))
     return tuple(found)
 
 
 def _tables_with_names(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:
     raw = document.get(key, [])
-    tables = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
-    return [(item["name"], item) for item in tables if isinstance(item.get("name"), str)]
+    items = [item for item in raw if isinstance(item, dict)] if isinstance(raw, list) else []
+    return [(item["name"], item) for item in items if isinstance(item.get("name"), str)]
 
 
 def _check_names(problems: Problems, document: dict[str, Any]) -> None:

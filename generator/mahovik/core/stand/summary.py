@@ -9,12 +9,13 @@ from typing import Any
 
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
+from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.hold import words
 from mahovik.core.stand.idle_laws import idle_laws
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.laws import body_laws, carrier_laws, held_laws
-from mahovik.core.stand.model import Flywheel, Instrument, Mat3, Stand, Vec3
+from mahovik.core.stand.model import Flywheel, Instrument, Stand, Vec3
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3

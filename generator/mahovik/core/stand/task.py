@@ -1,19 +1,17 @@
-"""Tasks of a stand file: which components of the carrier's motion are demanded, `[task.NAME] rows = [...]`."""
+"""Tasks of a stand file: which components of the carrier's motion are demanded, and whether they go together."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Annotated, Any
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.fields import Name, Table, validator
+from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.frames import cross, placement, turn
-from mahovik.core.stand.model import COMPONENTS, Component, Instrument, Point, Task, TaskRow
-from mahovik.core.stand.names import name_problem
+from mahovik.core.stand.model import COMPONENTS, Instrument, Point, Task, TaskRow
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import QuantityError, show
+from mahovik.core.stand.units import show
 from mahovik.nearest import suggestion
 
 Array = NDArray[np.float64]
@@ -27,68 +25,6 @@ _RESERVED_NAMES = frozenset(("fast", "options", "result", "work", "at", "batch")
 _BEGINNINGS = ("fast_", "work_")
 _ENDINGS = ("_at", "_batch", "_result", "_options", "_work")
 """Beginnings and ends of names of functions and types that have the name of a task in them."""
-
-
-def _component(raw: Any) -> Component:
-    for known in COMPONENTS:
-        if raw == known:
-            return known
-    if not isinstance(raw, str):
-        raise QuantityError(f"expected one of {', '.join(COMPONENTS)}, found {show(raw)}")
-    raise QuantityError(f"unknown component {show(raw)}{suggestion(raw, COMPONENTS)}")
-
-
-def _components(raw: Any) -> tuple[Component, ...]:
-    return tuple(_items(raw, _component))
-
-
-def _items(raw: Any, read: Callable[[Any], Any]) -> Iterator[Any]:
-    """The items of a list that is not empty, each read; QuantityError names the place."""
-    if not isinstance(raw, list) or not raw:
-        found = "an empty list" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected a list of rows such as ["wx", "wy", "wz"], found {found}')
-    for i, item in enumerate(raw):
-        try:
-            yield read(item)
-        except QuantityError as error:
-            raise QuantityError(f"[{i}]: {error}") from None
-
-
-class PointRowsTable(Table):
-    """Rows of one point or instrument, in its own axes."""
-
-    point: Name
-    rows: Annotated[tuple[Component, ...], validator(_components)]
-
-
-def _rows(raw: Any) -> tuple[TaskRow, ...]:
-    return tuple(row for rows in _items(raw, _item) for row in rows)
-
-
-def _item(raw: Any) -> tuple[TaskRow, ...]:
-    """One component of O1, or some of a point."""
-    if not isinstance(raw, dict):
-        return (TaskRow("", _component(raw)),)
-    unknown = [key for key in raw if key not in PointRowsTable.model_fields]
-    if unknown:
-        raise QuantityError(f"unknown key {show(unknown[0])}{suggestion(unknown[0], PointRowsTable.model_fields)}")
-    for key in PointRowsTable.model_fields:
-        if key not in raw:
-            raise QuantityError(f'{key} is missing, expected {{ point = "NAME", rows = [...] }}')
-    if not isinstance(raw["point"], str):
-        raise QuantityError(f"point: expected the name of a point or an instrument, found {show(raw['point'])}")
-    try:
-        rows = _components(raw["rows"])
-    except QuantityError as error:
-        where = "rows" if str(error).startswith("[") else "rows: "
-        raise QuantityError(f"{where}{error}") from None
-    return tuple(TaskRow(raw["point"], component) for component in rows)
-
-
-class TaskTable(Table):
-    """One `[task.NAME]`."""
-
-    rows: Annotated[tuple[TaskRow, ...], validator(_rows)]
 
 
 def name_of_task_problem(name: str) -> str | None:

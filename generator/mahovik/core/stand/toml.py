@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal, InvalidOperation
+from itertools import starmap
 from typing import Any
 
 _DEEPEST = 50
@@ -40,6 +41,8 @@ def value_of(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, float):
         return repr(value)
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(line_of(key, item) for key, item in value.items())} }}"
     if isinstance(value, Sequence) and not isinstance(value, str):
         return "[" + ", ".join(value_of(item) for item in value) + "]"
     return f'"{value}"' if isinstance(value, str) else str(value)
@@ -50,6 +53,36 @@ def line_of(key: str, value: Any) -> str:
     return f"{key} = {value_of(value)}"
 
 
-def fields(table: Any, *keys: str) -> list[str]:
-    """Lines of some attributes of a class of the model."""
-    return [line_of(key, getattr(table, key)) for key in keys]
+def text_of(document: Mapping[str, Any], comments: Mapping[str, Sequence[str]]) -> str:
+    """The text of a document; `comments`: lines over the tables, by their names.
+
+    Keys outside any table come first. A table of nothing but tables has none of its own: [task.pointing].
+    """
+    lines = [line_of(key, value) for key, value in document.items() if not _is_table(value) and not _tables(value)]
+    for key, value in document.items():
+        if _is_table(value):
+            inner = value and all(map(_is_table, value.values()))
+            for title, table in ((f"{key}.{name}", each) for name, each in value.items()) if inner else [(key, value)]:
+                lines += _table(f"[{title}]", title, table, comments)
+        else:
+            lines += [line for item in _tables(value) for line in _table(f"[[{key}]]", key, item, comments)]
+    return "\n".join(lines) + "\n"
+
+
+def _table(head: str, title: str, table: Mapping[str, Any], comments: Mapping[str, Sequence[str]]) -> list[str]:
+    """The lines of a table, and those of the arrays of tables inside it."""
+    above = [f"# {line}" for line in comments.get(table.get("name", title), ())]
+    inner = {key: value for key, value in table.items() if _tables(value)}
+    lines = ["", *above, head, *(line_of(key, value) for key, value in table.items() if key not in inner)]
+    for key, items in inner.items():
+        lines += [line for item in items for line in ("", f"[[{title}.{key}]]", *starmap(line_of, item.items()))]
+    return lines
+
+
+def _is_table(value: Any) -> bool:
+    return isinstance(value, Mapping)
+
+
+def _tables(value: Any) -> list[Mapping[str, Any]]:
+    """The tables of an array of them; empty of anything else."""
+    return value if isinstance(value, list) and value and all(map(_is_table, value)) else []

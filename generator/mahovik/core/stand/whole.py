@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.inertia import inertia_about_center
-from mahovik.core.stand.model import Body, Mat3, Stand, Vec3
+from mahovik.core.stand.model import Body, Stand, Vec3
 
 Array = NDArray[np.float64]
 

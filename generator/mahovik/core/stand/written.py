@@ -11,12 +11,10 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
-from mahovik.core.stand.fields import ADDED_MASS, QuantityValidator, Table
+from mahovik.core.stand.fields import ADDED_MASS, SHARE, Blocks, QuantityValidator, Table, asymmetries, vector
 from mahovik.core.stand.hold import HoldTable, find_freedom, hold_of
-from mahovik.core.stand.laws import held_laws, law_arrays, law_headers, law_tables, with_laws
+from mahovik.core.stand.laws import arrays, headers, held_laws, tables
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.schema import CarrierTable, FlywheelTable, Header, InstrumentTable, PointTable
-from mahovik.core.stand.shapes import SHARE, Blocks, asymmetries, vector
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
 
@@ -72,18 +70,9 @@ def _doubts(numbers: list[Quantity]) -> Iterator[str]:
 def _numbers(path: str | Path) -> Iterator[Quantity]:
     """All numbers of a valid stand file, in its order."""
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
-    tables: dict[str, type[Table]] = {
-        "carrier": with_laws(CarrierTable),
-        "instrument": with_laws(InstrumentTable),
-        "flywheel": with_laws(FlywheelTable),
-        "point": PointTable,
-        **law_tables(),
-        **law_arrays(),
-    }
-    headers: list[type[Table]] = [Header, *law_headers()]
-    for header in headers:
+    for header in headers():
         yield from _of_table(document, header, "stand")
-    for key, table in tables.items():
+    for key, table in (tables() | arrays()).items():
         items = document.get(key, [])
         for k, item in enumerate(items if isinstance(items, list) else [items]):
             where = item.get("name", f"{key}[{k}]" if isinstance(items, list) else key)

@@ -12,11 +12,11 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
+from mahovik.core.stand.declare import TIMES, Declared, Default, Tables
 from mahovik.core.stand.draw import Draw
 from mahovik.core.stand.fields import Table, letter, refuse, scalar, text, validator
-from mahovik.core.stand.law import TIMES, BodyLaw, Declared, Default, Tables
+from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
-from mahovik.core.stand.toml import line_of, value_of
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
 
 RACE = Dimension("a squared length per squared angle", "m^2/rad^2")
@@ -103,6 +103,10 @@ def _factors(raw: Any) -> tuple[Factor, ...]:
     return tuple(map(_factor, raw))
 
 
+def _texts(factors: tuple[Factor, ...]) -> list[str]:
+    return [factor.text for factor in factors]
+
+
 class TermTable(Table):
     """The value of a derivative, whose unit is that of the component over those of the factors."""
 
@@ -125,17 +129,11 @@ class TermTable(Table):
 class ControlDerivative(Declared):
     """Component `wrench` (0..5) += value * product of one to four factors."""
 
-    wrench: Annotated[int, validator(letter(WRENCH_LETTERS))]
-    of: Annotated[tuple[Factor, ...], validator(_factors)]
+    wrench: Annotated[int, letter(WRENCH_LETTERS)]
+    of: Annotated[tuple[Factor, ...], validator(_factors, write=_texts)]
     value: Annotated[float, TIMES]
 
     keys: ClassVar[type[Table]] = TermTable
-
-    @property
-    def text(self) -> str:
-        """The derivative in a stand file."""
-        factors = value_of([factor.text for factor in self.of])
-        return f'{{ wrench = "{WRENCH_LETTERS[self.wrench]}", of = {factors}, value = {self.value!r} }}'
 
 
 class ControlTable(Table):
@@ -195,10 +193,9 @@ class ControlDerivatives(BodyLaw):
         terms = tuple(term for term in law.terms if term.value)
         return replace(law, terms=terms, race=(law.race or 0.0) if _races(terms) else 0.0)
 
-    def lines(self) -> list[str]:
+    def as_keys(self) -> dict[str, Any]:
         """Terms, and the constant of the race where one has it."""
-        terms = ", ".join(term.text for term in self.terms)
-        return [f"terms = [{terms}]", *([line_of("race", self.race)] if _races(self.terms) else [])]
+        return {key: value for key, value in super().as_keys().items() if key != "race" or _races(self.terms)}
 
     @classmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:

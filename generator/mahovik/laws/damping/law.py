@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
+from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Default, Size, Tables
 from mahovik.core.stand.draw import Draw
-from mahovik.core.stand.fields import LINEAR, QUADRATIC, Table, letter, matrix, refuse, text, validator
-from mahovik.core.stand.law import AS_MATRIX, BRAKES, TIMES, BodyLaw, Declared, Default, Size, Tables
+from mahovik.core.stand.fields import LINEAR, QUADRATIC, Table, letter, matrix, one_word, refuse, text, validator
+from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Carrier, Mat6, Stand
-from mahovik.core.stand.toml import line_of, value_of
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
 
 WITHOUT_PRODUCTS = "without added-mass products"
@@ -49,6 +49,10 @@ def _factors(raw: Any) -> tuple[Factor, Factor]:
     return factors[0], factors[1]
 
 
+def _letters(factors: tuple[Factor, ...]) -> list[str]:
+    return [factor.letter for factor in factors]
+
+
 class TermTable(Table):
     """The value of one of `damping.terms`, whose unit follows from the wrench component and the two factors."""
 
@@ -71,30 +75,17 @@ class TermTable(Table):
 class DampingTerm(Declared):
     """Hydrodynamic derivative as published: wrench component `wrench` (0..5) += value * product of the two factors."""
 
-    wrench: Annotated[int, validator(letter(WRENCH_LETTERS))]
-    of: Annotated[tuple[Factor, Factor], validator(_factors)]
+    wrench: Annotated[int, letter(WRENCH_LETTERS)]
+    of: Annotated[tuple[Factor, Factor], validator(_factors, write=_letters)]
     value: Annotated[float, TIMES]
 
     keys: ClassVar[type[Table]] = TermTable
-
-    @property
-    def text(self) -> str:
-        """The derivative in a stand file."""
-        factors = value_of([factor.letter for factor in self.of])
-        return f'{{ wrench = "{WRENCH_LETTERS[self.wrench]}", of = {factors}, value = {self.value!r} }}'
-
-
-def _derivatives(raw: Any) -> bool:
-    """Whether the derivatives contain the products of added mass."""
-    if text(raw) not in (WITHOUT_PRODUCTS, WITH_PRODUCTS):
-        raise QuantityError(f'expected "{WITH_PRODUCTS}" or "{WITHOUT_PRODUCTS}", found {show(raw)}')
-    return bool(raw == WITH_PRODUCTS)
 
 
 class DampingTable(Table):
     """Whether the derivatives contain the products of added mass."""
 
-    derivatives: Annotated[bool, validator(_derivatives)] = False
+    derivatives: Annotated[bool, one_word({WITH_PRODUCTS: True, WITHOUT_PRODUCTS: False})] = False
 
 
 @dataclass(frozen=True)
@@ -109,7 +100,7 @@ class Damping(BodyLaw):
 
     linear: Annotated[Mat6 | None, matrix(LINEAR), Default(None), BRAKES, AS_MATRIX]
     quadratic: Annotated[Mat6 | None, matrix(QUADRATIC), Default(None), BRAKES, AS_MATRIX]
-    terms: Annotated[tuple[DampingTerm, ...], Tables(DampingTerm), Default([])]
+    terms: Annotated[tuple[DampingTerm, ...], Tables(DampingTerm), Default((), written=False)]
     contains_products: bool = False
 
     key: ClassVar[str] = "damping"
@@ -149,10 +140,9 @@ class Damping(BodyLaw):
         damping = super().of_table(table, contains_products=table.derivatives, **more)
         return replace(damping, terms=tuple(term for term in damping.terms if term.value))
 
-    def lines(self) -> list[str]:
+    def as_keys(self) -> dict[str, Any]:
         """Matrices and terms, those that there are."""
-        terms = [f"terms = [{', '.join(term.text for term in self.terms)}]"] if self.terms else []
-        return super().lines() + terms + ([line_of("derivatives", WITH_PRODUCTS)] if self.contains_products else [])
+        return super().as_keys() | ({"derivatives": WITH_PRODUCTS} if self.contains_products else {})
 
     @classmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:

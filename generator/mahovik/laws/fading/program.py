@@ -12,7 +12,7 @@ from mahovik.core.lower.member import Member, matrix, member
 from mahovik.core.program.kernel import Reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
-from mahovik.core.stand.law import ZERO6
+from mahovik.core.stand.fields import ZERO6
 from mahovik.core.stand.model import Body
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.fading.law import FadingDamping

@@ -10,8 +10,8 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import model_validator
 
 from mahovik.core.stand import units
-from mahovik.core.stand.actuator import Actuator
 from mahovik.core.stand.columns import hypot
+from mahovik.core.stand.declare import TIMES, Declared, Default
 from mahovik.core.stand.directions import parallel
 from mahovik.core.stand.draw import Draw
 from mahovik.core.stand.fields import (
@@ -22,18 +22,19 @@ from mahovik.core.stand.fields import (
     Mounted,
     Name,
     Table,
+    one_word,
     refuse,
     scalar,
-    text,
-    validator,
 )
-from mahovik.core.stand.law import TIMES, BodyLaw, Declared, Default
+from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand
-from mahovik.core.stand.units import Dimension, QuantityError, show
+from mahovik.core.stand.units import Dimension
 
 Speed = Literal["along", "across", "whole"]
 SPEEDS: tuple[Speed, ...] = ("along", "across", "whole")
 """The components of the fin's velocity in U^2, along chord, span, normal: a; a and c; a, b and c."""
+
+SPEED = one_word({speed: speed for speed in SPEEDS}, '"along", "across" or "whole"')
 
 MOST_DEFLECTION = 1.5
 """Largest deflection, rad, in the file and at run time."""
@@ -43,13 +44,6 @@ USUAL = 0.3
 
 DENSITY = Dimension("a density", "kg/m^3")
 AREA = Dimension("an area", "m^2")
-
-
-def _speed(raw: Any) -> Speed:
-    found = next((speed for speed in SPEEDS if speed == text(raw)), None)
-    if found is None:
-        raise QuantityError(f'expected "along", "across" or "whole", found {show(raw)}')
-    return found
 
 
 Coefficient = scalar(units.PLAIN, least=0.0)
@@ -101,7 +95,9 @@ class Fin(Declared):
     deflection: Annotated[
         float, scalar(units.ANGLE, least=-MOST_DEFLECTION, most=MOST_DEFLECTION), Default(0.0)
     ]  # fmt: skip
-    speed: Annotated[Speed, validator(_speed), Default("across")]
+    speed: Annotated[
+        Speed, one_word({each: each for each in SPEEDS}, '"along", "across" or "whole"'), Default("across")
+    ]
     incidence: Annotated[Flag, Default(True)]
 
     keys: ClassVar[type[Table]] = FinTable

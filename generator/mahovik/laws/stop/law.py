@@ -8,27 +8,24 @@ from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.fields import Table, text, validator
+from mahovik.core.stand.declare import TIMES, Default, InC, Note
+from mahovik.core.stand.fields import Table, one_word
 from mahovik.core.stand.hold import freedom_labels
-from mahovik.core.stand.law import TIMES, Bounds, Default, FreedomItem, FreedomTable, HeldLaw, InC, Note
+from mahovik.core.stand.law import Bounds, FreedomItem, FreedomTable, HeldLaw
 from mahovik.core.stand.model import FreedomKind, Hold, Stand
-from mahovik.core.stand.toml import line_of
-from mahovik.core.stand.units import Dimension, QuantityError, show
+from mahovik.core.stand.units import Dimension
 
 LARGEST_ANGLE = math.radians(170.0)
 """rad: an angle counts to half a turn, where it begins again; a stop nearer to it could be passed."""
 
 
-def _side(raw: Any) -> bool:
-    if text(raw) not in ("above", "below"):
-        raise QuantityError(f'expected "above" or "below" (where the coordinate may not go), found {show(raw)}')
-    return bool(raw == "above")
+SIDE = one_word({"above": True, "below": False}, '"above" or "below" (where the coordinate may not go)')
 
 
 class StopTable(FreedomTable):
     """The side that a stop may leave out."""
 
-    side: Annotated[bool | None, validator(_side)] = None
+    side: Annotated[bool | None, SIDE] = None
 
 
 @dataclass(frozen=True)
@@ -70,9 +67,9 @@ class Stop(FreedomItem):
             return None
         return cls(freedom, name, at, at > 0.0 if table.side is None else table.side, stiffness, damping)
 
-    def lines(self) -> list[str]:
+    def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI."""
-        return [*super().lines(), line_of("side", "above" if self.above else "below")]
+        return super().as_keys() | {"side": "above" if self.above else "below"}
 
     def titled(self, label: str) -> str:
         """The stop, with the side where the coordinate may not go."""

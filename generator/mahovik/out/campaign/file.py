@@ -14,7 +14,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field
 
 from mahovik import stands
-from mahovik.core.motion.document import NOT_NULL, any_list, document_of, text_of, validate_table
+from mahovik.core.motion.document import NOT_NULL, any_list, document_of, text_of
 from mahovik.core.stand.content import TEXT, is_file
 from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
 from mahovik.core.stand.numbers import StandNumbers
@@ -138,7 +138,7 @@ def load_campaign(path: str | Path) -> CampaignFile:
     source, folder = path.name, path.parent
     document = document_of(text_of(path, TEXT, CampaignError), source, CampaignError, is_json=False)
     problems = Problems(source)
-    table = validate_table(CampaignTable, quantities_by_name(document, problems), problems)
+    table = problems.valid(CampaignTable, quantities_by_name(document, problems))
     if table is None or problems.lines:
         raise CampaignError(problems.lines)
     stand = _stand(table.stand, folder, problems)

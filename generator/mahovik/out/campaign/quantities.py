@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.stand.coordinates import coordinates_of
+from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.names import name_problem
 from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import UsageError
 from mahovik.out.campaign.over import Kind, OverTable

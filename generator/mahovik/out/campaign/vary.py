@@ -10,10 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.core.motion.document import any_list
-from mahovik.core.stand.fields import text
+from mahovik.core.stand.fields import text, vector
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import PLAIN, SPEED, Dimension, QuantityError, number, show
 from mahovik.errors import FileError, UsageError
 from mahovik.nearest import suggestion

@@ -8,9 +8,8 @@ from pydantic import model_validator
 
 from mahovik.core.motion.document import FREQUENCY
 from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Table, Text, refuse, text, validator
+from mahovik.core.stand.fields import Table, Text, refuse, text, validator, vector
 from mahovik.core.stand.hold import TWIST_NAMES
-from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import TIME, QuantityError, number, show
 from mahovik.nearest import suggestion
 from mahovik.out.campaign.signals import AXES, SIGNALS

@@ -105,7 +105,7 @@ def _write(
     """Merge a model, write the stand file, and print what became of each part."""
     import numpy as np
 
-    from mahovik.core.stand.names import stand_name_problem
+    from mahovik.core.stand.fields import stand_name_problem
     from mahovik.out.foreign.merge import make_stand
     from mahovik.out.foreign.naming import stand_name
     from mahovik.out.foreign.write import stand_file

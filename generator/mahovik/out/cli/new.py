@@ -103,7 +103,7 @@ def _name_of_file(target: Path, example: str) -> str:
     name = target.name.removesuffix(".toml")
     if name == example:
         return name
-    from mahovik.core.stand.names import stand_name_problem
+    from mahovik.core.stand.fields import stand_name_problem
 
     problem = stand_name_problem(name)
     if problem is None:
@@ -114,7 +114,7 @@ def _name_of_file(target: Path, example: str) -> str:
 
 def _check_name(name: str) -> None:
     """Raises UsageError if a stand cannot have this name."""
-    from mahovik.core.stand.names import stand_name_problem
+    from mahovik.core.stand.fields import stand_name_problem
 
     problem = stand_name_problem(name)
     if problem is not None:

@@ -8,7 +8,8 @@ from typing import Any, cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Mat3, Motor, MountingAxes, Point, Stand, Vec3
+from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Motor, MountingAxes, Point, Stand, Vec3
 from mahovik.core.stand.physical import LARGEST, check_body
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from mahovik.core.stand.names import name_problem, stand_name_problem
+from mahovik.core.stand.fields import name_problem, stand_name_problem
 
 
 class Names:

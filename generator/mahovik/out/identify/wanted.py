@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from mahovik.core.motion.document import document_of, text_of, validate_table
+from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.problems import Problems
@@ -36,9 +36,8 @@ def wanted_of(text: str) -> Wanted:
     if not text.endswith(".toml"):
         return Wanted(tuple(each.strip() for each in text.split(",") if each.strip()))
     problems = Problems(text)
-    table = validate_table(
-        FreeFile, document_of(text_of(Path(text), TABLE, DataError), text, DataError, is_json=False), problems
-    )
+    document = document_of(text_of(Path(text), TABLE, DataError), text, DataError, is_json=False)
+    table = problems.valid(FreeFile, document)
     delays: dict[str, float] = {}
     if table is not None:
         for point, value in table.delay.items():

@@ -26,9 +26,9 @@ from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.stand.content import content
+from mahovik.core.stand.fields import stand_name_problem
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.names import stand_name_problem
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.writing import write_all
 

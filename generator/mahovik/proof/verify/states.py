@@ -15,9 +15,8 @@ from typing import IO, Any, Protocol, cast
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.functions import ALL_WANTS, TASK_CONFLICTS, TASK_WANTS, WANTS, hold_fault, want_fault
 from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH
-from mahovik.core.stand.actuator import Actuator
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
-from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.laws import body_laws
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import Quaternion, State

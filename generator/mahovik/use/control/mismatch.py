@@ -9,17 +9,9 @@ from typing import TypeVar, cast
 import numpy as np
 
 from mahovik.core.stand.draw import Errors
+from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.inertia import inertia_about_center
-from mahovik.core.stand.law import Law
-from mahovik.core.stand.model import (
-    Body,
-    Flywheel,
-    Instrument,
-    Mat3,
-    MountingAxes,
-    Stand,
-    Vec3,
-)
+from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAxes, Stand, Vec3
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError, whole_number

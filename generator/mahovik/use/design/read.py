@@ -18,14 +18,12 @@ from mahovik.core.motion.document import (
     positions,
     short_integer,
     text_of,
-    validate_table,
     whole_number,
 )
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.fields import Flag, Table, refuse, scalar, validator
+from mahovik.core.stand.fields import Flag, Table, refuse, scalar, validator, vector
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.shapes import vector
 from mahovik.core.stand.units import (
     ANGLE,
     LENGTH,
@@ -209,7 +207,7 @@ def _freedom(document: dict[str, Any], stand: Stand, problems: Problems) -> Free
     if not stand.flywheels:
         problems.add(f"stand {stand.name} has no flywheels: there is nothing to design")
         raise DesignError(problems.lines)
-    table = validate_table(FreedomTable, document, problems, names=[s.name for s in stand.flywheels])
+    table = problems.valid(FreedomTable, document, names=[s.name for s in stand.flywheels])
     if table is None or problems.lines:
         raise DesignError(problems.lines)
     N = len(stand.flywheels)

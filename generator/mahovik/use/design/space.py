@@ -11,7 +11,8 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, Mat3, MountingAngles, Stand
+from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.model import Flywheel, MountingAngles, Stand
 from mahovik.errors import DesignError
 from mahovik.use.design.freedom import NAMES, PARTS, WIDTH, Freedom, Limits, Mask, Tie
 from mahovik.use.plan.array import Array

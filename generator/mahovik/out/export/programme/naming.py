@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
+from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.names import name_problem
 from mahovik.errors import UsageError
 
 _BESIDE = frozenset(
