@@ -12,8 +12,7 @@ from scipy.linalg import expm
 from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum
 from export.held_servos import servo as held_servo
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.servo.form import ServoForm
-from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.lower.servo import ServoForm, lower_servo
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.servo.form import ServoForm, TrimForm
-from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, Precision
 from mahovik.core.stand import load

@@ -13,9 +13,9 @@ from mahovik.core.emit.layout import paragraph, wrap_statement
 from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.programme import rename_files
-from mahovik.core.lower.servo import golden as expected
-from mahovik.core.lower.servo.form import ServoForm
-from mahovik.core.lower.servo.golden import Golden
+from mahovik.core.lower import servo_golden as expected
+from mahovik.core.lower.servo import ServoForm
+from mahovik.core.lower.servo_golden import Golden
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import expressions

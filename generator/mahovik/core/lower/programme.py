@@ -205,7 +205,7 @@ def lower_programme(layout: Layout, forms: Sequence[Form]) -> ProgrammeProgram:
 
 
 def course(lib: Library, form: Form) -> Course:
-    """Adds `..._course(table, phase, phi, phi_dot, phi_ddot, tau)` of a table."""
+    """Adds the function of a table."""
     n = form.count
     of = "a carrier that is free on the way" if form.part else "the prescribed motion"
     time: Any = argument(f"time as a part of the {'period, in [0, 1)' if form.cyclic else 'duration, in [0, 1]'}")
@@ -392,7 +392,7 @@ def below(value: int, limit: int) -> Any:
 
 
 def add_clock(lib: Library) -> None:
-    """Adds `programme_start(ticks, periods, clock)`, `programme_advance(clock)`, `programme_phase(clock, phase)`."""
+    """Adds `programme_start`, `programme_advance`, `programme_phase`."""
     width, significand = lib.layout.precision.width, lib.layout.precision.significand
     made: Any = argument("what start made", struct=CLOCK)
 

@@ -71,7 +71,14 @@ from mahovik.core.program.expression import (
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, NamedCount, Struct
 
-KINDS = {"float": Kind.REAL, "int": Kind.INT, "Reals": Kind.REAL, "Ints": Kind.INT, "Result": Kind.REAL}
+KINDS = {
+    "float": Kind.REAL,
+    "int": Kind.INT,
+    "Reals": Kind.REAL,
+    "Ints": Kind.INT,
+    "Result": Kind.REAL,
+    "Status": Kind.STATUS,
+}
 """Kinds of scalars, and of elements, by the annotation."""
 
 OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT = map(

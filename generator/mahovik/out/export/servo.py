@@ -14,9 +14,8 @@ from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.servo import ServoTables, servo_files
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.servo.form import ServoForm, TrimForm
-from mahovik.core.lower.servo.golden import golden
-from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
+from mahovik.core.lower.servo_golden import golden
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo

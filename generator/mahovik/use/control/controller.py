@@ -12,8 +12,7 @@ import numpy as np
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.servo import ServoTables, servo_code
-from mahovik.core.lower.servo.form import ServoForm, TrimForm
-from mahovik.core.lower.servo.program import lower_servo
+from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library, uniform_data

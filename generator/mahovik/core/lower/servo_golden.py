@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.lower.servo.form import ServoForm
+from mahovik.core.lower.servo import ServoForm
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import Precision
