@@ -19,7 +19,7 @@ from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 from mahovik import stands
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.lower.fmu_variables import Inputs, Kind
 from mahovik.core.stand import read
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand

@@ -20,7 +20,7 @@ from export.fmu import fmus
 from export.fmu.fmus import COMBINATIONS
 from mahovik import stands
 from mahovik.core.lower import units
-from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.lower.fmu_variables import Inputs, Kind
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.compiler import WARNINGS
 from mahovik.core.toolchain.module import STRICT

@@ -15,7 +15,7 @@ import pytest
 from fmpy.fmi1 import FMICallException
 
 from export.fmu import fmus
-from mahovik.core.lower.fmu.variables import Inputs, Kind
+from mahovik.core.lower.fmu_variables import Inputs, Kind
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.hold import freedom_names, twist_of
 from mahovik.core.stand.model import Stand

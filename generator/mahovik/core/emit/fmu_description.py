@@ -9,7 +9,7 @@ from typing import Any
 
 from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import template
-from mahovik.core.lower.fmu.variables import Form, Variable, unique
+from mahovik.core.lower.fmu_variables import Form, Variable, unique
 from mahovik.core.lower.units import DISPLAY, NONE, Unit
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

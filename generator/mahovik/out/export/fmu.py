@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from mahovik.core.emit.fmu import compiled_sources, fmu_sources
 from mahovik.core.emit.fmu_description import fmu_build, fmu_description
 from mahovik.core.emit.generate import Generated, generate_all
-from mahovik.core.lower.fmu.variables import Inputs, Kind, Start, form
+from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State

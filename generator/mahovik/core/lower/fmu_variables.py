@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from mahovik.core.lower import units
-from mahovik.core.lower.fmu.parameters import laws, parameters
+from mahovik.core.lower.fmu_parameters import laws, parameters
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import limits
 from mahovik.core.lower.member import Member
