@@ -22,6 +22,7 @@ from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import laws, load, loads
 from mahovik.core.stand.datasheet import UnbalanceTable
 from mahovik.core.stand.model import Encoder, Motor, Task
+from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.units import Dimension
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
 from toolchain.tools import require, run
@@ -200,6 +201,6 @@ def _reads(quantity: str, kind: Dimension) -> bool:
 def test_every_key_is_documented() -> None:
     inside = [UnbalanceTable, Motor.table(), Encoder.table(), Task.table(), laws.hold_table()]
     models = [*laws.headers(), *laws.tables().values(), *laws.arrays().values(), *inside]
-    keys = {info.alias or name for model in models for name, info in model.model_fields.items()}
+    keys = {key for model in models for key in keys_of(model)}
     written = set(re.findall(r"\w+", " ".join(re.findall(r"`[^`]+`", prose(STAND_FILE)))))
     assert keys - written == set()

@@ -14,7 +14,8 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.law import Declared, HeldLaw, Spread
+from mahovik.core.stand.declare import Declared, Spread
+from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.terms.bodies import axial

@@ -20,7 +20,8 @@ from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
-from mahovik.core.stand.model import COMPONENTS, Mat3, Motor, Stand
+from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.model import COMPONENTS, Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
