@@ -15,7 +15,7 @@ from mahovik.out.api.stands import Stand, example
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import points
 from mahovik.stands import path
-from mahovik.use.study.jitter.balance import balance as steady
+from mahovik.use.vibration.balance import balance as steady
 
 Array = NDArray[np.float64]
 

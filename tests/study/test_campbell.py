@@ -10,10 +10,10 @@ import pytest
 from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.laws.leg.law import Leg, Legs
-from mahovik.use.study.campbell import NODES, average_matrices, campbell, mean_equations, natural_at
 from mahovik.use.study.linear import linear_model
-from mahovik.use.study.response.scene import Scene
-from mahovik.use.study.response.speeds import SpeedPlan
+from mahovik.use.vibration.campbell import NODES, average_matrices, campbell, mean_equations, natural_at
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import SpeedPlan
 
 
 def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:

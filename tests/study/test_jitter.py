@@ -15,18 +15,20 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.momentum import momentum_in_E0
 from mahovik.proof.reference.motion import mounts
 from mahovik.stands import path
-from mahovik.use.study.band import in_band, rms
-from mahovik.use.study.jitter import Balance, Jitter, Makers, View, balance, jitter
-from mahovik.use.study.jitter.balance import _Search
-from mahovik.use.study.jitter.csv_table import JitterFileError
-from mahovik.use.study.jitter.exact import mount_wrenches
-from mahovik.use.study.jitter.maker import InnerModes, read_harmonics, read_inner_modes
-from mahovik.use.study.jitter.structure import read_structure
-from mahovik.use.study.jitter.torus import Torus
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response import periodic_response
-from mahovik.use.study.response.scene import Scene
-from mahovik.use.study.response.speeds import read_speeds
+from mahovik.use.vibration.balance import _Search, balance
+from mahovik.use.vibration.band import in_band, rms
+from mahovik.use.vibration.chain import Makers
+from mahovik.use.vibration.csv_table import JitterFileError
+from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes
+from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.structure import read_structure
+from mahovik.use.vibration.study import Jitter, jitter
+from mahovik.use.vibration.torus import Torus
+from mahovik.use.vibration.torus_motion import Balance, full_motion
+from mahovik.use.vibration.view import find_view
 
 M_CARRIER, M_WHEEL, J_TRANSVERSE, J_SPIN = 40.0, 2.0, 3.0, 0.02
 
@@ -72,8 +74,9 @@ def vibration(
     stand: Stand, speeds: list[str], quantity: str, point: str = "eye", steps: int = 1, makers: Makers | None = None
 ) -> Jitter:
     """Vibration of a point by name."""
-    seen = View.of(places(stand, [point])[0], quantity)
-    return jitter(stand, read_speeds(stand, speeds), steps, seen, makers=makers or Makers())
+    return jitter(
+        stand, read_speeds(stand, speeds), steps, find_view(stand, point, quantity), makers=makers or Makers()
+    )
 
 
 STATIC, DYNAMIC = 'static = "5 g cm"', 'dynamic = "20 g cm^2"'
@@ -113,8 +116,8 @@ def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: lis
     stand, quantity = load(path(name)), "acceleration"
     asked = read_speeds(stand, speeds)
     found = vibration(stand, speeds, quantity, point)
-    other = periodic_response(stand, asked.speeds(0.0), [point])
-    wanted = rms(other.points[point].harmonics(quantity), other.frequencies)
+    other = periodic_response(stand, asked.speeds(0.0))
+    wanted = rms(other.harmonics(find_view(stand, point, quantity)), other.frequencies)
     assert found.lines.rms()[0] == pytest.approx(wanted, rel=1e-6)
 
 
@@ -187,7 +190,7 @@ def test_mount_wrenches_are_those_of_the_reference() -> None:
     found = balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
     torus = found.torus
     rates = 1j * found.frequencies[:, None] * found.c
-    ours = mount_wrenches(found, torus.values(found.c), torus.values(rates)[:, 6:])
+    ours = full_motion(found, torus, found.c, found.h).mount_wrenches()
     own = found.scene.chart.mechanics.tables.Lm
     for j in (0, 11, 57):
         at = pieces(stand, found.state(torus.nodes[j]))

@@ -19,11 +19,12 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.momentum import momentum
 from mahovik.stands import path
-from mahovik.use.study.band import rms
-from mahovik.use.study.quiet import QuietOptions, QuietResult, quiet
-from mahovik.use.study.quiet.search import Search, SpeedChoice
-from mahovik.use.study.quiet.simulation import band_rms, line_amplitude
-from mahovik.use.study.response.periodic import periodic_response
+from mahovik.use.vibration.band import rms
+from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.quiet import QuietOptions, QuietResult, quiet
+from mahovik.use.vibration.quiet.search import Search, SpeedChoice
+from mahovik.use.vibration.quiet.simulation import band_rms, line_amplitude
+from mahovik.use.vibration.view import find_view
 from study.test_response_held import table
 
 RPM = math.pi / 30.0
@@ -72,8 +73,8 @@ def test_limits_hold(sat4: Stand) -> None:
 def test_small_differences_of_speed_make_sat4_ten_times_quieter(sat4: Stand, backend: str | None) -> None:
     """All orders in the band by collocation of the whole equations, and by the C; momentum stays."""
     got = quiet(sat4, SAT4, backend=backend)
-    exact = periodic_response(sat4, got.after.speeds.tolist(), ["acc1"], got.after.phases.tolist())
-    values = rms(exact.points["acc1"].harmonics("acceleration"), exact.frequencies, BAND)
+    exact = periodic_response(sat4, got.after.speeds.tolist(), got.after.phases.tolist())
+    values = rms(exact.harmonics(find_view(sat4, "acc1")), exact.frequencies, BAND)
     assert float(np.linalg.norm(values)) == pytest.approx(got.after.rms, rel=1e-3)
     assert got.before.free / float(np.linalg.norm(values)) >= 10.0
     assert np.abs(got.after.speeds - AWAY).max() < 10.0 * RPM

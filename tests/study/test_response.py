@@ -21,12 +21,13 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
-from mahovik.use.study.band import rms
 from mahovik.use.study.linear import linear_model
-from mahovik.use.study.response import Scene, common_period, periodic_response
-from mahovik.use.study.response.periodic import Periodic
-from mahovik.use.study.response.speeds import read_speeds
-from mahovik.use.study.response.sweep import csv_text, json_text, sweep
+from mahovik.use.vibration.band import rms
+from mahovik.use.vibration.periodic import Periodic, periodic_response
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import common_period, read_speeds
+from mahovik.use.vibration.sweep import csv_text, json_text, sweep
+from mahovik.use.vibration.view import find_view
 from physics.general import suspension_of
 from physics.motions import vec
 
@@ -60,7 +61,7 @@ def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
     left = []
     for share in (1e-2, 1e-3):
         one = unbalanced(stand, share)
-        found = periodic_response(one, [Omega] + [0.0] * 7, ["carrier"]).points["carrier"].harmonics("acceleration")[1]
+        found = periodic_response(one, [Omega] + [0.0] * 7).harmonics(find_view(one, "carrier"))[1]
         model = linear_model(one, replace(Scene.of(one).rest, phi_dot=(Omega,) + (0.0,) * 7), ["carrier"], locked=True)
         phases = [replace(model.state, phi=(phi,) + (0.0,) * 7) for phi in (0.0, math.pi / 2)]
         # V* at rest without springs is the wrench over K; as the linear model has B = K^-1 there, its forces
@@ -207,7 +208,7 @@ def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
     with pytest.raises(CheckError, match="an undamped resonance"):
         sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
 
-    heavy = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7, [])  # parametric resonance
+    heavy = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7)  # parametric resonance
     assert heavy.multiplier > 1.1
     assert not heavy.stable
 

@@ -18,7 +18,8 @@ from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
 from mahovik.out.functions.jitter import Jitter
-from mahovik.use.study.response import periodic_response
+from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.view import find_view
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
 ZERO = (0.0, 0.0, 0.0)
@@ -42,7 +43,7 @@ def table(**unbalance: str) -> dict[str, Any]:
 
 def reaction(found: Any, quantity: str) -> Any:
     """Magnitudes (H + 1, 3) of the harmonics of the reaction."""
-    return np.abs(found.motion_of("hold.reaction").harmonics(quantity))
+    return np.abs(found.harmonics(find_view(found.scene.stand, "hold.reaction", quantity)))
 
 
 @pytest.mark.parametrize(
@@ -74,12 +75,15 @@ def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
 def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
     """m e w^2 / (k - M w^2 + i c w) along the rail, by the suspension or by friction; m e w^2 across it is held."""
     M, k, c, me = 68.0, 4e4, 300.0, 0.16
-    found = periodic_response(stand_of(shaker(friction)), [speed], ["carrier"])
+    found = periodic_response(stand_of(shaker(friction)), [speed])
     size = me * speed**2 / abs(k - M * speed**2 + 1j * c * speed)
-    along = found.motion_of("hold.z")
-    assert np.abs(along.harmonics("displacement")[1, 0]) == pytest.approx(size, rel=1e-9)
-    assert np.abs(along.harmonics("acceleration")[1, 0]) == pytest.approx(size * speed**2, rel=1e-9)
-    at_carrier = np.abs(found.motion_of("carrier").harmonics("displacement")[1])
+
+    def amplitude(name: str, quantity: str) -> Any:
+        return np.abs(found.harmonics(find_view(found.scene.stand, name, quantity))[1])
+
+    assert amplitude("hold.z", "displacement") == pytest.approx(size, rel=1e-9)
+    assert amplitude("hold.z", "acceleration") == pytest.approx(size * speed**2, rel=1e-9)
+    at_carrier = amplitude("carrier", "displacement")
     np.testing.assert_allclose(at_carrier, [0.0, 0.0, size], rtol=1e-9, atol=1e-14)
     np.testing.assert_allclose(reaction(found, "force")[1], [0.0, me * speed**2, 0.0], rtol=1e-9, atol=1e-9)
     assert found.natural == pytest.approx([math.sqrt(k / M) / (2 * math.pi)], rel=1e-9)
@@ -93,11 +97,11 @@ def test_six_freedoms_are_the_free_carrier() -> None:
     found, other = periodic_response(free, speeds), periodic_response(held, speeds)
     # of the mean of the linear equations over the period, which differs a little between coordinates
     np.testing.assert_allclose(other.natural, found.natural, rtol=1e-4)
-    for name in found.points:
-        expected = found.points[name].harmonics("acceleration")[:8]
-        given = other.points[name].harmonics("acceleration")[:8]
+    for name in [*(i.name for i in free.instruments), *(p.name for p in free.points)]:
+        view = find_view(free, name)
+        expected, given = found.harmonics(view)[:8], other.harmonics(view)[:8]
         np.testing.assert_allclose(given, expected, rtol=0, atol=1e-8 * np.abs(expected).max())
-    size = np.abs(other.motion_of("hold.reaction").harmonics("force")).max()
+    size = reaction(other, "force").max()
     assert size < 1e-9 * 10.0 * free.carrier.mass
 
 
@@ -105,7 +109,7 @@ def test_six_freedoms_are_the_free_carrier() -> None:
     ("words", "expected"),
     [
         (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
-        (["--at", "hold.pitch"], "expected one of hold.reaction, hold.z"),
+        (["--at", "hold.pitch"], "expected hold.reaction, hold.z or a point"),
         (["--at", "hold.z", "--quantity", "force"], "--quantity force: hold.z has none"),
         (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
         (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none"),
@@ -204,7 +208,7 @@ SWINGING = {
 def test_with_a_common_period_it_is_the_response(name: str, quantity: str) -> None:
     stand = stand_of(SWINGING)
     found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, name, quantity=quantity, order=8)
-    wanted = periodic_response(stand, [20.0, 30.0]).motion_of(name).harmonics(quantity)
+    wanted = periodic_response(stand, [20.0, 30.0]).harmonics(find_view(stand, name, quantity))
     lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
     total = np.zeros((24, 3), dtype=complex)
     for i, hertz in enumerate(lines.frequency[0]):
@@ -274,7 +278,10 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
         (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
         (["--at", "hold.z", "--modes", "modes.csv"], "--modes: structural modes have no shape of a freedom, hold.z"),
         (["--at", "hold.2"], 'unknown output "hold.2"'),
-        (["--at", "hold.reaction", "--quantity", "angle"], "--quantity angle: hold.reaction is a load"),
+        (
+            ["--at", "hold.reaction", "--quantity", "angle"],
+            "angle: hold.reaction has none; expected one of force, moment",
+        ),
         (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none; expected a flywheel"),
         (["--at", "left", "--modes", "modes.csv"], "--modes: structural modes have no shape of a load, left"),
     ],

@@ -21,7 +21,7 @@ import mahovik
 from campaigns import Rows, Table
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import points
-from mahovik.use.study.jitter.balance import balance as steady
+from mahovik.use.vibration.balance import balance as steady
 
 Array = NDArray[np.float64]
 

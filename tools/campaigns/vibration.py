@@ -21,16 +21,20 @@ from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.by_c import compiled_backend
 from mahovik.use.simulate.case import wrap_phases
-from mahovik.use.study.jitter import Balance, Makers, View, balance, jitter
-from mahovik.use.study.jitter.exact import exact_lines
-from mahovik.use.study.jitter.lines import UNBALANCE
-from mahovik.use.study.jitter.maker import Harmonics
-from mahovik.use.study.jitter.structure import Structure
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response import Periodic, periodic_response
-from mahovik.use.study.response.speeds import read_speeds
 from mahovik.use.study.rest import rest
+from mahovik.use.vibration.balance import balance
+from mahovik.use.vibration.chain import Makers
+from mahovik.use.vibration.exact import exact_lines
+from mahovik.use.vibration.lines import UNBALANCE
+from mahovik.use.vibration.maker import Harmonics
+from mahovik.use.vibration.periodic import Periodic, periodic_response
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.structure import Structure
+from mahovik.use.vibration.study import jitter
+from mahovik.use.vibration.torus_motion import Balance
+from mahovik.use.vibration.view import FullMotion, View
 from study.energy_linear import linear
 
 Array = NDArray[np.float64]
@@ -138,7 +142,8 @@ def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
     for quantity in ("angle", "rate", "displacement"):
         view = View.of(place, quantity)
         lines = exact_lines(solved, view, np.zeros(len(course.rpm)))
-        values = view.values(y, np.zeros((len(y), 6)))
+        still = np.zeros((len(y), len(course.rpm)))
+        values = view.full(FullMotion(solved.scene, still, still, y, np.zeros((len(y), 6)), np.zeros(6)))
         size = np.abs(lines.amplitude[0]).max(axis=1)
         large = (lines.frequency[0] > 0.0) & (size > SEEN * size[lines.frequency[0] > 0.0].max())
         fitted, moving = fit_lines(t, values, lines.frequency[0, large], SECONDS)

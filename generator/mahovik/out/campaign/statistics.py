@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from mahovik.out.campaign.pose import Array, square
-from mahovik.use.study.band import in_band
+from mahovik.use.vibration.band import in_band
 
 
 class Statistic(Protocol):

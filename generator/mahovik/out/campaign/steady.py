@@ -15,13 +15,13 @@ from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import OF_POINTS, Quantity
 from mahovik.out.campaign.signals import AXES
+from mahovik.out.campaign.values import Signal
 from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
-from mahovik.use.study.band import rms
-from mahovik.use.study.linear.model import Place, places
-from mahovik.use.study.response.periodic import Periodic, periodic_response
-from mahovik.use.study.response.scene import REACTION, HeldMotion
-from mahovik.use.study.response.speeds import common_period, read_speeds
+from mahovik.use.vibration.band import rms
+from mahovik.use.vibration.periodic import Periodic, periodic_response
+from mahovik.use.vibration.speeds import common_period, read_speeds
+from mahovik.use.vibration.view import REACTION, Observable, find_view
 
 
 class SteadyRunner:
@@ -40,8 +40,6 @@ class SteadyRunner:
         self._speeds = asked.speeds(0.0)
         common_period(self._speeds)
         self._phases = by_flywheel("phases", over.phases, stand)
-        parts = (q.signal.part for q in quantities if q.signal is not None and q.signal.name in OF_POINTS)
-        self._points = tuple(dict.fromkeys(parts))
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
         """See `compute.Runner`."""
@@ -50,20 +48,13 @@ class SteadyRunner:
         for j in range(n):
             stand = tables.stand(j)
             try:
-                motion = periodic_response(stand, self._speeds, self._points, self._phases)
+                motion = periodic_response(stand, self._speeds, self._phases)
             except MahovikError as error:
                 reasons[j] = str(error)
                 continue
-            known = {place.name: place for place in places(stand, self._points)}
             for q in self._quantities:
                 assert q.signal is not None
-                if q.signal.name in OF_POINTS:
-                    values = series(motion, known[q.signal.part], q.signal.name)
-                else:
-                    held = motion.motion_of(REACTION)
-                    assert isinstance(held, HeldMotion)
-                    values = held.values[q.signal.name]
-                found[q.name][j] = _statistic(q, values, motion)
+                found[q.name][j] = _statistic(q, motion.values(_view(stand, q.signal)), motion)
         return found, reasons
 
 
@@ -73,13 +64,11 @@ def _number(name: str, value: object) -> float:
     return float(value)
 
 
-def series(motion: Periodic, place: Place, name: str) -> Array:
-    """A signal of a point at the nodes of the period (M, 3), on the axes of the point."""
-    if name == "rotation":
-        return np.asarray(motion.y[:, 3:6] @ place.axes)
-    if name == "rate":
-        return np.asarray(motion.y[:, 9:] @ place.axes)
-    return np.asarray(getattr(motion.points[place.name], name))
+def _view(stand: Stand, signal: Signal) -> Observable:
+    """What a signal sees: of a point, or of the reaction."""
+    if signal.name in OF_POINTS:
+        return find_view(stand, signal.part, "angle" if signal.name == "rotation" else signal.name)
+    return find_view(stand, REACTION, signal.name)
 
 
 def _statistic(q: Quantity, values: Array, motion: Periodic) -> float:

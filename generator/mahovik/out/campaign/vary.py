@@ -29,7 +29,7 @@ from mahovik.out.campaign.distributions import (
     Uniform,
 )
 from mahovik.out.campaign.draw import Parameter
-from mahovik.use.study.jitter.csv_table import read_columns
+from mahovik.use.vibration.csv_table import read_columns
 
 KINDS = ("normal", "relative", "tolerance", "uniform", "triangular", "lognormal", "discrete", "table", "grade")
 _OPTIONS: dict[str, tuple[str, ...]] = {

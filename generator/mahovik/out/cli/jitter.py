@@ -120,7 +120,7 @@ def jitter(
     stand = load_stand(stand_file)
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.out.functions.jitter import jitter as run
-    from mahovik.use.study.response.speeds import read_speeds
+    from mahovik.use.vibration.speeds import read_speeds
 
     swept = read_speeds(stand, speeds).sweep is not None
     for name, given in (("steps", is_given("steps")), ("exact", exact)):
@@ -140,7 +140,7 @@ def jitter(
     if output is not None:
         _write(found, Path(output), suffix)
     if as_json:
-        from mahovik.use.study.jitter.tables import json_text
+        from mahovik.use.vibration.tables import json_text
 
         print_json_text(json_text(found.study, found.verdicts))
     else:
@@ -175,7 +175,7 @@ def _write(found: Jitter, path: Path, suffix: str) -> None:
 
         write(path, draw(f"{found.stand.name}: jitter", panels(found.study), suffix))
     else:
-        from mahovik.use.study.jitter.tables import csv_text, json_text
+        from mahovik.use.vibration.tables import csv_text, json_text
 
         write(path, json_text(found.study, found.verdicts) if suffix == ".json" else csv_text(found.study))
 
@@ -184,7 +184,7 @@ def _print(found: Jitter) -> None:
     """Print lines, sums, and remarks on accuracy."""
     import numpy as np
 
-    from mahovik.use.study.jitter.quantity import ARCSEC
+    from mahovik.use.vibration.view import ARCSEC
 
     study = found.study
     scale, unit = (1.0, found.unit) if study.measure.arcsec is None else (ARCSEC, study.measure.arcsec)
@@ -236,7 +236,7 @@ def _remarks(found: Jitter, scale: float, unit: str) -> None:
     """Print what is left out, and speeds with a problem."""
     import numpy as np
 
-    from mahovik.use.study.jitter.left_out import SAMPLES
+    from mahovik.use.vibration.torus_motion import SAMPLES
 
     study = found.study
     if study.checks:

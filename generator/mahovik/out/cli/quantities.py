@@ -87,7 +87,7 @@ def time_limit(option: str, text: str) -> float:
 
 def band(option: str, text: str) -> tuple[float, float]:
     """Two frequencies, Hz, the lower first, as "20..200Hz". Raises UsageError."""
-    from mahovik.use.study.band import check_band
+    from mahovik.use.vibration.band import check_band
 
     low, dots, high = text.partition("..")
     if not dots or not low.strip() or not high.strip():

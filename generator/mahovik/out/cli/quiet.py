@@ -26,8 +26,8 @@ from mahovik.out.cli.output import INTERRUPTED, print_json, print_line, print_ta
 from mahovik.out.cli.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.use.study.quiet import QuietResult
-    from mahovik.use.study.quiet.result import Jitter
+    from mahovik.use.vibration.quiet import QuietResult
+    from mahovik.use.vibration.quiet.result import Jitter
 
 
 @command()
@@ -172,7 +172,7 @@ def _intervals(avoid: tuple[str, ...], margin: float) -> tuple[tuple[float, floa
 
 def _print(found: QuietResult) -> None:
     """Two tables: flywheels, lines; and the figures."""
-    from mahovik.use.study.quiet.options import rpm
+    from mahovik.use.vibration.quiet.options import rpm
 
     band = f"{found.options.band[0]:g} to {found.options.band[1]:g} Hz"
     if found.wheels.distance > 1e-9:
@@ -214,7 +214,7 @@ def _print(found: QuietResult) -> None:
 
 def _lines(found: QuietResult, when: str, jitter: Jitter) -> Iterator[tuple[str, ...]]:
     """Rows for order 1 of all flywheels."""
-    from mahovik.use.study.band import in_band
+    from mahovik.use.vibration.band import in_band
 
     heard = jitter.heard or (None,) * len(jitter.lines)
     for line, simulated in zip(jitter.lines, heard, strict=True):

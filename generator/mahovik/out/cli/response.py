@@ -17,7 +17,7 @@ from mahovik.out.cli.rest import read_phases
 from mahovik.out.cli.sweep import SHOWN, STEPS, SUFFIXES, TimeLimit, check_place
 
 if TYPE_CHECKING:
-    from mahovik.use.study.response.sweep import Sweep
+    from mahovik.use.vibration.sweep import Sweep
 
 
 @command()
@@ -65,10 +65,10 @@ def response(
     suffix = "" if output is None else require_suffix(output, SUFFIXES)
     from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.vibration import response as run
-    from mahovik.use.study.response.outputs import output_of
-    from mahovik.use.study.response.speeds import read_speeds
+    from mahovik.use.vibration.speeds import read_speeds
+    from mahovik.use.vibration.view import find_view
 
-    output_of(stand, point, quantity)
+    find_view(stand, point, quantity)
     if read_speeds(stand, speeds).sweep is None and is_given("steps"):
         raise UsageError("--steps: no speed is swept; give a range, as w1=0..6000rpm")
     turned = read_phases(stand, phases)
@@ -83,7 +83,7 @@ def response(
     if output is not None:
         _write(found, Path(output), suffix)
     if as_json:
-        from mahovik.use.study.response.sweep import json_text
+        from mahovik.use.vibration.sweep import json_text
 
         print_json_text(json_text(found))
     else:
@@ -102,7 +102,7 @@ def _write(found: Sweep, path: Path, suffix: str) -> None:
     from mahovik.writing import write
 
     if suffix in (".json", ".csv"):
-        from mahovik.use.study.response.sweep import csv_text, json_text
+        from mahovik.use.vibration.sweep import csv_text, json_text
 
         write(path, json_text(found) if suffix == ".json" else csv_text(found))
         return

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from mahovik.core.stand.hold import freedom_names
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array
@@ -18,21 +17,16 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import planned_speeds
-from mahovik.use.study.jitter import FreedomView, LoadView, Makers, View
-from mahovik.use.study.jitter import Jitter as Study
-from mahovik.use.study.jitter import jitter as find
-from mahovik.use.study.jitter.lines import LineName
-from mahovik.use.study.jitter.load_view import LOADS
-from mahovik.use.study.jitter.maker import read_harmonics, read_inner_modes, read_noise
-from mahovik.use.study.jitter.requirement import Requirement, judge, read_requirements
-from mahovik.use.study.jitter.sight import read_sight
-from mahovik.use.study.jitter.structure import read_structure
-from mahovik.use.study.jitter.tables import as_object, csv_text, json_text, order_entries, verdict_object
-from mahovik.use.study.response.scene import REACTION
-from mahovik.use.study.response.speeds import ALL
-
-HOLD = "hold"
-"""How names of what a hold has begin."""
+from mahovik.use.vibration.chain import Makers
+from mahovik.use.vibration.lines import LineName
+from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
+from mahovik.use.vibration.requirement import Requirement, judge, read_requirements
+from mahovik.use.vibration.speeds import ALL
+from mahovik.use.vibration.structure import read_structure
+from mahovik.use.vibration.study import Jitter as Study
+from mahovik.use.vibration.study import jitter as find
+from mahovik.use.vibration.tables import as_object, csv_text, json_text, order_entries, verdict_object
+from mahovik.use.vibration.view import Observable, find_view, read_sight
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
@@ -198,13 +192,10 @@ def jitter(
     Raises StandError, UsageError, JitterFileError, CheckError.
     """
     own = Stand.of(stand)
-    seen = _find_view(own, at, quantity, sight)
-    if modes is not None and not isinstance(seen, View):
-        what = "load" if isinstance(seen, LoadView) else "freedom"
-        raise UsageError(f"--modes: structural modes have no shape of a {what}, {seen.name}; expected a point as --at")
-    if require and seen.measure.unit.startswith("1"):
-        raise UsageError(f"--require: {seen.name} of a basis has no unit; expected another freedom, a point or a load")
-    limits = read_requirements([str(each) for each in require], seen.measure)
+    view = _view(own, at, quantity, sight)
+    if require and view.measure.unit.startswith("1"):
+        raise UsageError(f"--require: {view.name} of a basis has no unit; expected another freedom, a point or a load")
+    limits = read_requirements([str(each) for each in require], view.measure)
     makers = Makers(
         _by_wheel(own, "harmonics", harmonics, read_harmonics),
         _by_wheel(own, "noise", noise, read_noise),
@@ -219,7 +210,7 @@ def jitter(
 
     phi = by_flywheel("phases", phases, own)
     found = find(
-        own, asked, steps, seen, phases=phi, makers=makers, order=order, exact=exact, go_on=shall_go_on
+        own, asked, steps, view, phases=phi, makers=makers, order=order, exact=exact, go_on=shall_go_on
     )  # fmt: skip
     if not len(found.value):
         raise CheckError(f"jitter of {own.name}: go_on ended it before the first speed")
@@ -227,35 +218,11 @@ def jitter(
     return Jitter(found, limits)
 
 
-def _find_view(
-    stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None
-) -> View | LoadView | FreedomView:
-    """The point, load, freedom or line of sight. Raises UsageError: neither a point nor a line of sight, or both."""
-    from mahovik.use.study.linear.model import places
-
+def _view(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
+    """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
     if (at is None) is (sight is None):
         raise UsageError("expected a point or a line of sight: one of --at and --sight")
-    if sight is not None:
-        return read_sight(Path(sight), stand)
-    name = str(at)
-    if name in [s.name for s in stand.flywheels] or name.startswith(HOLD):
-        if name.startswith(HOLD) and name != REACTION:
-            if (freedom := FreedomView.of(stand, name, quantity)) is not None:
-                return freedom
-            raise UsageError(_unknown_of_hold(stand, name))
-        return LoadView.of(stand, name, quantity or "force")
-    if quantity in LOADS:
-        words = "a flywheel, for the wrench of its mount on it"
-        held = f", or {REACTION}" if stand.hold is not None else ""
-        raise UsageError(f"--quantity {quantity}: {name} has none; expected {words}{held} as --at")
-    return View.of(places(stand, [name])[0], quantity or "angle")
-
-
-def _unknown_of_hold(stand: Stand, name: str) -> str:
-    """Why an output of the hold is none, in a line."""
-    freedoms = () if stand.hold is None else freedom_names(stand.hold)
-    known = [REACTION, *(f"hold.{each}" for each in freedoms)]
-    return f'unknown output "{name}"{suggestion(name, known)}; expected {", ".join(known)} or a point'
+    return read_sight(Path(sight), stand) if sight is not None else find_view(stand, str(at), quantity, "angle")
 
 
 def _by_wheel(

@@ -38,12 +38,12 @@ from mahovik.out.report.plot.run import panels as run_panels
 from mahovik.out.report.stand.drawing import drawing
 from mahovik.out.report.stand.run import Run, refuse_foreign_run
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
-from mahovik.use.study.campbell import campbell
-from mahovik.use.study.growth import compare_growth
-from mahovik.use.study.jitter.quantity import ARCSEC
-from mahovik.use.study.response.scene import REACTION, Scene
-from mahovik.use.study.response.speeds import read_speeds
-from mahovik.use.study.response.sweep import sweep_outputs
+from mahovik.use.vibration.campbell import campbell
+from mahovik.use.vibration.growth import compare_growth
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.sweep import sweep_outputs
+from mahovik.use.vibration.view import ARCSEC, REACTION, find_view
 from mahovik.writing import format_of, write
 
 STATES = 16
@@ -295,7 +295,7 @@ def vibration_part(subject: Subject) -> Part | None:
     points = subject.at or _measured(stand)
     try:
         sweeps = sweep_outputs(
-            stand, read_speeds(stand, [f"all=0..{limit!r} rad/s"]), STEPS, [(p, None) for p in points]
+            stand, read_speeds(stand, [f"all=0..{limit!r} rad/s"]), STEPS, [find_view(stand, p) for p in points]
         )
     except CheckError as error:
         return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")

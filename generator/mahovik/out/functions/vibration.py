@@ -18,15 +18,14 @@ from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantit
 from mahovik.out.functions.motor_limits import warn_of_speeds
 from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.functions.table import Column, Table
-from mahovik.use.study.response.outputs import output_of
-from mahovik.use.study.response.scene import REACTION
-from mahovik.use.study.response.speeds import ALL, SpeedPlan, read_speeds
-from mahovik.use.study.response.sweep import Sweep
-from mahovik.use.study.response.sweep import sweep as sweep_speeds
+from mahovik.use.vibration.speeds import ALL, SpeedPlan, read_speeds
+from mahovik.use.vibration.sweep import Sweep
+from mahovik.use.vibration.sweep import sweep as sweep_speeds
+from mahovik.use.vibration.view import REACTION, find_view
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
-    from mahovik.use.study.quiet import QuietResult
+    from mahovik.use.vibration.quiet import QuietResult
 
 
 class Response(Table):
@@ -97,7 +96,7 @@ def response(
     Ctrl-C keeps the speeds that are done. Raises StandError, UsageError, CheckError.
     """
     own = Stand.of(stand)
-    output_of(own, at, quantity)
+    find_view(own, at, quantity)
     asked = planned_speeds(own, speeds)
 
     def shall_go_on(done: int, planned: int) -> bool:
@@ -183,7 +182,7 @@ class Quiet(Table):
     @property
     def regime(self) -> str:
         """The speeds as the text of a regime file."""
-        from mahovik.use.study.quiet.result import regime_text
+        from mahovik.use.vibration.quiet.result import regime_text
 
         return regime_text(self.result)
 
@@ -194,7 +193,7 @@ class Quiet(Table):
 
     def to_dict(self) -> dict[str, Any]:
         """All figures, as `mahovik quiet --json` prints them."""
-        from mahovik.use.study.quiet.result import as_object
+        from mahovik.use.vibration.quiet.result import as_object
 
         return as_object(self.result)
 
@@ -263,8 +262,8 @@ def quiet(
 
     Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
     """
-    from mahovik.use.study.quiet import QuietOptions
-    from mahovik.use.study.quiet import quiet as find
+    from mahovik.use.vibration.quiet import QuietOptions
+    from mahovik.use.vibration.quiet import quiet as find
 
     own = Stand.of(stand)
 

@@ -5,7 +5,7 @@ A unit static unbalance U at angle a from the flywheel's second axis, in the pla
     w = Re(U exp(i (phi + a)) W),  W = (phi'^2 f, (o + x e1) x phi'^2 f + f x g),  f = e2 - i e3
 
 on the carrier about O1 in E1, with the flywheel's axes e1, e2, e3 at phase zero, its origin o and gravity g there. The
-carrier's linear response to it (`use.study.jitter.plant`) gives the influence on each channel.
+carrier's linear response to it (`use.vibration.plant`) gives the influence on each channel.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from mahovik.use.balance.influence import INDEPENDENT, Influence
 from mahovik.use.balance.pieces import Made, choose_pieces
 from mahovik.use.balance.polar import Array, Complex
 from mahovik.use.measured import Recording
-from mahovik.use.study.jitter.plant import Plant
-from mahovik.use.study.jitter.quantity import View
 from mahovik.use.study.linear.model import places
-from mahovik.use.study.response.scene import Scene
+from mahovik.use.vibration.plant import Plant
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.view import View
 
 HALF_WIDTH = 1.959963984540054
 """Standard errors of half a 95 % interval."""

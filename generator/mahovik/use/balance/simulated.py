@@ -20,8 +20,8 @@ from mahovik.proof.reference.motion import points
 from mahovik.use.balance.by_model import WheelBalance, amplitudes
 from mahovik.use.balance.first_order import FirstOrder
 from mahovik.use.balance.polar import Array, Complex, read_polar, write_polar
-from mahovik.use.study.jitter.balance import balance as steady_motion
 from mahovik.use.study.rest import rest
+from mahovik.use.vibration.balance import balance as steady_motion
 
 ORDER = 2
 """Largest sum of orders of the harmonic balance."""

@@ -6,7 +6,7 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
-from mahovik.use.study.campbell import Campbell
+from mahovik.use.vibration.campbell import Campbell
 
 TOP = 1.15
 """End of the ordinate, in units of the highest natural frequency."""

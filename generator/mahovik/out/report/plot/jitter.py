@@ -6,10 +6,10 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.panel import Array, Levels, Line, Panel, move_apart
-from mahovik.use.study.jitter.lines import coherent
-from mahovik.use.study.jitter.quantity import ARCSEC
-from mahovik.use.study.jitter.spectrum import budget, spectrum
-from mahovik.use.study.jitter.study import Jitter
+from mahovik.use.vibration.lines import coherent
+from mahovik.use.vibration.spectrum import budget, spectrum
+from mahovik.use.vibration.study import Jitter
+from mahovik.use.vibration.view import ARCSEC
 
 DECADES = 4.0
 """Powers of ten below the largest amplitude that are shown."""

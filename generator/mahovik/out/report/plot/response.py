@@ -6,7 +6,7 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.out.report.plot.panel import Array, Line, Panel
-from mahovik.use.study.response.sweep import Step, Sweep
+from mahovik.use.vibration.sweep import Step, Sweep
 
 DECADES = 4.0
 """Below the largest amplitude that are shown."""

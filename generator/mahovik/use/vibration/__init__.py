@@ -1,0 +1,1 @@
+"""Vibration under turning flywheels: steady motions, sweeps, spectra, requirements, quiet speeds; Campbell diagrams."""

@@ -1,0 +1,161 @@
+"""Campbell diagram: natural frequencies of the carrier against a common speed of the flywheels, and crossings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from mahovik.core.stand.model import Stand
+from mahovik.use.plan.array import Array
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import SpeedPlan
+
+NODES = 16
+"""Nodes per turn: the linear equations are averaged over it, and the harmonics of their inverse fall off fast."""
+
+GROWING = 1e-6
+"""Part of the largest eigenvalue above which a real part counts as growth."""
+
+SECANTS = 4
+"""Secant steps from the grid to a crossing."""
+
+MEETING_DISTANCE = 1e-6
+"""Relative distance of an order from a natural frequency up to which they meet; otherwise that frequency appears or
+ends there.
+"""
+
+ASYMMETRIC = 1e-9
+"""Part of the mean of K above which its second harmonic counts."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Crossing of a flywheel's order with a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
+
+    mode      column of the natural frequency, from 1; the highest is 6, of a held carrier m
+    damping   ratio of that mode
+    """
+
+    order: int
+    mode: int
+    speed: float
+    frequency: float
+    damping: float
+
+
+@dataclass(frozen=True, eq=False)
+class Campbell:
+    """Natural frequencies about rest, with all flywheels at one constant speed; means over a turn.
+
+    A held carrier has as many columns as freedoms, m in place of 6.
+
+    speed      (S, rad/s), rising from 0
+    natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first if there are fewer
+    damping    (S, 6): their ratios
+    growth     (S, 1/s): largest real part of an eigenvalue; 0 if none grows
+    orders     1; and 2 where asymmetric flywheels vary K twice a turn
+    crossings  by speed
+    """
+
+    speed: Array
+    natural: Array
+    damping: Array
+    growth: Array
+    orders: tuple[int, ...]
+    crossings: tuple[Crossing, ...]
+
+
+def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
+    """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to linearise about."""
+    scene = Scene.of(stand) if isinstance(stand, Stand) else stand
+    plan = SpeedPlan.common(scene.stand, (float(speed.min(initial=0.0)), float(speed.max(initial=0.0))))
+    natural, damping, growth = natural_at(scene, plan, speed)
+    orders = orders_of(scene)
+    met = [
+        Crossing(order, *each) for order in orders for each in crossings(scene, plan, speed, natural, 0.0, float(order))
+    ]
+    return Campbell(speed, natural, damping, growth, orders, tuple(sorted(met, key=lambda each: each.speed)))
+
+
+def orders_of(scene: Scene) -> tuple[int, ...]:
+    """Orders of the flywheels that shake most: 1; and 2 where asymmetric ones vary K twice a turn."""
+    tables = scene.chart.mechanics.tables
+    twice = np.abs(tables.Theta[3:]).max(initial=0.0) > ASYMMETRIC * np.abs(scene.K).max()
+    return (1, 2) if twice else (1,)
+
+
+def natural_at(scene: Scene, plan: SpeedPlan, values: Array) -> tuple[Array, Array, Array]:
+    """Natural frequencies (S, m; Hz), damping ratios (S, m), growth (S, 1/s) at values (S, rad/s) of a swept speed."""
+    eigenvalues = np.linalg.eigvals(mean_equations(scene, plan, values))
+    size = np.abs(eigenvalues).max(axis=1, initial=0.0, keepdims=True)
+    swinging = eigenvalues.imag > np.maximum(1e-6 * size, 1e-6)
+    # slow ones vary: they are padded at the front
+    order = np.argsort(np.where(swinging, np.abs(eigenvalues), -1.0), axis=1)[:, -scene.count :]
+    kept = np.take_along_axis(swinging, order, axis=1)
+    chosen = np.where(kept, np.take_along_axis(eigenvalues, order, axis=1), np.nan)
+    natural = np.abs(chosen)
+    real = eigenvalues.real.max(axis=1)
+    growth = np.where(real > np.maximum(GROWING * size[:, 0], np.sqrt(1e-9)), real, 0.0)
+    return natural / (2.0 * np.pi), -chosen.real / natural, growth
+
+
+def mean_equations(scene: Scene, plan: SpeedPlan, values: Array) -> Array:
+    """A (S, 2 m, 2 m) of y' = A y about rest, y of `Scene`: mean over a turn, at values (S, rad/s) of a swept speed.
+
+    If no flywheel has a law that is not linear in its twist, A is linear in the speeds, and two values suffice.
+    """
+    low, high = (float(each) for each in plan.sweep or (0.0, 0.0))
+    if len(values) <= 2 or low == high or any(law.nonlinear for s in scene.stand.flywheels for law in s.laws):
+        return average_matrices(scene, plan.rows(values))
+    first, last = average_matrices(scene, plan.rows(np.array([low, high])))
+    return np.asarray(first + ((values - low) / (high - low))[:, None, None] * (last - first))
+
+
+def average_matrices(scene: Scene, speeds: Array) -> Array:
+    """A (S, 2 m, 2 m) at speeds (S, N; rad/s), the mean over NODES phases that all flywheels have together."""
+    S, N = speeds.shape
+    phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, S)
+    given = scene.drive(np.tile(phi[:, None], N), np.repeat(speeds, NODES, axis=0))
+    n = 2 * scene.count
+    J = scene.jacobian(given, np.zeros((S * NODES, n)), np.zeros((S * NODES, 6)))
+    return np.asarray(J.reshape(S, NODES, n, n).mean(axis=1))
+
+
+class Meeting(NamedTuple):
+    """Where a line meets a natural frequency: column of it from 1, swept speed (rad/s), frequency (Hz), damping."""
+
+    mode: int
+    value: float
+    frequency: float
+    damping: float
+
+
+def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: float, k: float) -> list[Meeting]:
+    """Where |c + k x| (rad/s), x the swept speed, meets natural frequencies (S, m; Hz): sign changes, then secants."""
+
+    def line(x: Array) -> Array:
+        return np.abs(c + k * x) / (2.0 * np.pi)
+
+    above = natural - line(values)[:, None]
+    with np.errstate(invalid="ignore"):
+        i, mode = np.nonzero((above[:-1] > 0.0) & (above[1:] <= 0.0) | (above[:-1] < 0.0) & (above[1:] >= 0.0))
+    if not len(i):
+        return []
+    low, high, at_low, at_high = values[i], values[i + 1], above[i, mode], above[i + 1, mode]
+    rows = np.arange(len(i))
+    for _ in range(SECANTS):
+        x = low - at_low * (high - low) / (at_high - at_low)
+        frequency, damping, _ = natural_at(scene, plan, x)
+        at = frequency[rows, mode] - line(x)
+        same = np.sign(at) == np.sign(at_low)
+        low, at_low = np.where(same, x, low), np.where(same, at, at_low)
+        high, at_high = np.where(same, high, x), np.where(same, at_high, at)
+        settled = at_low == at_high
+        at_high = np.where(settled, at_low + 1.0, at_high)
+    met = np.abs(at) <= MEETING_DISTANCE * frequency[rows, mode]
+    return [
+        Meeting(int(mode[j]) + 1, float(x[j]), float(frequency[j, mode[j]]), float(damping[j, mode[j]]))
+        for j in np.flatnonzero(met)
+    ]

@@ -1,0 +1,267 @@
+"""From wrenches of the wheels on their mounts to what is seen: internal modes, rigid carrier, structural modes.
+
+All of it is linear and one-way: nothing that is driven here acts back on the wheels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.vibration.lines import TABLE, LineName, Lines
+from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
+from mahovik.use.vibration.plant import Plant
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.structure import Structure, way_back
+from mahovik.use.vibration.torus import Whole
+from mahovik.use.vibration.view import LinearMotion, LoadView, Observable, View
+
+CHUNK = 2_000_000
+"""Speeds, lines and modes treated at once: their product."""
+
+
+@dataclass(frozen=True, eq=False)
+class Makers:
+    """What makers and analysts say: of wheels by name, and of the structure."""
+
+    harmonics: Mapping[str, Harmonics] = field(default_factory=dict)
+    noise: Mapping[str, Noise] = field(default_factory=dict)
+    inner: Mapping[str, InnerModes] = field(default_factory=dict)
+    structure: Structure | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Linear chain of a stand.
+
+    own          (N, 6, 6): transfer of a wheel's mount, axes at phase 0, to E1 about O1
+    Theta, gyro  (N, 6, 6): mean inertia of each wheel in E1 about O1; wrench on the carrier by V, at a speed of 1
+    tilting      (N, 6, 3): wrench of each wheel's mean weight on the carrier by a turning of it, in E1 about O1
+    seen_modes   (3, m): what is seen of each structural mode
+    mount_modes  (N, m, 6): modal forces of wrenches of a wheel on its mount, in E1 about O1
+    ratios       mass_ratio, gyro_ratio of `structure.way_back`
+    """
+
+    plant: Plant
+    seen: Observable
+    makers: Makers
+    names: tuple[str, ...]
+    own: Array
+    Theta: Array
+    gyro: Array
+    tilting: Array
+    seen_modes: Array
+    mount_modes: Array
+    ratios: tuple[Array, Array]
+
+    @staticmethod
+    def of(scene: Scene, seen: Observable, makers: Makers, fastest: Array) -> Chain:
+        """The chain for speeds of up to `fastest` (N, rad/s).
+
+        Raises JitterFileError: a shape is missing; UsageError: structural modes, but a load is seen.
+        """
+        tables, names = scene.chart.mechanics.tables, tuple(s.name for s in scene.stand.flywheels)
+        plant, N, structure = Plant.of(scene), len(names), makers.structure
+        Theta = tables.Theta[0]
+        gyro = plant.K @ plant.free.gyro
+        tilting = tables.weight[0] @ skew(scene.chart.C.T @ np.array(scene.stand.gravity))
+        if structure is None:
+            none = np.zeros((3, 0))
+            ratios = (np.zeros(0), np.zeros(0))
+            unseen = np.zeros((N, 0, 6))
+            return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, none, unseen, ratios)
+        if not isinstance(seen, View):
+            what = "load" if isinstance(seen, LoadView) else "freedom"
+            raise UsageError(
+                f"--modes: structural modes have no shape of a {what}, {seen.name}; expected a point as --at"
+            )
+        about = np.array([_to_mount(L) for L in tables.Lm])
+        modes = np.zeros((N, len(structure.omega), 6))
+        for s, name in enumerate(names):
+            if fastest[s] > 0.0 or name in structure.shapes:
+                modes[s] = structure.at(name, "the mount of").T @ about[s]
+        local = np.array([about[s] @ Theta[s] @ about[s].T for s in range(N)])
+        spin = tables.axis * (tables.Theta_ff * fastest)[:, None]
+        ratios = way_back(structure, names, local, spin)
+        return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, seen.shape(structure), modes, ratios)
+
+    @property
+    def modes(self) -> list[tuple[float, float]]:
+        """Natural frequency (rad/s) and damping of all internal and structural modes."""
+        modes = [mode for inner in self.makers.inner.values() for mode in inner.modes.values()]
+        if self.makers.structure is not None:
+            modes += list(zip(self.makers.structure.omega, self.makers.structure.damping, strict=True))
+        return modes
+
+    @property
+    def one_way(self) -> bool:
+        """Whether mount wrenches drive anything beside the rigid carrier."""
+        return bool(self.makers.inner) or self.makers.structure is not None
+
+    def driven_amplitudes(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+        """Amplitudes (S, L, 3) in addition to the rigid motion, by rigid mount wrenches (S, L, N, 6) in E1 about O1.
+
+        speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
+        """
+        passed = self._transmit(speeds, omega, mounts)
+        each = (passed - mounts)[..., None]
+        a = np.zeros((*omega.shape, 3), dtype=np.complex128)
+        if each.any():
+            a += self.seen.linear(self.motion(speeds, omega, each.sum(axis=2), lambda s: each[:, :, s]))[..., 0]
+        if self.makers.structure is not None:
+            force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
+            q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
+            a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
+        return a
+
+    def motion(self, speeds: Array, omega: Array, wrench: Complex, by_wheel: Callable[[int], Complex]) -> LinearMotion:
+        """Motion of the rigid carrier by wrenches (S, L, 6, P) on it in E1 about O1; `by_wheel`: those of one wheel."""
+        pose = self.plant.pose(speeds, omega, wrench)
+
+        def reaction() -> Complex:
+            return self.plant.reaction(speeds, omega, pose, wrench)
+
+        def mount(s: int) -> Complex:
+            on_carrier = self.mount_reply(s, speeds, omega, pose) + by_wheel(s)
+            return np.asarray(-np.linalg.inv(self.own[s]) @ on_carrier)
+
+        return LinearMotion(omega, pose, reaction, mount)
+
+    def by_unbalance(self, speeds: Array, omega: Array, wrench: Complex) -> LinearMotion:
+        """Motion by the first order of each flywheel: line l is of wheel l, wrench (S, N, 6)."""
+        each = np.arange(wrench.shape[1])
+
+        def by_wheel(s: int) -> Complex:
+            return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
+
+        return self.motion(speeds, omega, wrench[..., None], by_wheel)
+
+    def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
+        """Mount wrenches after the internal modes of the wheels."""
+        found = mounts.astype(np.complex128)
+        for s, name in enumerate(self.names):
+            inner = self.makers.inner.get(name)
+            if inner is not None:
+                own = mounts[:, :, s] @ np.linalg.inv(self.own[s]).T
+                found[:, :, s] = inner.transmit(own, omega, speeds[:, s, None]) @ self.own[s].T
+        return found
+
+    def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
+        """Wrenches (S, L, N, 6) of wheels on their mounts by the carrier's motion: inertia and spin, to first order."""
+        V = 1j * omega[..., None] * pose
+        inertial = -np.einsum("sij,tlj->tlsi", self.Theta, 1j * omega[..., None] * V)
+        turning = np.einsum("sij,tlj,ts->tlsi", self.gyro, V, speeds)
+        return np.asarray(inertial + turning)
+
+    def mount_reply(self, s: int, speeds: Array, omega: Array, pose: Complex) -> Complex:
+        """Wrench (S, L, 6, P) of wheel s on its mount by the carrier's pose (S, L, 6, P), its weight among it."""
+        w = omega[:, :, None, None]
+        turning = 1j * w * np.einsum("ij,tljp,t->tlip", self.gyro[s], pose, speeds[:, s])
+        return np.asarray(w**2 * (self.Theta[s] @ pose) + turning + self.tilting[s] @ pose[:, :, 3:])
+
+    def table_lines(self, speeds: Array) -> Lines:
+        """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
+        found = Lines((), np.zeros((len(speeds), 0)), np.zeros((len(speeds), 0, 3), dtype=np.complex128))
+        for s, name in enumerate(self.names):
+            table = self.makers.harmonics.get(name)
+            if table is not None:
+                found = found.join(self._wheel_lines(s, name, table, speeds))
+        return found
+
+    def _wheel_lines(self, s: int, name: str, table: Harmonics, speeds: Array) -> Lines:
+        there = np.flatnonzero(table.amplitude.any(axis=0))
+        omega = np.abs(speeds[:, s, None]) * table.order
+        still = omega == 0.0
+        size = table.amplitude[:, there] * np.where(still, 0.0, 1.0)[..., None] * (speeds[:, s] ** 2)[:, None, None]
+        answer = self.unit_answers(s, there, speeds, np.where(still, 1.0, omega))  # (S, H, 3, P)
+        a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
+        parts = [list(PARTS)[i] for i in there]
+        tolerance = np.repeat(table.tolerance, len(parts))
+        names = [LineName(name, float(order), TABLE, part) for order in table.order for part in parts]
+        names = [label._replace(tolerance=float(t)) for label, t in zip(names, tolerance, strict=True)]
+        kept = (table.amplitude[:, there] > 0.0).ravel()
+        frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
+        return Lines(tuple(names), frequency, a).select(kept)
+
+    def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
+        """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
+
+        Radial parts turn with the wheel, or against it (`backward`).
+        """
+        sense = np.where((speeds[:, s] < 0.0) ^ backward, -1.0, 1.0)[:, None]
+        gains = self._part_gains(s, parts, sense * omega, speeds[:, s, None])  # (S, L, P)
+        basis = (self.own[s] @ PATTERNS[parts].T.astype(np.complex128)) + 0.0  # (6, P)
+        turned = np.where(sense[:, :, None] < 0.0, basis.conj(), basis)  # (S, 6, P)
+        S, L = omega.shape
+        a = np.empty((S, L, 3, len(parts)), dtype=np.complex128)
+        step = max(1, CHUNK // max(L * max(len(self.seen_modes.T), 6), 1))
+        for i in range(0, S, step):
+            at = slice(i, i + step)
+            a[at] = self._rigid_and_modes(s, speeds[at], omega[at], turned[at])
+        return a * gains[:, :, None, :]
+
+    def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
+        inner = self.makers.inner.get(self.names[s])
+        if inner is None:
+            return np.ones((*signed.shape, len(parts)), dtype=np.complex128)
+        kinds = {"radial force": "radial", "axial force": "axial", "radial moment": "rocking", "axial moment": ""}
+        found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
+        gains = np.stack(found, axis=-1)
+        return np.where(signed[..., None] < 0.0, gains.conj(), gains)
+
+    def _rigid_and_modes(self, s: int, speeds: Array, omega: Array, wrench: Complex) -> Complex:
+        """Amplitudes (S, L, 3, P) by wrenches (S, 6, P) of wheel s on its mount."""
+        on_carrier = np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:]))
+        none = np.zeros_like(on_carrier)
+        motion = self.motion(speeds, omega, on_carrier, lambda wheel: on_carrier if wheel == s else none)
+        a, pose = self.seen.linear(motion), motion.pose
+        structure = self.makers.structure
+        if structure is not None:
+            S, m = len(speeds), len(structure.omega)
+            # the carrier's motion p moves all wheels: sum_s mount_modes_s (omega^2 Theta_s + i omega gyro_s phi_s') p
+            inertia = np.einsum("smi,sij->mj", self.mount_modes, self.Theta)
+            spin = np.einsum("smi,sij,ts->tmj", self.mount_modes, self.gyro, speeds)
+            direct = self.mount_modes[s] @ wrench  # (S, m, P)
+            P = wrench.shape[2]
+            right = np.empty((S, m, 3 * (P + 12)), dtype=np.complex128)
+            right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
+            right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
+            right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
+            excited = np.asarray(right.any(axis=2))[:, None]
+            out = np.where(excited, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
+            L = omega.shape[1]
+            w = omega[:, :, None, None]
+            by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
+            by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
+            bent = out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
+            a = a + bent * self.seen.derivative(omega)[:, :, None, None]
+        return np.asarray(a)
+
+
+def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:
+    """The mode without damping that vibrates at omega (rad/s), in words; speeds (N, rad/s) of the wheels."""
+    structure = makers.structure
+    if structure is not None:
+        met = np.flatnonzero(structure.is_resonant(np.array(omega)))
+        if len(met):
+            return f"structural mode {met[0] + 1} of {structure.path}"
+    for s, name in enumerate(names):
+        inner = makers.inner.get(name)
+        for kind in inner.modes if inner is not None else ():
+            both = inner.gain(kind, np.array([omega, -omega]), speeds[s]) if inner is not None else np.zeros(0)
+            if not np.isfinite(both).all():
+                return f"the {kind} mode inside {name}"
+    return None
+
+
+def _to_mount(L: Array) -> Array:
+    """(6, 6): a wrench in E1 about O1 as one in E1 about Os; L: transfer of the wheel's frame to E1 about O1."""
+    arm = L[3:, :3] @ L[:3, :3].T  # <Os>
+    found = np.eye(6)
+    found[3:, :3] = -arm
+    return found

@@ -1,0 +1,169 @@
+"""A stand on which nothing outside acts: its motion on the torus by conservation of momentum.
+
+By (8) a slow beat of frequency d has the displacement wrench / (inertia d^2): what an order leaves out of the wrench,
+and its rounding, grow without bound where two speeds are nearly equal. Momentum says the same without the divisions.
+With no drift the linear momentum is zero; the angular one L is constant in the axes of rest, so that in E1, C = exp<r>,
+
+    K V + h = (0, C^T L),    r' = B(r) omega,    x + C c = constant,
+
+c the mass centre in E1. Unknown are r on the torus and L; one division by the frequency is left, and none across L,
+where spin holds the carrier. x needs no division.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.plan.forward import Drive
+from mahovik.use.plan.residual.slopes import rotation_vector_rate
+from mahovik.use.plan.residual.spatial import motor_cross, skew
+from mahovik.use.vibration.scene import Scene, left_jacobian
+from mahovik.use.vibration.torus import Linearised, Torus, Whole
+
+EXACT = 1e-12
+"""Relative size of a wrench that is rounding."""
+
+TRIED = 8
+"""Random states at which momentum must be conserved."""
+
+STEPS = 20
+SETTLED = 1e-11
+"""Relative size of a last step of Newton's method."""
+
+ROUNDING = 1e-16
+"""Part of the largest angular velocity of flywheels and carrier, by inertia, that is rounding."""
+
+LARGEST = 2.0
+"""rad: limit near the edge of the chart."""
+
+
+def conserves(scene: Scene) -> bool:
+    """Whether momentum is conserved: (8) has no wrench from outside at random states, and no fluid adds mass."""
+    if scene.free.shape[1] < 6:
+        return False
+    rng, N = np.random.default_rng(1), len(scene.stand.flywheels)
+    y, phi, phi_dot = rng.normal(size=(TRIED, 12)), rng.normal(size=(TRIED, N)), rng.normal(size=(TRIED, N))
+    given = scene.drive(phi, phi_dot)
+    K, V = np.linalg.inv(given.inverse), y[:, 6:, None]
+    momentum = K @ V + given.h[:, :, None]
+    inertial = K @ scene.chart.acceleration(given, y)[:, :, None] + given.push[:, :, None]
+    parts = (inertial, given.Theta_dot @ V, motor_cross(y[:, 6:]) @ momentum)
+    size = sum(float(np.abs(part).max()) for part in parts)
+    plain = np.abs(K[:, :3, :3] - K[:, :1, :1] * np.eye(3)).max() <= EXACT * np.abs(K).max()
+    return bool(plain) and float(np.abs(sum(parts, np.zeros((TRIED, 6, 1)))).max()) <= EXACT * size
+
+
+@dataclass(frozen=True, eq=False)
+class Conserved:
+    """The equations at the nodes of a torus.
+
+    inertia   (M, 3, 3): inverse, of the whole about its mass centre on axes of E1
+    spinning  (M, 3): angular velocity of the carrier by the flywheels' momentum alone
+    centre    (M, 3): c
+    """
+
+    torus: Torus
+    given: Drive
+    inertia: Array
+    spinning: Array
+    centre: Array
+
+    @staticmethod
+    def of(torus: Torus, given: Drive) -> Conserved:
+        """The equations under the flywheels' sums at the nodes."""
+        K = np.linalg.inv(given.inverse)
+        moment = K[:, 3:, :3] / K[:, :1, :1]
+        c = np.stack([moment[:, 2, 1], moment[:, 0, 2], moment[:, 1, 0]], axis=1)
+        spinning = -(given.inverse @ given.h[:, :, None])[:, 3:, 0]
+        return Conserved(torus, given, given.inverse[:, 3:, 3:], spinning, c)
+
+    def rest(self, slow: Whole) -> Complex:
+        """L (n, 3) of a carrier that does not turn on average, to first order."""
+        mean = -self.torus.coefficients(self.spinning)[slow] @ np.linalg.inv(self.inertia.mean(axis=0)).T
+        found = np.zeros((len(self.torus.k), 3), dtype=np.complex128)
+        found[slow] = mean
+        return found
+
+    def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
+        """r' (M, 3) and omega (M, 3)."""
+        omega = (self.given.inverse @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
+        return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
+
+    def carrier_momentum(self, r: Array, L: Array) -> Array:
+        """K V (M, 6) = (0, C^T L) - h, without the rounding of the large numbers that cancel: C^T L = L + small."""
+        angle = np.linalg.norm(r, axis=1)[:, None]
+        across = np.cross(r, L)
+        a, b = np.sinc(angle / np.pi), np.sinc(angle / (2.0 * np.pi)) ** 2 / 2.0
+        found = -self.given.h
+        found[:, 3:] += L
+        found[:, 3:] += b * np.cross(r, across) - a * across
+        return found
+
+    def slopes(self, r: Array, L: Array) -> tuple[Array, Array]:
+        """Derivatives (M, 3, 3) of r' by r, except for terms of third order in r, and by L."""
+        back = Rotation.from_rotvec(-r)
+        B, omega = rotation_vector_rate(r), self.rate(r, L)[1]
+        turned = B @ self.inertia @ skew(back.apply(L)) @ np.linalg.inv(B)
+        chart = -skew(omega) / 2 - (skew(np.cross(r, omega)) + skew(r) @ skew(omega)) / 12
+        return turned + chart, B @ self.inertia @ back.as_matrix()
+
+    def state(self, r: Complex, L: Complex, slow: Whole) -> tuple[Complex, Complex]:
+        """x (n, 3) with its constants at rest, and the state y (n, 12) on the torus."""
+        at = self.torus.values(r)
+        x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
+        x[slow] = 0.0
+        V = (self.given.inverse @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
+        moved = np.asarray(
+            np.linalg.solve(left_jacobian(at), self.torus.values(x)[:, :, None])[:, :, 0], dtype=np.float64
+        )
+        return x, np.concatenate([self.torus.coefficients(moved), r, self.torus.coefficients(V)], axis=1)
+
+    def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:
+        """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""
+        own = self.torus.pad(r)
+        values, momentum = self.torus.values(own), self.torus.values(self.torus.pad(L))
+        left = self.torus.coefficients(self.rate(values, momentum)[0]) - 1j * w[:, None] * own
+        inverse = near.inverse(w, slow)
+        if inverse is None:
+            return np.full((len(w), 6), np.nan, dtype=np.complex128)
+        dr = (inverse[:, :3, :3] @ left[:, :, None])[:, :, 0]
+        dx = -self.torus.coefficients(Rotation.from_rotvec(values).apply(self.centre))
+        dx[slow] = 0.0
+        dx[: len(x)] -= x
+        dx += np.cross(self.centre.mean(axis=0), dr)
+        return np.concatenate([dx, dr], axis=1)
+
+
+class Found(NamedTuple):
+    """Attitude r (n, 3), angular momentum L (n, 3), and the last linear equations."""
+
+    r: Complex
+    L: Complex
+    near: Linearised
+
+
+def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> Found | None:
+    """The motion at frequencies w (n; rad/s), constant at `slow`, from a guess of r (n, 3). None: not found."""
+    torus = equations.torus
+    r, L, ones = start.copy(), equations.rest(slow), np.ones(3)
+    fast = np.delete(np.abs(w), slow)
+    floor = np.full(len(w), ROUNDING * float(np.abs(equations.spinning).max(initial=0.0)))
+    floor /= np.where(np.isin(np.arange(len(w)), slow), fast.min(initial=1.0), np.abs(w) + 1e-300)
+    for _ in range(STEPS):
+        at, momentum = torus.values(r), torus.values(L)
+        if not np.all(np.isfinite(at)) or np.abs(at).max() > LARGEST:
+            return None
+        J, push = equations.slopes(at, momentum)
+        near = Linearised(torus, J, push, np.eye(3), w, slow, ones)
+        step = near.solve(torus.coefficients(equations.rate(at, momentum)[0]) - 1j * w[:, None] * r, r)
+        if step is None:
+            return None
+        r, L = r + step[0], L + step[1]
+        if np.all(np.abs(step[0]).max(axis=1) <= SETTLED * np.abs(r).max() + floor):
+            return Found(r, L, near)
+    return None

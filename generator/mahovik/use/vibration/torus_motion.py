@@ -1,0 +1,207 @@
+"""A motion of the carrier on the torus of the flywheels' phases, as `balance` finds it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.state import State
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.motion import forward, reaction
+from mahovik.proof.reference.pieces import Pieces
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.torus import Torus
+from mahovik.use.vibration.view import FullMotion
+
+ROUNDING = 1e-15
+"""m/s2, rad/s2: smaller amplitudes of V* count as zero."""
+
+LITTLE = 1e-6
+"""Part of the other below which a displacement or turning of the carrier is not judged."""
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """A motion on the torus of the flywheels that turn.
+
+    speeds    (N, rad/s); turning: indices of those that turn, in the order of the torus' phases
+    c         (n, 2 m): coefficients of states y = (xi, u)
+    h         (n, f): constant numbers along the free directions that keep the mean place
+    hold      (6; N, N m): the constant wrench in E1 that they are, mean over phases
+    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest;
+              of a held carrier also of its reaction, part of the largest that varies
+    missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
+    missing_c (m, 2 m): of the states
+    missing_w (m; rad/s): their k . phi', 0 for constants
+    short     why no higher order was found though this one leaves out too much; empty: it does not
+    """
+
+    scene: Scene
+    torus: Torus
+    order: int
+    speeds: Array
+    phases: Array
+    turning: tuple[int, ...]
+    c: Complex
+    h: Complex
+    hold: Array
+    left_out: float
+    missing: Complex | None = None
+    missing_c: Complex | None = None
+    missing_w: Array = field(default_factory=lambda: np.zeros(0))
+    missing_order: int = 0
+    short: str = ""
+
+    @property
+    def pose_left_out(self) -> float:
+        """Sum of the amplitudes left out of the pose as a part of the sum of those found: of x or r, the larger.
+
+        0 where they are not known.
+        """
+        if self.missing is None:
+            return 0.0
+        radius = gyration_radius(self.scene)
+        left, whole = (
+            [
+                size * float(np.linalg.norm(np.abs(c[moving, i : i + 3]).sum(axis=0)))
+                for i, size in ((0, 1.0), (3, radius))
+            ]
+            for c, moving in ((self.missing, self.missing_w != 0.0), (self.pose, (self.torus.k != 0).any(axis=1)))
+        )
+        least = LITTLE * max(whole)
+        return max(a / max(b, least) for a, b in zip(left, whole, strict=True)) if least else 0.0
+
+    @property
+    def pose(self) -> Complex:
+        """(n, 6): coefficients of the pose (x, r), to first order."""
+        m = self.scene.count
+        return self.c[:, :m] @ self.scene.twist(np.eye(m))
+
+    @property
+    def frequencies(self) -> Array:
+        """k . phi' (n; rad/s), of either sign."""
+        return self.torus.frequencies(self.speeds[list(self.turning)])
+
+    def states(self, theta: Array) -> tuple[Array, Array]:
+        """y (m, 12) and its derivative (m, 12) at phases theta (m, turning; rad) of the flywheels that turn."""
+        rates = 1j * self.frequencies[:, None] * self.c
+        y = self.torus.at(self.c, theta)
+        return self.scene.whole(y), self.scene.whole_rate(y, self.torus.at(rates, theta))
+
+    def at_nodes(self, torus: Torus, c: Complex) -> tuple[Array, Array]:
+        """y (M, 12) and V* (M, 6) at the nodes of a torus of these phases, of coefficients c of states on it."""
+        rates = 1j * torus.frequencies(self.speeds[list(self.turning)])[:, None] * c
+        return self.scene.whole(torus.values(c)), self.scene.twist(torus.values(rates)[:, self.scene.count :])
+
+    def motions(self, theta: Array) -> tuple[Array, Array]:
+        """Phases and speeds (m, N each) of all flywheels at phases theta (m, turning; rad)."""
+        phi = np.tile(self.phases, (len(theta), 1))
+        phi[:, list(self.turning)] = theta
+        return phi, np.tile(self.speeds, (len(theta), 1))
+
+    def state(self, theta: Array) -> State:
+        """The state as `eval` and `simulate` take it, at phases theta (turning; rad)."""
+        y = self.scene.whole(self.torus.at(self.c, theta[None]))[0]
+        return state_at(self.scene, y, self.motions(theta[None])[0][0], self.speeds)
+
+
+def rounding_wrench(scene: Scene, speeds: Array) -> Array:
+    """(6; N, N m): wrench on the carrier in E1 about O1 that is rounding, at speeds (N, rad/s).
+
+    In a balanced stand inertia forces of the flywheels about O1 cancel, and so do weights.
+    """
+    still = np.zeros((1, len(speeds)))
+    Theta = scene.drive(still, still).Theta[0]
+    fastest, g = np.abs(speeds).max(initial=0.0), np.linalg.norm(scene.stand.gravity)
+    size = fastest**2 * np.abs(Theta[:, 3:]).sum(axis=1) + g * np.abs(scene.K[:, :3]).sum(axis=1)
+    return np.asarray(4.0 * np.finfo(float).eps * size)  # of some sums and products
+
+
+def rounding_rates(scene: Scene, speeds: Array) -> Array:
+    """(m; m/s2, rad/s2): rates of the speeds in a state by that wrench."""
+    still = np.zeros((1, len(speeds)))
+    return np.asarray(np.abs(scene.drive(still, still).mobility[0]) @ rounding_wrench(scene, speeds))
+
+
+def gyration_radius(scene: Scene) -> float:
+    """Radius of gyration, m."""
+    return float(np.sqrt(np.trace(scene.K[3:, 3:]) / np.trace(scene.K[:3, :3])))
+
+
+def state_at(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
+    """The state as `eval` takes it, of y (12) in the chart about rest."""
+    C = scene.chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
+    w, i, j, k = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
+    X, Y, Z = (scene.chart.O1 + scene.chart.C @ y[:3]).tolist()
+    u, v, a, p, q, r = y[6:].tolist()
+    own = () if scene.stand.hold is None else tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist())
+    return replace(
+        scene.rest,
+        position=(X, Y, Z),
+        angles=None,
+        quaternion=(w, i, j, k),
+        V=(u, v, a, p, q, r),
+        u=own,
+        phi=tuple(phi.tolist()),
+        phi_dot=tuple(phi_dot.tolist()),
+    )
+
+
+SAMPLES = 64
+"""Random phases at which the literal reference is evaluated."""
+
+REACTION_ROUNDING = 1e-9
+"""Part of the reaction below which what varies of it is not judged: beside a weight the rest is rounding."""
+
+
+def left_out(found: Balance) -> float:
+    """Largest difference of V*, of the pose's rate and of the reaction from the reference, each part of its largest."""
+    scene, turning = found.scene, len(found.turning)
+    theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, turning))
+    y, y_dot = found.states(theta)
+    phi, phi_dot = found.motions(theta)
+    given = scene.drive(phi, phi_dot)
+    pushed = (scene.effect_of_wrench(given) @ found.torus.at(found.h, theta)[:, :, None])[:, scene.count :, 0]
+    at = [pieces(scene.stand, state_at(scene, y[i], phi[i], found.speeds)) for i in range(len(theta))]
+    exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
+    left = y_dot[:, 6:] - exact - scene.twist(pushed)
+    pose = y_dot[:, :6] - scene.chart.rate(given, y)[:, :6]
+    parts = [_largest(found, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
+    if scene.stand.hold is not None:
+        parts.append(_reaction_left_out(scene, found, theta, at, y_dot[:, 6:]))
+    return max(parts)
+
+
+def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMotion:
+    """Values at the nodes of a torus, of coefficients c of states on it and h of what keeps the mean place."""
+    return FullMotion(
+        found.scene, *found.motions(torus.nodes), *found.at_nodes(torus, c), torus.values(h) @ found.scene.wrench.T
+    )
+
+
+def _reaction_left_out(scene: Scene, found: Balance, theta: Array, at: Sequence[Pieces], V_dot: Array) -> float:
+    """Largest difference between the reaction's lines and the literal reference, part of the largest that varies."""
+    lines = found.torus.coefficients(full_motion(found, found.torus, found.c, found.h).reaction())
+    still = np.zeros(len(found.speeds))
+    exact = np.array([reaction(each, V, still) for each, V in zip(at, V_dot, strict=True)])
+    exact -= found.torus.at(found.h, theta) @ scene.wrench.T
+    scale = np.repeat([1.0, 1.0 / gyration_radius(scene)], 3)
+    left, whole, varying = (
+        float(np.linalg.norm(each * scale, axis=1).max())
+        for each in (found.torus.at(lines, theta) - exact, exact, exact - lines[0].real)
+    )
+    most = max(varying, REACTION_ROUNDING * whole)
+    return left / most if most > np.linalg.norm(rounding_wrench(scene, found.speeds) * scale) else 0.0
+
+
+def _largest(found: Balance, off: Array, whole: Array) -> float:
+    """Largest of off (M, 6) as a part of the largest of `whole`, rotations times the radius of gyration."""
+    scene = found.scene
+    scale = np.repeat([1.0, gyration_radius(scene)], 3)
+    most = float(np.linalg.norm(whole * scale, axis=1).max())
+    least = max(ROUNDING, scene.noise, float(np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)))
+    return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > least else 0.0

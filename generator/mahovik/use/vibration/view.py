@@ -1,0 +1,392 @@
+"""What is seen of a vibration: a quantity of a point or a line of sight, of a freedom of a hold, or a load.
+
+A point has angle, rate, displacement, velocity and acceleration, on its axes; a line of sight turns by a matrix of
+sensitivities times displacements and turnings of several points; a freedom has its coordinate about rest, of which the
+pose is exp(S xi), and its derivatives. Loads are the reaction of a hold, on the carrier about O1 in E1, and the wrench
+of a mount on its flywheel, about the flywheel's origin on its axes at phase zero; force and moment are seen apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.hold import freedom_names, twists, wrenches
+from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.units import Dimension
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+from mahovik.use.plan.array import Array, Complex
+from mahovik.use.study.linear.model import Place, output_rows, places
+from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns
+from mahovik.use.vibration.scene import Scene, coordinates
+from mahovik.use.vibration.structure import SHAPE, Structure
+
+ARCSEC = 180.0 * 3600.0 / np.pi
+"""1 rad in seconds of arc."""
+
+REACTION = "hold.reaction"
+"""Name of the reaction of a hold among what is seen."""
+
+
+class Quantity(NamedTuple):
+    """unit; turning: of axes, not of a place; power: derivatives by time."""
+
+    unit: str
+    turning: bool
+    power: int
+
+    @property
+    def arcsec(self) -> str | None:
+        """The unit with seconds of arc, or None."""
+        return self.unit.replace("rad", "arcsec") if self.turning else None
+
+
+AXES = ("x", "y", "z")
+"""Names of the axes of a point or a load."""
+
+QUANTITIES = {
+    "angle": Quantity("rad", True, 0),
+    "rate": Quantity("rad/s", True, 1),
+    "displacement": Quantity("m", False, 0),
+    "velocity": Quantity("m/s", False, 1),
+    "acceleration": Quantity("m/s2", False, 2),
+}
+"""Of a point."""
+
+LOADS = {"force": Quantity("N", False, 0), "moment": Quantity("N m", False, 0)}
+
+OF_FREEDOMS = {
+    "turn": {
+        "angle": QUANTITIES["angle"],
+        "rate": QUANTITIES["rate"],
+        "acceleration": Quantity("rad/s2", True, 2),
+    },
+    "slide": {name: QUANTITIES[name] for name in ("displacement", "velocity", "acceleration")},
+    "twist": {
+        "displacement": Quantity("1", False, 0),
+        "velocity": Quantity("1/s", False, 1),
+        "acceleration": Quantity("1/s2", False, 2),
+    },
+}
+"""Of a freedom by its kind."""
+
+SIGHT = "line of sight"
+"""Angle of a line of sight, by a matrix of sensitivities of several points."""
+
+
+@dataclass(frozen=True, eq=False)
+class LinearMotion:
+    """Amplitudes of L motions of a rigid carrier at S sets of speeds, P at once.
+
+    omega     (S, L; rad/s, above 0); pose (S, L, 6, P): (x, r) about rest
+    reaction  gives that of the hold (S, L, 6, P), on the carrier in E1 about O1
+    mount     gives the wrench (S, L, 6, P) of a wheel's mount on it, by its number, on its axes at phase 0
+    """
+
+    omega: Array
+    pose: Complex
+    reaction: Callable[[], Complex]
+    mount: Callable[[int], Complex]
+
+
+@dataclass(frozen=True, eq=False)
+class FullMotion:
+    """Values at M moments: phases and speeds (M, N) of the flywheels, y (M, 12) in the chart about rest, V* (M, 6).
+
+    push   (M, 6) or (6): wrench on the carrier that keeps its mean place, which is no load
+    """
+
+    scene: Scene
+    phi: Array
+    phi_dot: Array
+    y: Array
+    V_dot: Array
+    push: Array
+
+    def reaction(self) -> Array:
+        """Of the hold on the carrier (M, 6), about O1 in E1."""
+        return np.asarray(self.scene.reaction(self.scene.drive(self.phi, self.phi_dot), self.y, self.V_dot) - self.push)
+
+    def mount(self, s: int) -> Array:
+        """Wrench (M, 6) of a wheel's mount on it, by its number."""
+        L = self.scene.chart.mechanics.tables.Lm[s]
+        return np.asarray(-self.mount_wrenches()[:, s] @ np.linalg.inv(L).T)
+
+    def mount_wrenches(self) -> Array:
+        """Wrench (M, N, 6) of each flywheel on its mount, in E1 about O1."""
+        return self.scene.mount_wrenches(self.phi, self.phi_dot, self.y, self.V_dot)
+
+
+class Observable(Protocol):
+    """What is seen: of a point, a line of sight, a freedom, or a load."""
+
+    @property
+    def name(self) -> str:
+        """Name of the point, of the table of sensitivities, of the freedom or the load."""
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """Names of its axes; of three columns the first, where it has fewer."""
+
+    @property
+    def quantity(self) -> str:
+        """Name of the quantity."""
+
+    @property
+    def measure(self) -> Quantity:
+        """Unit and kind of the quantity."""
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) of the quantity."""
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3) of the quantity."""
+
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of the quantity's derivatives at omega (...; rad/s)."""
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """A quantity of one point, or a line of sight from several.
+
+    name      of the point, or of the table of sensitivities
+    quantity  a key of QUANTITIES; SIGHT for a line of sight
+    parts     points, and for each (3, 6): the quantity's integral of order `power` from displacement and turning of the
+              point in its axes
+    """
+
+    name: str
+    quantity: str
+    parts: tuple[tuple[Place, Array], ...]
+    axes: tuple[str, ...] = AXES
+
+    @staticmethod
+    def of(place: Place, quantity: str) -> View:
+        """A quantity of one point. Raises UsageError."""
+        if quantity not in QUANTITIES:
+            raise UsageError(f"quantity {quantity!r}: expected one of {', '.join(QUANTITIES)}")
+        part, turning = np.zeros((3, 6)), QUANTITIES[quantity].turning
+        part[:, 3:], part[:, :3] = (np.eye(3), 0.0) if turning else (0.0, np.eye(3))
+        return View(place.name, quantity, ((place, part),))
+
+    @property
+    def measure(self) -> Quantity:
+        """Unit and kind of the quantity."""
+        return QUANTITIES["angle" if self.quantity == SIGHT else self.quantity]
+
+    @property
+    def rows(self) -> Array:
+        """(3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest."""
+        total = np.zeros((3, 6))
+        for place, part in self.parts:
+            displacement = output_rows(place, np.zeros(6), np.zeros(6))[0][:3, :6]
+            turning = np.hstack([np.zeros((3, 3)), place.axes.T])
+            total += part @ np.vstack([displacement, turning])
+        return total
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) from those of the pose."""
+        return np.asarray((self.rows @ motion.pose) * self.derivative(motion.omega)[:, :, None, None])
+
+    def by_pose(self, pose: Complex, omega: Array) -> Complex:
+        """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
+        return np.asarray((pose @ self.rows.T) * self.derivative(omega)[..., None])
+
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of `power` derivatives at omega (...; rad/s)."""
+        return np.asarray((1j * omega) ** self.measure.power)
+
+    def shape(self, structure: Structure) -> Array:
+        """(3, m): the same from the modes of a structure. Raises JitterFileError."""
+        total = np.zeros((3, len(structure.omega)))
+        for place, part in self.parts:
+            at = structure.at(place.name, "point")
+            total += part @ np.vstack([place.axes.T @ at[:3], place.axes.T @ at[3:]])
+        return total
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3), in full.
+
+        Angle: rotation vector from rest; rate: angular velocity; both in the point's axes. Others in its axes at rest.
+        """
+        y = motion.y
+        if self.quantity == SIGHT:
+            total = np.zeros((len(y), 3))
+            for place, part in self.parts:
+                moved = point_motion(place, y, motion.V_dot)[0]
+                total += np.hstack([moved, y[:, 3:6] @ place.axes]) @ part.T
+            return total
+        place = self.parts[0][0]
+        if self.measure.turning:
+            return np.asarray(y[:, 3:6] @ place.axes if self.measure.power == 0 else y[:, 9:] @ place.axes)
+        return point_motion(place, y, motion.V_dot)[self.measure.power]
+
+
+def point_motion(place: Place, y: Array, V_dot: Array) -> tuple[Array, Array, Array]:
+    """Displacement from rest, velocity, acceleration (M, 3 each) of a point in E0, on its axes at rest."""
+    turned = Rotation.from_rotvec(y[:, 3:6])
+    origin, v, omega = np.tile(place.origin, (len(y), 1)), y[:, 6:9], y[:, 9:]
+    displacement = y[:, :3] + turned.apply(origin) - origin
+    velocity = v + np.cross(omega, origin)
+    acceleration = V_dot[:, :3] + np.cross(omega, velocity) + np.cross(V_dot[:, 3:], origin)
+    return (
+        displacement @ place.axes,
+        np.asarray(turned.apply(velocity) @ place.axes),
+        np.asarray(turned.apply(acceleration) @ place.axes),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class FreedomView:
+    """A quantity of one freedom, `hold.pitch`: the first of three columns, the others are zero.
+
+    number   place of the freedom; S, W (6, m): twists of the freedoms, and what finds speeds, u = W^T V
+    """
+
+    name: str
+    axes: tuple[str, ...]
+    quantity: str
+    measure: Quantity
+    number: int
+    S: Array
+    W: Array
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) from those of the pose, S xi to first order."""
+        a = np.zeros((*motion.omega.shape, 3, motion.pose.shape[-1]), dtype=np.complex128)
+        along = np.tensordot(motion.pose, self.W[:, self.number], axes=([2], [0]))
+        a[:, :, 0] = along * self.derivative(motion.omega)[..., None]
+        return a
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3) from states in the chart about rest and V*."""
+        values = np.zeros((len(motion.y), 3))
+        if self.measure.power == 0:
+            values[:, 0] = coordinates(self.S, motion.y)[:, self.number]
+        else:
+            rates = motion.y[:, 6:] if self.measure.power == 1 else motion.V_dot
+            values[:, 0] = rates @ self.W[:, self.number]
+        return values
+
+    def by_pose(self, pose: Complex, omega: Array) -> Complex:
+        """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
+        a = np.zeros((*pose.shape[:-1], 3), dtype=np.complex128)
+        a[..., 0] = pose @ self.W[:, self.number] * self.derivative(omega)
+        return a
+
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of the quantity's derivatives at omega (...; rad/s)."""
+        return np.asarray((1j * omega) ** self.measure.power)
+
+
+@dataclass(frozen=True)
+class LoadView:
+    """Force or moment of the reaction (`name` is REACTION) or of a flywheel's mount (its name).
+
+    wheel   number of the flywheel; None: the reaction
+    """
+
+    name: str
+    quantity: str
+    wheel: int | None
+    axes: tuple[str, ...] = AXES
+
+    @property
+    def measure(self) -> Quantity:
+        """Unit and kind of the quantity."""
+        return LOADS[self.quantity]
+
+    @property
+    def rows(self) -> slice:
+        """Rows of a wrench that are seen."""
+        return slice(0, 3) if self.quantity == "force" else slice(3, 6)
+
+    def linear(self, motion: LinearMotion) -> Complex:
+        """Amplitudes (S, L, 3, P) of the load."""
+        wrench = motion.reaction() if self.wheel is None else motion.mount(self.wheel)
+        return wrench[:, :, self.rows]
+
+    def full(self, motion: FullMotion) -> Array:
+        """Values (M, 3) of the load."""
+        wrench = motion.reaction() if self.wheel is None else motion.mount(self.wheel)
+        return wrench[:, self.rows]
+
+    def derivative(self, omega: Array) -> Complex:
+        """1: a load is not differentiated."""
+        return np.ones(omega.shape, dtype=np.complex128)
+
+
+def find_view(stand: Stand, name: str, quantity: str | None = None, usual: str = "acceleration") -> Observable:
+    """What is seen at a point, an instrument, the carrier's O1, a flywheel, `hold.reaction`, `hold.pitch`, `hold.1`.
+
+    quantity   None: `usual`, where there is none of it the first that there is. Raises UsageError.
+    """
+    wheels = [s.name for s in stand.flywheels]
+    if name in wheels or name == REACTION:
+        if name == REACTION and stand.hold is None:
+            raise UsageError(f"--at {name}: {stand.name} has no [hold]; expected a point, an instrument or a flywheel")
+        return LoadView(name, _choose(name, quantity, LOADS, usual), None if name == REACTION else wheels.index(name))
+    if name == "hold" or name.startswith("hold."):
+        return _freedom(stand, name, quantity, usual)
+    if quantity in LOADS:
+        held = f", or {REACTION}" if stand.hold is not None else ""
+        words = f"a flywheel, for the wrench of its mount on it{held}"
+        raise UsageError(f"--quantity {quantity}: {name} has none; expected {words} as --at")
+    return View.of(places(stand, [name])[0], _choose(name, quantity, QUANTITIES, usual))
+
+
+def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> FreedomView:
+    number = None if stand.hold is None else freedom_of(stand.hold, name)
+    if stand.hold is None or number is None:
+        freedoms = () if stand.hold is None else freedom_names(stand.hold)
+        known = [REACTION, *(f"hold.{each}" for each in freedoms)]
+        raise UsageError(f'unknown output "{name}"{suggestion(name, known)}; expected {", ".join(known)} or a point')
+    known_of = OF_FREEDOMS[stand.hold.freedoms[number].kind]
+    chosen, short = _choose(name, quantity, known_of, usual), freedom_names(stand.hold)[number]
+    S, W = twists(stand.hold), wrenches(stand.hold)
+    return FreedomView(f"hold.{short}", (short,), chosen, known_of[chosen], number, S, W)
+
+
+def freedom_of(hold: Hold, name: str) -> int | None:
+    """Place of the freedom that a name such as `hold.pitch` or `hold.1` is; None where it is none."""
+    short, names = name.removeprefix("hold."), freedom_names(hold)
+    return next((k for k, each in enumerate(names) if short in (each, str(k + 1))), None)
+
+
+def _choose(name: str, quantity: str | None, known: Mapping[str, Quantity], usual: str) -> str:
+    if quantity is not None and quantity not in known:
+        raise UsageError(f"--quantity {quantity}: {name} has none; expected one of {', '.join(known)}")
+    return quantity or (usual if usual in known else next(iter(known)))
+
+
+def read_sight(path: Path, stand: Stand) -> View:
+    """The line of sight of a CSV file: columns `POINT x` to `POINT z` [rad/m], `POINT rx` to `POINT rz` [-].
+
+    Two or three rows: angles of the line of sight. Displacement and turning are along the point's axes; missing columns
+    are zero. Raises JitterFileError.
+    """
+    known_places = {place.name: place for place in [*places(stand), *places(stand, [stand.carrier.name])]}
+    names = [f"{name} {part}" for name in known_places for part in SHAPE]
+
+    def dimension_of(name: str) -> Dimension | None:
+        if name not in names:
+            return None
+        return PLAIN if name.rpartition(" ")[2].startswith("r") else Dimension("an angle by displacement", "rad/m")
+
+    table = read_columns(path, dimension_of, (), names)
+    if table.rows not in (2, 3):
+        raise JitterFileError([f"{path}: {table.rows} rows, expected two or three: the angles of the line of sight"])
+    parts = []
+    for name in dict.fromkeys(column.rpartition(" ")[0] for column in table.numbers):
+        matrix = np.zeros((3, 6))
+        for j, part in enumerate(SHAPE):
+            matrix[: table.rows, j] = table.get(f"{name} {part}")
+        parts.append((known_places[name], matrix))
+    return View(path.stem, SIGHT, tuple(parts))
