@@ -14,10 +14,9 @@ from scipy.spatial.transform import Rotation
 
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
-from mahovik.contract.laws import parts
+from mahovik.core.lower.law_arrays import ties
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.structure import structure
-from mahovik.out.campaign import pose
 from mahovik.out.campaign.statistics import BandRms, End, Least, Mean, Peak, Rms, Settling, Statistic
 from mahovik.proof.reference import pieces
 
@@ -161,16 +160,16 @@ def test_what_ties_transmit_is_that_of_the_literal_reference(tmp_path: Path) -> 
     found = [pieces(tables.stand(j), state) for j, state in enumerate(states)]
     C = np.array([own.C for own in found]).transpose(1, 2, 0)
     q = np.roll(Rotation.from_matrix([own.C for own in found]).as_quat(), 1, axis=1).T
-    at = pose.Pose(np.array([s.position for s in states]).T, C, np.array([s.V for s in states]).T)
-    checked = []
-    for law in parts("loads", pose.Loads):
-        names = law.names(structure(stand))
-        for k, name in enumerate(names):
-            values = law.wrench(name, numbers, at, q)
-            for j, own in enumerate(found):
-                expected = own.terms["carrier"]["suspension" if name == "suspension" else f"leg {k}"]
-                assert_allclose(values[:3, j], expected[:3], atol=1e-12 * np.abs(expected).max(), err_msg=name)
-                if name == "suspension":
-                    assert_allclose(values[3:, j], expected[3:], atol=1e-12 * np.abs(expected).max())
-            checked.append(name)
-    assert checked == ["suspension", "leg 1", "leg 2"]
+    at = np.array([s.position for s in states]).T, q, np.array([s.V for s in states]).T, C.reshape(9, n)
+    terms = {"suspension": "suspension", "leg 1": "leg 0", "leg 2": "leg 1"}
+    tied = ties(structure(stand))
+    assert list(tied) == list(terms)
+    for name, term in terms.items():
+        values = tied[name].wrench(structure(stand), numbers, at)
+        for j, own in enumerate(found):
+            expected = own.terms["carrier"][term]
+            atol = 1e-12 * np.abs(expected).max()
+            assert_allclose(values[:3, j], expected[:3], atol=atol, err_msg=name)
+            assert_allclose(
+                values[3:, j], expected[3:] if name == "suspension" else 0.0, atol=atol * (name == "suspension")
+            )

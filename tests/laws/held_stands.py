@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from types import SimpleNamespace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, dumps, loads
+from mahovik.core.stand.model import LawData
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import StandError
@@ -135,27 +137,28 @@ def refused(hold: str, tables: str, words: str) -> None:
     assert len(str(caught.value).splitlines()) == 1
 
 
-def compare_slopes(stand: Stand, plan: Any, kind: str, seed: int, slower: float = 1.0) -> Any:
-    """The wrench of a law in planning is the literal one, and its slopes are differences of it over small steps.
+def compare_slopes(stand: Stand, law: type[LawData], kind: str, seed: int, slower: float = 1.0) -> Any:
+    """The wrench of a law on arrays is the literal one, and its slopes are differences of it over small steps.
 
-    `plan` is the law's module of planning, `kind` how its terms in the reference begin. The slopes are compared, and
-    returned, at the pose of a random state and at its twist divided by `slower`.
+    `kind` is how its terms in the reference begin. The slopes (6, 12) are compared, and returned, at the pose of a
+    random state and at its twist divided by `slower`.
     """
+    laws = law_arrays(replace(stand, laws=tuple(own for own in stand.laws if isinstance(own, law))))
     pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
     place, V = np.array(state.position), pieces.V / slower
 
     def pose_of(shift: Any, turned: Any, V: Any) -> Any:
         C = pieces.C @ Rotation.from_rotvec(turned).as_matrix()
-        return SimpleNamespace(C=C[None], O1=(place + pieces.C @ shift)[None], V=V[None])
+        return (place + pieces.C @ shift)[None], C[None], V[None]
 
     zero = np.zeros(3)
-    slopes = plan.slopes(stand, pose_of(zero, zero, V))
+    slopes = laws.tied_slopes(*pose_of(zero, zero, V))[0]
     kinds = pieces.terms["carrier"]
     own = sum(wrench for name, wrench in kinds.items() if name.startswith(kind))
-    np.testing.assert_allclose(plan.wrench(stand, pose_of(zero, zero, pieces.V))[0], own, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(laws.tied(*pose_of(zero, zero, pieces.V))[0], own, rtol=1e-12, atol=1e-13)
     for k, step in enumerate(1e-6 * np.eye(6)):
-        ends = [plan.wrench(stand, pose_of(s * step[:3], s * step[3:], V))[0] for s in (1, -1)]
-        np.testing.assert_allclose(slopes.by_pose[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-6, atol=1e-7)
-        ends = [plan.wrench(stand, pose_of(zero, zero, V + s * step))[0] for s in (1, -1)]
-        np.testing.assert_allclose(slopes.by_twist[0][:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-6, atol=1e-7)
+        ends = [laws.tied(*pose_of(s * step[:3], s * step[3:], V))[0] for s in (1, -1)]
+        np.testing.assert_allclose(slopes[:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-6, atol=1e-7)
+        ends = [laws.tied(*pose_of(zero, zero, V + s * step))[0] for s in (1, -1)]
+        np.testing.assert_allclose(slopes[:, 6 + k], (ends[0] - ends[1]) / 2e-6, rtol=1e-6, atol=1e-7)
     return slopes

@@ -15,21 +15,18 @@ from numpy.typing import NDArray
 from laws import stands
 from laws.stands import CARRIER, CONTROL, FADES, HULL, KEY, MAIN, PRODUCTS, RUDDER, SLENDER, TEXTS, bearing
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.law_arrays import TwistLaws, law_arrays
 from mahovik.core.stand import dumps, identities, loads
+from mahovik.core.stand.model import Carrier
 from mahovik.core.stand.random import BARE, random_stand, random_state
 from mahovik.errors import StandError
 from mahovik.laws.control.law import ControlDerivatives
-from mahovik.laws.control.plan import twist_law as control_law
 from mahovik.laws.control.reference import control_derivatives
-from mahovik.laws.cross_flow.plan import twist_law as strip_law
 from mahovik.laws.cross_flow.reference import cross_flow_drag
-from mahovik.laws.fading.plan import twist_law as fading_law
 from mahovik.laws.fading.reference import fading_damping
 from mahovik.laws.fin.law import Fins
-from mahovik.laws.fin.plan import twist_law as fin_law
 from mahovik.laws.fin.reference import lift_and_drag
 from mahovik.laws.propeller.law import Propellers
-from mahovik.laws.propeller.plan import twist_law as propeller_law
 from mahovik.laws.propeller.reference import thrust_and_torque
 from mahovik.laws.torquer.law import Torquers
 from mahovik.proof import reference
@@ -81,25 +78,41 @@ def test_a_stand_without_it_moves_in_another_way(law: str) -> None:
     assert max(changes.values()) > 1e-6
 
 
+def arrays_of(body: Carrier) -> TwistLaws:
+    """The laws of a carrier on arrays."""
+    laws = law_arrays(replace(loads(CARRIER), carrier=body)).bodies[0]
+    assert laws is not None
+    return laws
+
+
 BODY = loads(CARRIER).carrier
 STEERED = loads(CONTROL).carrier
-STEERING = STEERED.law(ControlDerivatives)
-PLANNED: dict[str, tuple[Any, Callable[[Array], Array], float]] = {
-    "control": (control_law(STEERED), lambda V: control_derivatives(STEERED, STEERING, V), 1e-3),  # type: ignore[arg-type]
-    "fading": (fading_law(BODY.with_laws(FADES)), lambda V: fading_damping(FADES, V), 1e-4),
-    "strips": (strip_law(BODY.with_laws(SLENDER)), lambda V: cross_flow_drag(SLENDER, V), 0.02),
+
+
+def steered(V: Array) -> Array:
+    """Control derivatives, and the fins and propellers that they name."""
+    control, fins, propellers = STEERED.law(ControlDerivatives), STEERED.law(Fins), STEERED.law(Propellers)
+    assert control is not None and fins is not None and propellers is not None
+    own = [lift_and_drag(fin, V) for fin in fins.fins] + [thrust_and_torque(p, V) for p in propellers.propellers]
+    return np.asarray(control_derivatives(STEERED, control, V) + sum(own))
+
+
+PLANNED: dict[str, tuple[TwistLaws, Callable[[Array], Array], float]] = {
+    "control": (arrays_of(STEERED), steered, 1e-3),
+    "fading": (arrays_of(BODY.with_laws(FADES)), lambda V: fading_damping(FADES, V), 1e-4),
+    "strips": (arrays_of(BODY.with_laws(SLENDER)), lambda V: cross_flow_drag(SLENDER, V), 0.02),
     "together": (
-        strip_law(BODY.with_laws(replace(SLENDER, together=True))),
+        arrays_of(BODY.with_laws(replace(SLENDER, together=True))),
         lambda V: cross_flow_drag(replace(SLENDER, together=True), V),
         0.02,
     ),
     "propellers": (
-        propeller_law(BODY.with_laws(Propellers((MAIN, stands.STILL)))),
+        arrays_of(BODY.with_laws(Propellers((MAIN, stands.STILL)))),
         lambda V: thrust_and_torque(MAIN, V) + thrust_and_torque(stands.STILL, V),
         1e-3,
     ),
     "whole": (
-        propeller_law(BODY.with_laws(Propellers((stands.WHOLE,)))),
+        arrays_of(BODY.with_laws(Propellers((stands.WHOLE,)))),
         lambda V: thrust_and_torque(stands.WHOLE, V),
         1e-3,
     ),
@@ -127,8 +140,7 @@ fins = st.sampled_from([RUDDER, HULL, stands.PLANE, replace(stands.PLANE, stall=
 @given(fins, twists)
 def test_planning_has_the_slopes_of_fins(fin: Any, V: Array) -> None:
     """At a kink between those of both sides, and not across the flow from behind."""
-    planned = fin_law(BODY.with_laws(Fins((fin, HULL))))
-    assert planned is not None
+    planned = arrays_of(BODY.with_laws(Fins((fin, HULL))))
     P = lift_and_drag(fin, V) + lift_and_drag(HULL, V)
     np.testing.assert_allclose(planned.wrench(V[None])[0], P, rtol=1e-9, atol=1e-9)
     step = 1e-7 * np.eye(6)

@@ -15,13 +15,13 @@ from scipy.integrate import quad
 
 from audits.audit import momentum_products, without_added_products
 from laws.stands import CONTROL, MAIN, RUDDER, SLENDER, STILL, TEXTS, WHOLE, bearing
+from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, loads, rest_state
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.random import random_state
 from mahovik.laws.control.reference import wrenches
 from mahovik.laws.cross_flow.reference import cross_flow_drag
 from mahovik.laws.damping.law import Damping, DampingTerm, Factor, products_of_added_mass
-from mahovik.laws.damping.plan import twist_law as damping_law
 from mahovik.laws.damping.reference import products_in_derivatives
 from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fading.reference import fading_damping
@@ -142,14 +142,16 @@ def test_key_is_the_terms_that_take_the_products_out() -> None:
 @given(twists)
 def test_products_have_no_power_and_are_those_of_the_handbook(V: np.ndarray) -> None:
     """Fossen's C(V) V, and planning with its slopes."""
-    carrier = bearing("products", 5).carrier
+    stand = bearing("products", 5)
+    carrier = stand.carrier
     P, Lambda = products_in_derivatives(carrier, V), np.array(carrier.added_mass)
     size = float(np.abs(Lambda).max() * (V @ V)) + 1e-9
     np.testing.assert_allclose(P, momentum_products(Lambda, V), rtol=0, atol=1e-13 * size)
     assert abs(float(P @ V)) <= 1e-13 * size * float(np.abs(V).max() + 1)
     warned = -np.einsum("ijk,j,k->i", products_of_added_mass(Lambda), V, V)
     np.testing.assert_allclose(P, warned, rtol=0, atol=1e-13 * size)
-    law = damping_law(replace(carrier, laws=(Damping(None, None, (), contains_products=True),)))
+    damping = Damping(None, None, (), contains_products=True)
+    law = law_arrays(replace(stand, carrier=replace(carrier, laws=(damping,)))).bodies[0]
     assert law is not None
     np.testing.assert_allclose(law.wrench(V[None])[0], P, rtol=0, atol=1e-13 * size)
     step = np.eye(6)

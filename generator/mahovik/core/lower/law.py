@@ -52,6 +52,8 @@ class CarrierProgram:
     invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing
     quaternions  places in the table that must have unit length
     refuses      may its function refuse a state? Its status is RANGE then
+    tie          of a law that ties the carrier to E0: the function that adds the wrench of one of its structs, and the
+                 member that is its end on the carrier, "" for O1
     """
 
     words: str
@@ -59,6 +61,7 @@ class CarrierProgram:
     invalid = ""
     quaternions: tuple[str, ...] = ()
     refuses = False
+    tie = ("", "")
 
     def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
         """Its structs in the table, how many of each, and the name of the function that adds the wrench of one."""

@@ -7,7 +7,6 @@ from importlib import import_module
 from importlib.util import find_spec
 
 from mahovik.contract.functions import FUNCTIONS
-from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core import routines
 from mahovik.core.lower import (
     actuators,
@@ -40,7 +39,6 @@ from mahovik.core.lower import (
     task_torque,
     wrenches,
 )
-from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.program.function import Function, Program
@@ -225,13 +223,7 @@ def _add_wrenches(lib: Library) -> None:
     layout = lib.layout
     if not layout.wrenches:
         return
-    for body_law in parts("program", BodyProgram, BODY_LAWS):
-        if body_law.bodies(layout.structure):
-            body_law.add_functions(lib)
-    if layout.own:
-        wrenches.add_own_wrench(lib)
-    for law in lib.layout.law_tables:
-        law.add_functions(lib)
+    wrenches.add_laws(lib)
     actuators.add_check(lib)
     stream.add_functions(lib)
     wrenches.add_external(lib)

@@ -14,6 +14,17 @@ from mahovik.core.program.kernel import Reals, argument, body, changed, inline, 
 from mahovik.core.program.vector import Vector, cross
 
 
+def add_laws(lib: Library) -> None:
+    """Adds the functions of the laws that the stand has."""
+    for body_law in parts("program", BodyProgram, BODY_LAWS):
+        if body_law.bodies(lib.layout.structure):
+            body_law.add_functions(lib)
+    if lib.layout.own:
+        add_own_wrench(lib)
+    for law in lib.layout.law_tables:
+        law.add_functions(lib)
+
+
 def add_external(lib: Library) -> None:
     """Adds F of (7) from checked inputs, and the wrench of one body that has such in its own frame."""
     layout = lib.layout

@@ -56,11 +56,14 @@ class Interpreter:
         """What compiles a function, takes its own place by it, and calls it: most callers need few functions."""
 
         def first(*arguments: Any) -> Any:
-            source = _Transpiler(self._scope, program.precision).function(function)
-            exec(compile(source, f"<program {program.name}.{function.name}>", "exec"), self._scope)
+            exec(compile(self._source(function), f"<program {program.name}.{function.name}>", "exec"), self._scope)
             return self._scope[_function_name(function.name)](*arguments)
 
         return first
+
+    def _source(self, function: Function) -> str:
+        """The text of a function in Python."""
+        return Transpiler(self._scope, self._precision).function(function)
 
     def call(self, name: str, *arguments: Any) -> Any:
         """Calls a function; results are written into the records and lists given. Returns its real or status number."""
@@ -207,7 +210,7 @@ def _runtime(precision: Precision) -> dict[str, Any]:
     }
 
 
-class _Transpiler:
+class Transpiler:
     """Writes one function as Python. Every operation is parenthesised: the tree alone decides the order."""
 
     def __init__(self, scope: dict[str, Any], precision: Precision) -> None:
@@ -252,10 +255,9 @@ class _Transpiler:
                     self._statement(inner, indent)
             case Do(call):
                 emit(f"{indent}{self._expr(call)}")
-            case Loop(index, start, stop, body):
-                head = f"for {_safe(index.name)} in range({self._expr(start)}, {self._expr(stop)}):"
-                emit(indent + head)
-                self._block(body, indent + "    ")
+            case Loop():
+                emit(indent + self._head(s))
+                self._block(s.body, indent + "    ")
             case When(condition, body, otherwise):
                 emit(f"{indent}if {self._expr(condition)}:")
                 self._block(body, indent + "    ")
@@ -264,6 +266,9 @@ class _Transpiler:
                     self._block(otherwise, indent + "    ")
             case Return(value):
                 emit(f"{indent}return {self._expr(value)}")
+
+    def _head(self, s: Loop) -> str:
+        return f"for {_safe(s.index.name)} in range({self._expr(s.start)}, {self._expr(s.stop)}):"
 
     def _place(self, place: Place) -> str:
         text = _safe(place.root.name)

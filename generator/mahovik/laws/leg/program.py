@@ -23,6 +23,7 @@ class LegsProgram(CarrierProgram):
     words = "legs"
     invalid = "leg of no length"
     refuses = True
+    tie = ("add_leg", "carrier")
 
     def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
         """One struct per leg."""

@@ -8,38 +8,12 @@ times.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.structure_facts import Structure
-
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Pose:
-    """O1 (..., 3, n) in E0 (m), C (..., 3, 3, n) with x0 = C x1, V (..., 6, n) in E1 about O1 (m/s, rad/s)."""
-
-    O1: Array
-    C: Array
-    V: Array
-
-
-@dataclass(frozen=True)
-class Loads:
-    """A law that ties the carrier to E0.
-
-    names   of its ties
-    wrench  of the tie of a name, on the carrier about O1 or at its end, in E1 (..., 6, n; N, N m), of the numbers of
-            the laws, the pose, and the quaternion of C
-    """
-
-    names: Callable[[Structure], tuple[str, ...]]
-    wrench: Callable[[str, Mapping[str, Any], Pose, Array], Array]
 
 
 def rotation(q: Array) -> Array:
@@ -131,11 +105,6 @@ def small_rotation(r: Array) -> Array:
     angle = np.sqrt(r[0] ** 2 + r[1] ** 2 + r[2] ** 2)
     half = 0.5 * np.sinc(angle / (2.0 * np.pi))
     return np.stack([np.cos(0.5 * angle), half * r[0], half * r[1], half * r[2]])
-
-
-def length(v: Array) -> Array:
-    """|v| (..., n)."""
-    return np.asarray(np.sqrt(square(v)))
 
 
 def square(v: Array) -> Array:

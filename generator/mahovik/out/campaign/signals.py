@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from mahovik.contract.laws import parts as law_parts
+from mahovik.core.lower import law_arrays
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import (
@@ -21,7 +21,6 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.campaign.pose import Loads
 
 AXES = ("x", "y", "z")
 
@@ -88,7 +87,7 @@ def parts(stand: Stand) -> tuple[str, ...]:
 
 def ties(stand: Stand) -> tuple[str, ...]:
     """What ties the carrier to E0."""
-    return tuple(name for law in law_parts("loads", Loads) for name in law.names(structure(stand)))
+    return tuple(law_arrays.ties(structure(stand)))
 
 
 def points(stand: Stand) -> tuple[str, ...]:

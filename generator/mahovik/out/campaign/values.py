@@ -8,14 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.laws import parts
+from mahovik.core.lower.law_arrays import ties
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.out.campaign.observe import Chunk
 from mahovik.out.campaign.pose import (
     Array,
-    Loads,
-    Pose,
     compose,
     conjugate,
     cross,
@@ -145,12 +143,10 @@ def _load(own: Signal, scene: Scene, at: Chunk, turned: bool) -> Array:
     if own.part in names:
         k = 6 * names.index(own.part) + first
         return at.loads[:, k : k + 3]
-    for law in parts("loads", Loads):
-        if own.part in law.names(structure(scene.stand)):
-            pose = Pose(at.position, at.C, at.V)
-            found = law.wrench(own.part, scene.laws, pose, at.attitude)
-            return np.asarray(found[:, first : first + 3])
-    raise KeyError(own.part)
+    of_stand = structure(scene.stand)
+    rows = at.C.reshape(*at.C.shape[:-3], 9, at.C.shape[-1])
+    found = ties(of_stand)[own.part].wrench(of_stand, scene.laws, (at.position, at.attitude, at.V, rows))
+    return found[:, first : first + 3]
 
 
 def _of_flywheels(own: Signal, scene: Scene, values: Array) -> Array:

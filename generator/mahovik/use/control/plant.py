@@ -24,7 +24,7 @@ from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.forward import Chart
-from mahovik.use.plan.residual.flywheels import tables_of
+from mahovik.use.plan.residual.spatial import inertia
 from mahovik.use.simulate.by_c import compiled_backend
 from mahovik.use.simulate.by_scipy import quaternion_rate
 from mahovik.use.simulate.friction_steps import long_steps
@@ -109,7 +109,7 @@ class PlantByC(SteppedPlant):
 
 def _steepest_rate(stand: Stand) -> float:
     """Steps per second that the steepest motor needs, and the friction of a hold."""
-    J = tables_of(stand).Theta_ff
+    J = [inertia(s)[3, 3] for s in stand.flywheels]
     anywhere = math.inf
     falls = [steepness(s.motor, 0.0, -anywhere, anywhere) for s in stand.flywheels]
     rates = [fall / (0.5 * j) for fall, j in zip(falls, J, strict=True)]

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.motion.functions import Angles, Fourier
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
@@ -32,7 +33,6 @@ from mahovik.use.plan.outcome import Candidates, Method, OnProgress, Plan, PlanO
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Problem
 from mahovik.use.plan.residual import linear, prescribe
-from mahovik.use.plan.residual.body_laws import twist_laws
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
 from mahovik.use.plan.windings import repeat_motion, with_shortest_period
@@ -81,8 +81,8 @@ def _refuse_method(stand: Stand, method: Method) -> None:
     m = 6 if stand.hold is None else len(stand.hold.freedoms)
     if m > N:
         raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs at least {m}; use --method fourier")
-    for wheel in stand.flywheels:
-        if twist_laws(wheel) is not None:
+    for wheel, laws in zip(stand.flywheels, law_arrays(stand).bodies[-N:], strict=True):
+        if laws is not None:
             raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')
     if find_spec("casadi") is None:
         raise UsageError(f"{shown}: CasADi is not installed: pip install casadi, or use --method fourier")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
-from mahovik.contract.laws import parts
+from mahovik.core.lower.law_arrays import LawArrays, law_arrays
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
@@ -14,8 +15,7 @@ from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.kinematics import Twists, twists
-from mahovik.use.plan.residual.slopes import CarrierPlan
+from mahovik.use.plan.residual.kinematics import twists
 
 STEEP = 10.0
 """Largest speed of a freedom over the smoothing of its friction, above which the search may be long."""
@@ -31,15 +31,15 @@ def smoothing_warnings(stand: Stand, motion: RequiredMotion) -> list[str]:
     if stand.hold is None or not stand.hold.freedoms:
         return []
     own = [law for law in stand.laws if isinstance(law, CarrierLaw)]
-    dry = tuple(law.key for law in own if law.longest_steps([1.0] * len(stand.hold.freedoms)))
-    laws = parts("plan", CarrierPlan, dry)
+    dry = tuple(law for law in own if law.longest_steps([1.0] * len(stand.hold.freedoms)))
+    laws = law_arrays(replace(stand, laws=dry))
     coordinates, found = coordinates_of(stand), []
     at = twists(stand, motion.at(np.linspace(0.0, motion.span, _TIMES)))
     speeds = at.V @ wrenches(stand.hold)
     for k, S in enumerate(freedom_twists(stand.hold).T):
         peak = float(np.abs(speeds[:, k]).max())
         reverses = speeds[:, k].min() < 0.0 < speeds[:, k].max()
-        if reverses and any(_is_steep(law, stand, S, peak / STEEP) for law in laws):
+        if reverses and laws.ties and _is_steep(laws, S, peak / STEEP):
             unit = f" {coordinates.unit_names[k]}/s" if coordinates.unit_names[k] else " 1/s"
             found.append(
                 f"friction of {coordinates.in_words[k]}: its `smoothing` is small beside the motion's speeds, up to "
@@ -49,16 +49,16 @@ def smoothing_warnings(stand: Stand, motion: RequiredMotion) -> list[str]:
     return found
 
 
-def _is_steep(law: CarrierPlan, stand: Stand, S: Array, u: float) -> bool:
+def _is_steep(laws: LawArrays, S: Array, u: float) -> bool:
     """Whether u (above 0) is beyond the smoothing s of the dry friction along S (6), by its forces and slopes.
 
     F = c u + F_c u / sqrt(u^2 + s^2) has F - c u = (F'(0) - c) u / sqrt(2) at u = s; c is F' at high speeds. With a
     rise of breakaway that is so at 0.5 s or more.
     """
     V = np.outer([0.0, u, _HIGH * u], S)
-    at = Twists(np.tile(np.eye(3), (3, 1, 1)), np.zeros((3, 3)), V, V, np.zeros_like(V))
-    force = -law.wrench(stand, at) @ S
-    first, _, last = (-(S @ each @ S) for each in law.slopes(stand, at).by_twist)
+    at = np.zeros((3, 3)), np.tile(np.eye(3), (3, 1, 1)), V
+    force = -laws.tied(*at) @ S
+    first, _, last = (-(S @ slope[:, 6:] @ S) for slope in laws.tied_slopes(*at))
     return bool(first > last * (1.0 + _ROUNDING) and force[1] - last * u < (first - last) * u / np.sqrt(2.0))
 
 

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS
+from mahovik.core.lower.law_arrays import TwistLaws, law_arrays
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.use.plan.residual.body_laws import TwistLaws, twist_laws
 
 Array = NDArray[np.float64]
+AnyBody = TypeVar("AnyBody", bound=Body)
 
 DIRECTIONS = 4096
 """Random directions of a body's twist at which the power is asked, and as many with few components."""
@@ -84,18 +86,29 @@ class Fluid:
 
 def fluid(stand: Stand, velocity: float) -> Fluid:
     """The report for a velocity ahead (m/s)."""
+    laws = law_arrays(_without_engines(stand)).bodies
     powers = tuple(
-        power_of(body, laws, ahead)
-        for body in stand.bodies
-        if (laws := twist_laws(_without_engines(body))) is not None
+        power_of(body, own, ahead)
+        for body, own in zip(stand.bodies, laws, strict=True)
+        if own is not None
         for ahead in (False, True)
     )
     engines = tuple(body.name for body in stand.bodies if any(law.drives for law in body.laws))
     return Fluid(powers, engines, added_mass(stand), velocity, growth(stand, velocity))
 
 
-def _without_engines(body: Body) -> Body:
-    """The body without its propellers and other engines."""
+def _without_engines(stand: Stand) -> Stand:
+    """The stand without propellers and other engines."""
+
+    return replace(
+        stand,
+        carrier=_without(stand.carrier),
+        instruments=tuple(map(_without, stand.instruments)),
+        flywheels=tuple(map(_without, stand.flywheels)),
+    )
+
+
+def _without(body: AnyBody) -> AnyBody:
     return replace(body, laws=tuple(law for law in body.laws if not law.drives))
 
 

@@ -28,8 +28,7 @@ from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
 from mahovik.use.plan.residual.evaluate import flywheel_damping
 from mahovik.use.plan.residual.flywheels import waves
 from mahovik.use.plan.residual.prescribed_motion import prescribed_at
-from mahovik.use.plan.residual.slopes import rotation_vector_rate
-from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.plan.residual.spatial import rotation_vector_rate, skew
 from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.rest import accuracy, rest
 

@@ -6,21 +6,25 @@ The pose changes by a small translation and rotation vector, both on the axes of
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from mahovik.contract.laws import parts
-from mahovik.core.stand.model import Stand
+from mahovik.core.lower.law_arrays import TwistLaws
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.body_laws import TwistLaws
 from mahovik.use.plan.residual.carrier import Base
 from mahovik.use.plan.residual.flywheels import Tables, f, waves
 from mahovik.use.plan.residual.kinematics import Twists, in_E1
 from mahovik.use.plan.residual.prescribed_motion import Mechanics
-from mahovik.use.plan.residual.slopes import CarrierPlan, Slopes
 from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
 from mahovik.use.plan.stream import uniform_stream
+
+
+class Slopes(NamedTuple):
+    """Derivatives by a small pose (translation, rotation vector on E1) and by V: (M, 6, 6) each."""
+
+    by_pose: Array
+    by_twist: Array
 
 
 class FlywheelSums(Protocol):
@@ -77,10 +81,9 @@ def by_carrier(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> 
     wheels = _flywheels(mechanics.tables, at, phi, phi_dot)
     R = [x - y.sum(axis=1) for x, y in zip(own, wheels, strict=True)]
     tau = [np.einsum("si,msij->msj", mechanics.tables.spin, x) for x in wheels]
-    tied = law_slopes(mechanics.stand, at)
-    by_pose, by_twist = _through_stream(mechanics, at, *R)
+    by_pose, by_twist = _with_ties(mechanics.base, at, _through_stream(mechanics, at, *R))
     tau_by_pose, tau_by_twist = _through_stream(mechanics, at, *tau)
-    return ByCarrier(by_pose + tied.by_pose, by_twist + tied.by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
+    return ByCarrier(by_pose, by_twist, R[1], tau_by_pose, tau_by_twist, tau[1])
 
 
 def slopes_of_residual(mechanics: Mechanics, at: Twists, wheels: FlywheelSums) -> Slopes:
@@ -94,9 +97,8 @@ def slopes_of_residual(mechanics: Mechanics, at: Twists, wheels: FlywheelSums) -
     for s, damping in enumerate(mechanics.tables.damping):
         if damping is not None:
             by_V_r += _damping_slopes(mechanics.tables, s, damping, at, wheels.phi, wheels.phi_dot)
-    found = _through_stream(mechanics, at, by_V_r, by_rate - wheels.Theta, by_g + wheels.weight)
-    tied = law_slopes(mechanics.stand, at)
-    return Slopes(found.by_pose + tied.by_pose, found.by_twist + tied.by_twist)
+    slopes = _through_stream(mechanics, at, by_V_r, by_rate - wheels.Theta, by_g + wheels.weight)
+    return _with_ties(mechanics.base, at, slopes)
 
 
 def _slopes_of_base(base: Base, at: Twists) -> tuple[Array, Array, Array]:
@@ -155,11 +157,9 @@ def _through_stream(mechanics: Mechanics, at: Twists, by_V_r: Array, by_rate: Ar
     return Slopes(by_pose, by_twist)
 
 
-def law_slopes(stand: Stand, at: Twists) -> Slopes:
-    """Slopes of the wrench of all laws at M states. StateError: a law is undefined there."""
-    found = Slopes(np.zeros((len(at.V), 6, 6)), np.zeros((len(at.V), 6, 6)))
-    for law in parts("plan", CarrierPlan):
-        by_pose, by_twist = law.slopes(stand, at)
-        found.by_pose[:] += by_pose
-        found.by_twist[:] += by_twist
-    return found
+def _with_ties(base: Base, at: Twists, slopes: Slopes) -> Slopes:
+    """With those of the laws between E0 and the carrier. StateError: a law is undefined there."""
+    if not base.laws.ties:
+        return slopes
+    tied = base.laws.tied_slopes(at.O1, at.C, at.V)
+    return Slopes(slopes.by_pose + tied[..., :6], slopes.by_twist + tied[..., 6:])

@@ -11,14 +11,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.lower.law_arrays import LawArrays, TwistLaws
 from mahovik.core.stand.model import Stand
 from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.body_laws import TwistLaws, net_weight, twist_laws
 from mahovik.use.plan.residual.spatial import (
     block_diagonal,
     flywheel_transfer,
     gravity_wrench_matrix,
     inertia,
+    net_weight,
 )
 
 _STILL = block_diagonal(np.diag([1.0, 0.0, 0.0]))  # diag(C1, C1)(phi) = _STILL + _COS cos phi + _SIN sin phi
@@ -56,7 +57,7 @@ class Tables:
         return np.asarray((self.Theta @ self.spin[:, :, None])[..., 0])
 
 
-def tables_of(stand: Stand) -> Tables:
+def tables_of(stand: Stand, laws: LawArrays) -> Tables:
     """The tables of a stand's flywheels."""
     wheels = stand.flywheels
     Lm = np.array([flywheel_transfer(stand, s) for s in wheels]).reshape(-1, 6, 6)
@@ -67,7 +68,7 @@ def tables_of(stand: Stand) -> Tables:
         weight=np.swapaxes(weight, 0, 1),
         spin=np.array([f @ np.linalg.inv(L) for L in Lm]).reshape(-1, 6),
         Lm=Lm,
-        damping=tuple(twist_laws(s) for s in wheels),
+        damping=laws.bodies[len(stand.bodies) - len(wheels) :],
         unbalance=np.array([s.mass * np.hypot(*s.center_of_mass[1:]) for s in wheels]),
         axis=Lm[:, :3, 0],
         Theta_ff=np.array([inertia(s)[3, 3] for s in wheels]),

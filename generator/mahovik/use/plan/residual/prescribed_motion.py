@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
@@ -44,9 +45,10 @@ class Mechanics:
     @staticmethod
     def of(stand: Stand) -> Mechanics:
         """The mechanics of a stand."""
-        tables = tables_of(stand)
+        laws = law_arrays(stand)
+        tables = tables_of(stand, laws)
         I = _with_torque(np.transpose(tables.coupling, (0, 2, 1))[:, :, None, :], tables)
-        return Mechanics(stand, Base.of(stand), tables, I, slope(I))
+        return Mechanics(stand, Base.of(stand, laws), tables, I, slope(I))
 
     @property
     def N(self) -> int:

@@ -10,6 +10,9 @@ from mahovik.use.plan.array import Array
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes (0..2) that psi, theta, phi turn about, first to last."""
 
+SMALL = 1e-2
+"""rad: below it a series is more exact."""
+
 
 def turn(axis: int, angle: Array | float) -> Array:
     """Active elementary rotations (..., 3, 3) about an axis, by angles (...) in rad."""
@@ -117,3 +120,19 @@ def gravity_wrench_matrix(mass: Array | float, moment: Array) -> Array:
     H = np.zeros((*np.shape(mass), 6, 3))
     H[..., :3, :], H[..., 3:, :] = np.asarray(mass)[..., None, None] * np.eye(3), skew(moment)
     return H
+
+
+def net_weight(body: Body) -> tuple[float, Array]:
+    """What gravity acts on: mass (kg) and first moment (3, kg m) in its frame, less those of the displaced fluid."""
+    moment = sum((mass * np.array(center) for mass, center in body.displaced), np.zeros(3))
+    return body.mass - sum(mass for mass, _ in body.displaced), first_moment(body) - moment
+
+
+def rotation_vector_rate(r: Array) -> Array:
+    """B (M, 3, 3): r' = B omega of a rotation vector r (M, 3), omega on the turned axes."""
+    angle = np.linalg.norm(r, axis=1)[:, None, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        k = (1.0 - angle / 2.0 / np.tan(angle / 2.0)) / angle**2
+    k = np.where(angle < SMALL, 1.0 / 12.0 + angle**2 / 720.0 + angle**4 / 30240.0, k)
+    turned = skew(r)
+    return np.asarray(np.eye(3) + 0.5 * turned + k * (turned @ turned))

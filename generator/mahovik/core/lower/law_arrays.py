@@ -1,0 +1,243 @@
+"""The wrenches of a stand's laws, of many samples at once, with slopes: the functions of its program on arrays."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from mahovik.contract.laws import BODY_LAWS, parts
+from mahovik.core import routines
+from mahovik.core.lower import checks, coordinates, placement, rotation
+from mahovik.core.lower.law import ATTITUDE, OWN_TWIST, BodyProgram, CarrierProgram
+from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.values import laws_of, parameters_of
+from mahovik.core.lower.wrenches import add_laws, damp
+from mahovik.core.program.columns import Array, Arrays, Columns, Work
+from mahovik.core.program.function import Program
+from mahovik.core.program.interpret import Interpreter, plain
+from mahovik.core.program.kernel import Reals, result
+from mahovik.core.program.tangent import Tangents
+from mahovik.core.program.types import DOUBLE
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure_facts import Structure
+from mahovik.errors import StateError
+
+POSE = {"position": 3, "attitude": 4, "V": 6, "C": 9}
+"""Inputs of the laws between E0 and the carrier: place of O1, quaternion, twist, rotation matrix row by row."""
+
+UNIT = np.eye(6).tolist()
+
+
+@lru_cache(maxsize=16)
+def law_functions(own: Structure) -> tuple[Library, Interpreter, Columns]:
+    """The functions of the laws alone; `damped` adds up those of a body by its twist, `tied` those of the carrier."""
+    layout = Layout(own, DOUBLE)
+    lib = Library(layout)
+    for routine in (routines.sincos, routines.square_root, routines.atan2):
+        lib.add(routine(DOUBLE))
+    lib.add(checks.within(lib))
+    lib.add(rotation.rotation())
+    lib.add(rotation.rotate_back)
+    lib.add(coordinates.quaternion(lib))
+    placement.add_frame_of_axes(lib)
+    add_laws(lib)
+    wrench: Any = result("", 6, unit="N, N m")
+    refuses = any(law.refuses for law in layout.law_tables)
+
+    @lib.kernel()
+    def damped(table: Any = lib.table, damper: Any = lib.damper, V: Reals = OWN_TWIST, P: Reals = wrench) -> None:
+        """Wrench of the laws of a body by its own twist."""
+        P[:] = [0] * 6
+        damp(lib, table, damper, V, P)
+
+    @lib.kernel(statuses=("OK", "RANGE") if refuses else ())
+    def tied(table: Any = lib.table, x: Any = lib.x, C: Any = ATTITUDE, F: Any = wrench) -> Any:
+        """Wrench of the laws between E0 and the carrier."""
+        F[:] = [0] * 6
+        for law in layout.law_tables:
+            law.act(lib, table, x, C, F)
+
+    tangents, inputs = Tangents(lib), {"position": "x.position", "attitude": "x.attitude", "V": "x.V", "C": "C"}
+    if layout.damped:
+        tangents.change("damped", {"V": ["V"]})
+    if layout.law_tables:
+        tangents.change("tied", {d: [path] for d, path in inputs.items() if path.split(".")[0] in lib.taken("tied")})
+    program = Program(own.name, DOUBLE, (), (), lib.functions)
+    return lib, Interpreter(program), Columns(program)
+
+
+def law_arrays(stand: Stand) -> LawArrays:
+    """The laws of a stand, made once for its numbers. Raises StandError where one is out of range."""
+    own = structure(stand)
+    lib, interpreter, _ = law_functions(own)
+    table = laws_of(stand, lib.layout, interpreter)
+    for k, one in enumerate(parameters_of(stand, lib.layout)["instrument"] if stand.instruments else ()):
+        axes = interpreter.run("frame_of_axes", {"axis": one["axis"], "zero": one["zero"]})[1]["R"]
+        table.sensor[k].axes = axes
+    return _at_numbers(own, json.dumps(plain(table)))
+
+
+@lru_cache(maxsize=64)
+def _at_numbers(own: Structure, numbers: str) -> LawArrays:
+    return LawArrays(own, json.loads(numbers))
+
+
+class LawArrays:
+    """The laws of a stand, at the numbers of its table."""
+
+    def __init__(self, own: Structure, numbers: dict[str, Any]) -> None:
+        self._lib, interpreter, self._columns = law_functions(own)
+        layout = self._lib.layout
+        self.table = table = interpreter.fill_storage(layout.table, numbers)
+        dampers = ({0: table.damper} if layout.carrier_damped else {}) | {
+            body.index: table.frame[k].damper for k, body in enumerate(layout.own) if layout.own_damped
+        }
+        acted_on = {i for law in parts("program", BodyProgram, BODY_LAWS) for i in law.bodies(layout.structure)}
+        self.bodies = tuple(TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(own.bodies)))
+        """The laws of each body by its own twist; None where it has none."""
+
+    def arrays(self, name: str, work: Work, changes: Sequence[Mapping[str, Any]], given: Mapping[str, Any]) -> Arrays:
+        """A function of the program, once for each of `changes` of its inputs; results of all by component."""
+        found, refused = [], self._columns.refused
+        refused.clear()
+        for change in changes:
+            found.append([0.0] * 6)
+            named = {"table": self.table, **given, **change} | dict.fromkeys(("P", "F", "d_P", "d_F"), found[-1])
+            self._columns.call(name, *(named[argument] for argument in self._lib.taken(name)))
+        results = [x for row in zip(*found, strict=True) for x in row]
+        return Arrays(work, results, refused, mean=len(changes) > 1)
+
+    # -- laws between E0 and the carrier -----------------------------------------------------------------------------
+
+    @property
+    def ties(self) -> bool:
+        """Are there laws between E0 and the carrier?"""
+        return bool(self._lib.layout.law_tables)
+
+    def tied(self, O1: Array, C: Array, V: Array) -> Array:
+        """Their wrench (M, 6) on the carrier about O1 in E1, at places O1 (M, 3), C (M, 3, 3), V (M, 6). StateError."""
+        return self._at(self._tied, O1, C, V)
+
+    def tied_slopes(self, O1: Array, C: Array, V: Array) -> Array:
+        """Its derivatives (M, 6, 12) by a small pose (translation, rotation vector on E1) and by V.
+
+        At a kink the mean of both sides. Raises StateError.
+        """
+        return self._at(self._tied_slopes, O1, C, V).reshape(-1, 6, 12)
+
+    def _at(self, arrays: Arrays, O1: Array, C: Array, V: Array) -> Array:
+        q = quaternions(C) if arrays.takes(range(3, 7)) else np.zeros((len(V), 4))
+        found, refused = arrays(np.concatenate([O1, q, V, C.reshape(-1, 9)], axis=1).T)
+        if refused:
+            raise StateError(
+                f"{' or '.join(law.invalid for law in self._lib.layout.law_tables if law.refuses)} on the way"
+            )
+        return found
+
+    @cached_property
+    def _tied(self) -> Arrays:
+        work, given = _pose()
+        return self.arrays("tied", work, [{}], given)
+
+    @cached_property
+    def _tied_slopes(self) -> Arrays:
+        work, given = _pose()
+        C, w, v = np.array(given["C"]).reshape(3, 3), given["attitude"][0], np.array(given["attitude"][1:])
+        changes = [{"d_position": C[:, k].tolist()} for k in range(3)]
+        for e in np.eye(3):
+            turned = np.cross(np.eye(3), -e)  # rows e x e_i: those of <e>^T
+            attitude = [-0.5 * (v @ e), *(0.5 * (e * w + np.cross(v, e)))]
+            changes.append({"d_C": (C @ turned.T).ravel().tolist(), "d_attitude": attitude})
+        changes += [{"d_V": e} for e in UNIT]
+        none = {f"d_{name}": [0.0] * size for name, size in POSE.items()}
+        name = next(f.name for f in self._lib.functions if f.name.startswith("tied_by"))
+        return self.arrays(name, work, [none | change for change in changes], given)
+
+
+class TwistLaws:
+    """The laws of one body by its own twist v (M, 6) relative to the fluid, in the body's frame."""
+
+    def __init__(self, laws: LawArrays, damper: Any) -> None:
+        self._laws, self.damper = laws, damper
+
+    def wrench(self, v: Array) -> Array:
+        """P (M, 6; N, N m)."""
+        return self._wrench(v.T)[0]
+
+    def rate(self, v: Array) -> Array:
+        """dP/dv (M, 6, 6); |v| has the slope 0 at v = 0."""
+        return self._rate(v.T)[0].reshape(-1, 6, 6)
+
+    @cached_property
+    def _wrench(self) -> Arrays:
+        return self._arrays("damped", [{}])
+
+    @cached_property
+    def _rate(self) -> Arrays:
+        return self._arrays("damped_by_V", [{"d_V": e} for e in UNIT])
+
+    def _arrays(self, name: str, changes: Sequence[Mapping[str, Any]]) -> Arrays:
+        work = Work()
+        return self._laws.arrays(name, work, changes, {"damper": self.damper, "V": work.inputs(6)})
+
+
+@dataclass(frozen=True)
+class Tie:
+    """What ties the carrier to E0: its struct is `member` of the table, or element `index` of it."""
+
+    law: CarrierProgram
+    member: str
+    index: int | None
+
+    def wrench(self, own: Structure, numbers: Mapping[str, Any], pose: Sequence[Array]) -> Array:
+        """The wrench that it transmits, about its end on the carrier (..., 6, n; N, N m), in E1.
+
+        own, numbers  structure, and members of the table, with the samples last
+        pose          place of O1 in E0 (..., 3, n), quaternion (4), twist (6), rotation matrix row by row (9)
+        """
+        members = numbers[self.member] if self.index is None else numbers[self.member][self.index]
+        law, F = SimpleNamespace(**members), [0.0] * 6
+        given = dict(zip(POSE, ([*np.moveaxis(x, -2, 0)] for x in pose), strict=True))
+        lib, _, columns = law_functions(own)
+        function, end = self.law.tie
+        named = {"law": law, self.member: law, "x": SimpleNamespace(**given), "C": given["C"], "F": F}
+        columns.call(function, *(named[argument] for argument in lib.taken(function)))
+        columns.refused.clear()
+        found = np.stack(np.broadcast_arrays(*F), axis=-2)
+        if end:
+            arm = getattr(law, end)
+            found[..., 3:, :] -= np.cross(arm, found[..., :3, :], axisa=-2, axisb=-2, axisc=-2)
+        return found
+
+
+def ties(own: Structure) -> dict[str, Tie]:
+    """What ties the carrier to E0, by name: the suspension; the legs, counted from 1."""
+    found = {}
+    for law in Layout(own, DOUBLE).law_tables:
+        for field in law.fields(own) if law.tie[0] else ():
+            if not field.shape:
+                found[field.name] = Tie(law, field.name, None)
+            for k in range(int(field.shape[0]) if field.shape else 0):
+                found[f"{field.name} {k + 1}"] = Tie(law, field.name, k)
+    return found
+
+
+def _pose() -> tuple[Work, dict[str, Any]]:
+    """Inputs of the laws between E0 and the carrier by their names."""
+    work = Work()
+    given = {name: work.inputs(size) for name, size in POSE.items()}
+    return work, given | {"x": SimpleNamespace(**given)}
+
+
+def quaternions(C: Array) -> Array:
+    """Quaternions (M, 4), w first, of rotations C (M, 3, 3)."""
+    return np.roll(Rotation.from_matrix(C).as_quat(), 1, axis=1)
