@@ -46,7 +46,7 @@ def compare(stand: Stand, name: str, out: str, given: dict[str, Any], samples: d
     assert_allclose(found, expected, rtol=0, atol=1e-12 * np.abs(expected).max(initial=1e-300))
 
 
-def drawn(seed: int) -> dict[str, Array]:
+def draw_samples(seed: int) -> dict[str, Array]:
     """Poses and twists of some samples; twists at rest and along one axis are among them."""
     rng = np.random.default_rng(seed)
     C, V = attitude("ship", rng.normal(size=(5, 3)) * 0.4), rng.normal(size=(5, 6))
@@ -56,7 +56,7 @@ def drawn(seed: int) -> dict[str, Array]:
 
 def agrees(stand: Stand, seed: int) -> None:
     """All laws of a stand."""
-    laws, at = law_arrays(stand), drawn(seed)
+    laws, at = law_arrays(stand), draw_samples(seed)
     for own in laws.bodies:
         if own is not None:
             named = {"table": laws.table, "damper": own.damper}

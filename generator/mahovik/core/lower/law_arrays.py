@@ -20,7 +20,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.values import laws_of, parameters_of
 from mahovik.core.lower.wrenches import add_laws, damp
-from mahovik.core.program.columns import Array, Arrays, Columns, Work
+from mahovik.core.program.columns import Array, Arrays, Columns, Trace
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.program.kernel import Reals, result
@@ -105,16 +105,18 @@ class LawArrays:
         self.bodies = tuple(TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(own.bodies)))
         """The laws of each body by its own twist; None where it has none."""
 
-    def arrays(self, name: str, work: Work, changes: Sequence[Mapping[str, Any]], given: Mapping[str, Any]) -> Arrays:
+    def arrays(
+        self, name: str, trace: Trace, changes: Sequence[Mapping[str, Any]], inputs: Mapping[str, Any]
+    ) -> Arrays:
         """A function of the program, once for each of `changes` of its inputs; results of all by component."""
-        found, refused = [], self._columns.refused
+        columns, refused = [], self._columns.refused
         refused.clear()
         for change in changes:
-            found.append([0.0] * 6)
-            named = {"table": self.table, **given, **change} | dict.fromkeys(("P", "F", "d_P", "d_F"), found[-1])
+            columns.append([0.0] * 6)
+            named = {"table": self.table, **inputs, **change} | dict.fromkeys(("P", "F", "d_P", "d_F"), columns[-1])
             self._columns.call(name, *(named[argument] for argument in self._lib.taken(name)))
-        results = [x for row in zip(*found, strict=True) for x in row]
-        return Arrays(work, results, refused, mean=len(changes) > 1)
+        results = [x for row in zip(*columns, strict=True) for x in row]
+        return Arrays(trace, results, refused, mean=len(changes) > 1)
 
     # -- laws between E0 and the carrier -----------------------------------------------------------------------------
 
@@ -136,22 +138,21 @@ class LawArrays:
 
     def _at(self, arrays: Arrays, O1: Array, C: Array, V: Array) -> Array:
         q = quaternions(C) if arrays.takes(range(3, 7)) else np.zeros((len(V), 4))
-        found, refused = arrays(np.concatenate([O1, q, V, C.reshape(-1, 9)], axis=1).T)
+        wrenches, refused = arrays(np.concatenate([O1, q, V, C.reshape(-1, 9)], axis=1).T)
         if refused:
-            raise StateError(
-                f"{' or '.join(law.invalid for law in self._lib.layout.law_tables if law.refuses)} on the way"
-            )
-        return found
+            words = [law.invalid for law in self._lib.layout.law_tables if law.refuses]
+            raise StateError(f"{' or '.join(words)} on the way")
+        return wrenches
 
     @cached_property
     def _tied(self) -> Arrays:
-        work, given = _pose()
-        return self.arrays("tied", work, [{}], given)
+        trace, pose = _pose()
+        return self.arrays("tied", trace, [{}], pose)
 
     @cached_property
     def _tied_slopes(self) -> Arrays:
-        work, given = _pose()
-        C, w, v = np.array(given["C"]).reshape(3, 3), given["attitude"][0], np.array(given["attitude"][1:])
+        trace, pose = _pose()
+        C, w, v = np.array(pose["C"]).reshape(3, 3), pose["attitude"][0], np.array(pose["attitude"][1:])
         changes = [{"d_position": C[:, k].tolist()} for k in range(3)]
         for e in np.eye(3):
             turned = np.cross(np.eye(3), -e)  # rows e x e_i: those of <e>^T
@@ -160,7 +161,7 @@ class LawArrays:
         changes += [{"d_V": e} for e in UNIT]
         none = {f"d_{name}": [0.0] * size for name, size in POSE.items()}
         name = next(f.name for f in self._lib.functions if f.name.startswith("tied_by"))
-        return self.arrays(name, work, [none | change for change in changes], given)
+        return self.arrays(name, trace, [none | change for change in changes], pose)
 
 
 class TwistLaws:
@@ -186,8 +187,8 @@ class TwistLaws:
         return self._arrays("damped_by_V", [{"d_V": e} for e in UNIT])
 
     def _arrays(self, name: str, changes: Sequence[Mapping[str, Any]]) -> Arrays:
-        work = Work()
-        return self._laws.arrays(name, work, changes, {"damper": self.damper, "V": work.inputs(6)})
+        trace = Trace()
+        return self._laws.arrays(name, trace, changes, {"damper": self.damper, "V": trace.inputs(6)})
 
 
 @dataclass(frozen=True)
@@ -206,36 +207,35 @@ class Tie:
         """
         members = numbers[self.member] if self.index is None else numbers[self.member][self.index]
         law, F = SimpleNamespace(**members), [0.0] * 6
-        given = dict(zip(POSE, ([*np.moveaxis(x, -2, 0)] for x in pose), strict=True))
+        inputs = dict(zip(POSE, ([*np.moveaxis(x, -2, 0)] for x in pose), strict=True))
         lib, _, columns = law_functions(own)
         function, end = self.law.tie
-        named = {"law": law, self.member: law, "x": SimpleNamespace(**given), "C": given["C"], "F": F}
+        named = {"law": law, self.member: law, "x": SimpleNamespace(**inputs), "C": inputs["C"], "F": F}
         columns.call(function, *(named[argument] for argument in lib.taken(function)))
         columns.refused.clear()
-        found = np.stack(np.broadcast_arrays(*F), axis=-2)
+        wrench = np.stack(np.broadcast_arrays(*F), axis=-2)
         if end:
-            arm = getattr(law, end)
-            found[..., 3:, :] -= np.cross(arm, found[..., :3, :], axisa=-2, axisb=-2, axisc=-2)
-        return found
+            wrench[..., 3:, :] -= np.cross(getattr(law, end), wrench[..., :3, :], axisa=-2, axisb=-2, axisc=-2)
+        return wrench
 
 
 def ties(own: Structure) -> dict[str, Tie]:
     """What ties the carrier to E0, by name: the suspension; the legs, counted from 1."""
-    found = {}
+    named = {}
     for law in Layout(own, DOUBLE).law_tables:
         for field in law.fields(own) if law.tie[0] else ():
             if not field.shape:
-                found[field.name] = Tie(law, field.name, None)
+                named[field.name] = Tie(law, field.name, None)
             for k in range(int(field.shape[0]) if field.shape else 0):
-                found[f"{field.name} {k + 1}"] = Tie(law, field.name, k)
-    return found
+                named[f"{field.name} {k + 1}"] = Tie(law, field.name, k)
+    return named
 
 
-def _pose() -> tuple[Work, dict[str, Any]]:
+def _pose() -> tuple[Trace, dict[str, Any]]:
     """Inputs of the laws between E0 and the carrier by their names."""
-    work = Work()
-    given = {name: work.inputs(size) for name, size in POSE.items()}
-    return work, given | {"x": SimpleNamespace(**given)}
+    trace = Trace()
+    inputs = {name: trace.inputs(size) for name, size in POSE.items()}
+    return trace, inputs | {"x": SimpleNamespace(**inputs)}
 
 
 def quaternions(C: Array) -> Array:

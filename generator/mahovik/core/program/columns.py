@@ -87,8 +87,8 @@ class Columns(Interpreter):
 
     def __init__(self, program: Program) -> None:
         names = {f.name for f in program.functions}
-        own = {"sqrt": _by("sqrt", np.sqrt), "atan2": _by("atan2", np.arctan2), "exp": _by("exp", np.exp)}
-        super().__init__(program, {name: function for name, function in own.items() if name in names})
+        routines = {name: _routine(name) for name in ("sqrt", "atan2", "exp")}
+        super().__init__(program, {name: routine for name, routine in routines.items() if name in names})
         self.refused = list[Any]()
         self._scope |= {"select": _select, "magnitude": abs, "opposite": _opposite, "divided": _divide}
         self._scope["refused"] = self.refused.append
@@ -101,12 +101,12 @@ def _on_reals(condition: Expr) -> bool:
     return any(isinstance(e, Compare) and e.left.kind is Kind.REAL for e in inside(condition))
 
 
-def _by(name: str, function: Any) -> Callable[..., Any]:
+def _routine(name: str) -> Callable[..., Any]:
     """A function of reals, or what of sums remembers it."""
 
     def call(*numbers: Any) -> Any:
         traced = next((x for x in numbers if isinstance(x, Sum)), None)
-        return function(*numbers) if traced is None else traced.work.done(name, *numbers)
+        return OPERATIONS[name](*numbers) if traced is None else traced.trace.record(name, *numbers)
 
     return call
 
@@ -130,21 +130,21 @@ Row: TypeAlias = tuple[tuple[int, float], ...]
 
 
 class Sum:
-    """A real of every sample while a function is run to see what it does: a sum of multiples of rows of `work`."""
+    """A real of every sample while a function is run to see what it does: a sum of multiples of rows of `trace`."""
 
-    __slots__ = ("parts", "work")
+    __slots__ = ("parts", "trace")
 
-    def __init__(self, work: Work, parts: Mapping[int, float]) -> None:
-        self.work, self.parts = work, parts
+    def __init__(self, trace: Trace, parts: Mapping[int, float]) -> None:
+        self.trace, self.parts = trace, parts
 
     def _plus(self, other: Any, sign: float) -> Sum | float:
         parts = dict(self.parts)
         for k, c in (other.parts if isinstance(other, Sum) else {0: float(other)}).items():
             parts[k] = parts.get(k, 0.0) + sign * c
-        return self.work.sum(parts)
+        return self.trace.sum(parts)
 
     def _times(self, c: float) -> Sum | float:
-        return self.work.sum({k: c * x for k, x in self.parts.items()})
+        return self.trace.sum({k: c * x for k, x in self.parts.items()})
 
     def __add__(self, other: Any) -> Any:
         return self._plus(other, 1.0)
@@ -159,22 +159,22 @@ class Sum:
         return self._times(-1.0)
 
     def __mul__(self, other: Any) -> Any:
-        return self.work.done("*", self, other) if isinstance(other, Sum) else self._times(float(other))
+        return self.trace.record("*", self, other) if isinstance(other, Sum) else self._times(float(other))
 
     def __truediv__(self, other: Any) -> Any:
-        return self.work.done("/", self, other) if isinstance(other, Sum) else self._times(1.0 / float(other))
+        return self.trace.record("/", self, other) if isinstance(other, Sum) else self._times(1.0 / float(other))
 
     def __rtruediv__(self, other: Any) -> Any:
-        return self.work.done("/", other, self)
+        return self.trace.record("/", other, self)
 
     def __abs__(self) -> Any:
-        return self.work.done("abs", self)
+        return self.trace.record("abs", self)
 
     # a truth value is 1 or 0
 
     def __gt__(self, other: Any) -> Any:
         difference = self - other
-        return self.work.done("above", difference) if isinstance(difference, Sum) else difference > 0.0
+        return self.trace.record("above", difference) if isinstance(difference, Sum) else difference > 0.0
 
     def __lt__(self, other: Any) -> Any:
         return -self > -other
@@ -197,7 +197,7 @@ class Sum:
     def select(self, yes: Any, no: Any) -> Any:
         """`yes` where this is 1, `no` where it is 0."""
         if isinstance(yes, Sum) or isinstance(no, Sum):
-            return self.work.done("select", self, yes, no)
+            return self.trace.record("select", self, yes, no)
         return self * (yes - no) + no
 
 
@@ -216,7 +216,7 @@ OPERATIONS: Mapping[str, Callable[..., Any]] = {
 }
 
 
-class Work:
+class Trace:
     """What is done to rows of numbers, each row once: its name and the rows that it takes."""
 
     def __init__(self) -> None:
@@ -225,16 +225,16 @@ class Work:
 
     def inputs(self, count: int) -> list[Any]:
         """Sums of one input each."""
-        found = [Sum(self, {len(self.rows) + k: 1.0}) for k in range(count)]
+        first = len(self.rows)
         self.rows += [("input", ())] * count
-        return found
+        return [Sum(self, {first + k: 1.0}) for k in range(count)]
 
     def sum(self, parts: Mapping[int, float]) -> Sum | float:
         """A sum, or the number that it is."""
         kept = {k: c for k, c in parts.items() if c != 0.0}
         return Sum(self, kept) if kept.keys() - {0} else kept.get(0, 0.0)
 
-    def done(self, name: str, *numbers: Any) -> Any:
+    def record(self, name: str, *numbers: Any) -> Any:
         """What an operation gives of numbers, of which some are sums."""
         factor, rows = 1.0, list[int]()
         for x in numbers:
@@ -243,14 +243,14 @@ class Work:
             factor = abs(c) * factor if name == "abs" else factor / c if name == "/" and rows else factor * c
             rows.append(row)
         key = tuple(sorted(rows)) if name == "*" else tuple(rows)
-        return self.sum({self._placed(name, key): factor})
+        return self.sum({self._new_row(name, key): factor})
 
     def _row(self, parts: Mapping[int, float]) -> int:
         """The row of a sum."""
         what = tuple(sorted(parts.items()))
-        return what[0][0] if len(what) == 1 and what[0][1] == 1.0 else self._placed("sum", what)
+        return what[0][0] if len(what) == 1 and what[0][1] == 1.0 else self._new_row("sum", what)
 
-    def _placed(self, name: str, what: tuple[Any, ...]) -> int:
+    def _new_row(self, name: str, what: tuple[Any, ...]) -> int:
         if (name, what) not in self._known:
             self._known[name, what] = len(self.rows)
             self.rows.append((name, what))
@@ -263,9 +263,9 @@ class Arrays:
     Where a comparison is a tie, `mean` gives the mean of what both of its answers give: slopes at a kink.
     """
 
-    def __init__(self, work: Work, results: Sequence[Any], refused: Sequence[Any] = (), mean: bool = False) -> None:
-        self._work, self._mean = work, mean
-        self._results = [x if isinstance(x, Sum) else Sum(work, {0: float(x)} if x else {}) for x in results]
+    def __init__(self, trace: Trace, results: Sequence[Any], refused: Sequence[Any] = (), mean: bool = False) -> None:
+        self._trace, self._mean = trace, mean
+        self._results = [x if isinstance(x, Sum) else Sum(trace, {0: float(x)} if x else {}) for x in results]
         self._refused = [x for x in refused if isinstance(x, Sum)]
 
     def takes(self, inputs: Iterable[int]) -> bool:
@@ -281,25 +281,25 @@ class Arrays:
             k = waiting.pop()
             if k not in needed:
                 needed.add(k)
-                waiting += _taken(*self._work.rows[k])
+                waiting += _arguments(*self._trace.rows[k])
         return needed
 
     @cached_property
     def _steps(self) -> tuple[list[tuple[str, slice, Any]], Any, Any, int]:
         """Steps by rows that do not depend on one another: operation, rows that it gives, rows that it takes."""
-        rows = self._work.rows
+        rows = self._trace.rows
         first = dict.fromkeys(k for k, (name, _) in enumerate(rows) if name in ("1", "input"))
         level = dict.fromkeys(first, 0)
         groups: dict[tuple[int, str], list[int]] = {}
         for k in sorted(self._needed - level.keys()):  # a row comes after those that it takes
             name, what = rows[k]
-            level[k] = 1 + max(level[i] for i in _taken(name, what))
+            level[k] = 1 + max(level[i] for i in _arguments(name, what))
             groups.setdefault((level[k], name), []).append(k)
         place, steps = {k: k for k in first}, list[tuple[str, slice, Any]]()
-        for (_, name), own in sorted(groups.items()):
+        for (_, name), members in sorted(groups.items()):
             start = len(place)
-            place |= {k: start + i for i, k in enumerate(own)}
-            taken = [rows[k][1] for k in own]
+            place |= {k: start + i for i, k in enumerate(members)}
+            taken = [rows[k][1] for k in members]
             how: Any = _matrix(taken, place) if name == "sum" else zip(*taken, strict=True)
             if name != "sum":
                 how = [_index([place[i] for i in column]) for column in how]
@@ -311,10 +311,10 @@ class Arrays:
 
     def __call__(self, inputs: Array) -> tuple[Array, bool]:
         """The results (M, m), and whether a sample was refused."""
-        found, ties, bad = self._run(inputs, np.greater)
+        results, ties, bad = self._run(inputs, np.greater)
         if self._mean and ties.any():
-            found[ties] = 0.5 * (found[ties] + self._run(inputs[:, ties], np.greater_equal)[0])
-        return found, bad
+            results[ties] = 0.5 * (results[ties] + self._run(inputs[:, ties], np.greater_equal)[0])
+        return results, bad
 
     def _run(self, inputs: Array, above: Any) -> tuple[Array, NDArray[np.bool_], bool]:
         """The results, the samples with a comparison that is a tie, and whether one was refused."""
@@ -333,7 +333,7 @@ class Arrays:
         return _product(results, W), ties, bool(self._refused) and bool((_product(refused, W) > 0.0).any())
 
 
-def _taken(name: str, what: tuple[Any, ...]) -> tuple[int, ...]:
+def _arguments(name: str, what: tuple[Any, ...]) -> tuple[int, ...]:
     """Rows that a row takes."""
     return tuple(k for k, _ in what) if name == "sum" else what
 
@@ -356,7 +356,7 @@ def _matrix(sums: Sequence[Row], place: Mapping[int, int]) -> tuple[Array, Any]:
 def _product(matrix: tuple[Array, Any], W: Array) -> Array:
     """The sums (M, k) of a matrix, some samples at a time: more would wait for threads."""
     A, rows = matrix
-    found, taken, some = np.empty((W.shape[1], len(A))), W[rows].T, max(64, 200_000 // A.size)
-    for k in range(0, len(found), some):
-        np.matmul(taken[k : k + some], A.T, out=found[k : k + some])
-    return found
+    sums, taken, some = np.empty((W.shape[1], len(A))), W[rows].T, max(64, 200_000 // A.size)
+    for k in range(0, len(sums), some):
+        np.matmul(taken[k : k + some], A.T, out=sums[k : k + some])
+    return sums

@@ -102,13 +102,13 @@ def _without_engines(stand: Stand) -> Stand:
 
     return replace(
         stand,
-        carrier=_without(stand.carrier),
-        instruments=tuple(map(_without, stand.instruments)),
-        flywheels=tuple(map(_without, stand.flywheels)),
+        carrier=_idle_body(stand.carrier),
+        instruments=tuple(map(_idle_body, stand.instruments)),
+        flywheels=tuple(map(_idle_body, stand.flywheels)),
     )
 
 
-def _without(body: AnyBody) -> AnyBody:
+def _idle_body(body: AnyBody) -> AnyBody:
     return replace(body, laws=tuple(law for law in body.laws if not law.drives))
 
 
