@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, dumps, loads
-from mahovik.core.stand.model import LawData
+from mahovik.core.stand.model import Law
 from mahovik.core.stand.random_state import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import StandError
@@ -137,7 +137,7 @@ def refused(hold: str, tables: str, words: str) -> None:
     assert len(str(caught.value).splitlines()) == 1
 
 
-def compare_slopes(stand: Stand, law: type[LawData], kind: str, seed: int, slower: float = 1.0) -> Any:
+def compare_slopes(stand: Stand, law: type[Law], kind: str, seed: int, slower: float = 1.0) -> Any:
     """The wrench of a law on arrays is the literal one, and its slopes are differences of it over small steps.
 
     `kind` is how its terms in the reference begin. The slopes (6, 12) are compared, and returned, at the pose of a
