@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 import mahovik
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
-from mahovik.out.api.compiled import Real
+from mahovik.core.toolchain.compiled import Real
 from mahovik.proof.verify.c_backend import CBackend
 
 Arrays = dict[str, NDArray[Any]]

@@ -12,9 +12,9 @@ from api.models import backend, given, model, random_states, stand
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand import State
 from mahovik.core.stand.random_state import random_state, random_wrenches
+from mahovik.core.toolchain.compiled import Real
 from mahovik.errors import StateError
-from mahovik.out.api.compiled import Real
-from mahovik.out.api.evaluator import KeptBackend
+from mahovik.proof.verify.backends import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.quick import quick
 

@@ -21,8 +21,7 @@ import mahovik
 from api.models import model, stand
 from mahovik.contract.functions import ALL
 from mahovik.core.stand.structure import structure
-from mahovik.core.toolchain import compiler
-from mahovik.out.api import compiled, store
+from mahovik.core.toolchain import compiled, compiler, store
 
 if TYPE_CHECKING:
     from mahovik.core.emit.arrays import LibraryKind

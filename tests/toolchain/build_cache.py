@@ -32,7 +32,7 @@ UNOPTIMISED = (*compiler.BITS, "-O0")
 """Flags of libraries of the Python interface, in tests."""
 
 SHIPPED: dict[str, tuple[str, ...]] = {}
-"""Flags of these libraries for users, by their names in `core/toolchain/arrays.py`."""
+"""Flags of these libraries for users, by their names in `core/toolchain/compiled.py`."""
 
 KEPT = 500
 """Libraries that stay; the ones not used for longest go first."""
@@ -75,13 +75,13 @@ def install(folder: Path) -> None:
     optimisations to the same bits, and commands in processes of their own build as for users, unless they find the
     library of a Python model that a test has built already.
     """
-    from mahovik.core.toolchain import arrays, library  # here, as they load NumPy
+    from mahovik.core.toolchain import compiled, library  # here, as they load NumPy
 
     folder.mkdir(parents=True, exist_ok=True)
     compiler._build = caching(compiler._build, folder)
     vars(library)["build_shared"] = partial(compiler.build_shared, optimisation="-O0")
-    SHIPPED.update(SINGLE=arrays.SINGLE, BATCH=arrays.BATCH)
-    vars(arrays).update(dict.fromkeys(SHIPPED, UNOPTIMISED))
+    SHIPPED.update(SINGLE=compiled.SINGLE, BATCH=compiled.BATCH)
+    vars(compiled).update(dict.fromkeys(SHIPPED, UNOPTIMISED))
 
 
 def tidy(folder: Path) -> None:

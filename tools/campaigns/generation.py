@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from campaigns import ROOT, Row, Rows, Table
-from mahovik.out.api.store import VARIABLE
+from mahovik.core.toolchain.store import VARIABLE
 from mahovik.stands import path
 
 OPTIONS = {"repeat": 5}

@@ -17,6 +17,7 @@ from campaigns import Rows, Table, at_most
 from mahovik.core.motion.regime import WrenchTable, steady_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import random_stand, random_state
+from mahovik.core.toolchain.block import Block
 from mahovik.stands import path
 from mahovik.use.simulate import Case, simulate
 from mahovik.use.simulate.by_c import compiled_backend
@@ -92,27 +93,20 @@ RESPONSES = (
 
 def run_c(stand: Stand, motion: Balance, step_length: float, seconds: float) -> tuple[Array, Array]:
     """Times (n) and pose and V (n, 13) by the C, from the motion of a balance, phases set exactly at every step."""
-    backend, speeds = compiled_backend(stand), motion.speeds
-    ffi, N = backend.library.ffi, len(speeds)
-    x = ffi.new(f"{stand.name}_state *")
-    view = np.frombuffer(ffi.buffer(x), dtype=np.float64)
-    start = motion.state(np.zeros(len(motion.turning)))
+    speeds = motion.speeds
+    N, block = len(speeds), Block(stand, compiled_backend(stand).made, 1)
+    view, start = block.x[:, 0], motion.state(np.zeros(len(motion.turning)))
     view[:13] = [*start.position, *(start.quaternion or ()), *start.V]
-    view[13 + N : 13 + 2 * N] = speeds
-    phi_ddot = np.zeros(N)
-    known = {
-        "table": backend.library.default("default"), "x": x, "next": x, "dt": step_length, "order": 4,
-        "phi_ddot": ffi.cast(f"{stand.name}_real *", phi_ddot.ctypes.data),
-    }  # fmt: skip
-    arguments = [known[a.name] for a in backend.program.function("step_driven").arguments]
-    step, count = backend.library.function("step_driven"), int(seconds / step_length)
+    view[13 + N :] = speeds
+    block.given["dt"][0], block.given["order"][0] = step_length, 4
+    count = int(seconds / step_length)
     times, rows = [], []
     for first in range(0, count, EVERY):
         times.append(first * step_length)
         rows.append(view[:13].copy())
         for phi in wrap_phases(np.outer(np.arange(first, first + EVERY) * step_length, speeds)):
             view[13 : 13 + N] = phi
-            if step(*arguments) < 0:
+            if block.run("step_driven") < 0:
                 raise RuntimeError(f"{stand.name}: the C refused a step")
     return np.array(times), np.array(rows)
 

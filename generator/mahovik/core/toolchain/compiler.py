@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import platform
 import shlex
 import shutil
 from collections.abc import Sequence
+from functools import lru_cache
 from pathlib import Path
 
 from mahovik.errors import NoCompilerError, ToolchainError
@@ -69,3 +71,19 @@ def _build(source: Path, library: Path, how: Sequence[str]) -> None:
 def preprocess(header: Path, *more: str) -> str:
     """A header as the compiler sees it with `more` flags: declarations without directives. Raises ToolchainError."""
     return run_compiler(["-std=c99", *more, "-E", "-P", "-x", "c", str(header)], header.name)
+
+
+@lru_cache
+def machine(compiler: tuple[str, ...]) -> str:
+    """Macros that the compiler predefines on this processor: where they are equal, so is the code it makes."""
+    return run_compiler(["-march=native", "-dM", "-E", "-x", "c", os.devnull], "no file at all", compiler)
+
+
+def program_file(compiler: tuple[str, ...]) -> str:
+    """The file of the compiler's program: path, size, time of change; and the architecture of this processor.
+
+    Where they are equal, so is the code that is compiled without `-march=native`.
+    """
+    path = Path(shutil.which(compiler[0]) or compiler[0]).resolve()
+    found = path.stat()
+    return f"{path} {found.st_size} {found.st_mtime_ns} {platform.machine()}"

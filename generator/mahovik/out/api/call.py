@@ -19,8 +19,8 @@ from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.task import row_name
+from mahovik.core.toolchain.compiled import CompiledLibrary
 from mahovik.errors import InputError, RefusedError
-from mahovik.out.api.compiled import CompiledLibrary
 from mahovik.out.api.fields import Array, Field, field
 from mahovik.out.api.inputs import by_component
 from mahovik.out.api.tables import Tables

@@ -18,11 +18,11 @@ from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.units import show
+from mahovik.core.toolchain.compiled import Real, compile_library
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.call import Caller, OnError
-from mahovik.out.api.compiled import ELEMENT, Real, compile_library
 from mahovik.out.api.fields import Array, field, functions
 from mahovik.out.api.inputs import Given, wrenches
 from mahovik.out.api.making_states import MakesStates
@@ -56,8 +56,8 @@ class Built(MakesStates):
         self._real = real
         self._given = (compiler, threads)
         kind: Literal["states", "batches"] = "batches" if only == ALL else "states"
-        self._made = compile_library(stand, real, ELEMENT[real], compiler, threads > 1, kind, only)
-        self._element = ELEMENT[real]
+        self._made = compile_library(stand, real, compiler, threads > 1, kind, only)
+        self._element = self._made.element
         self._call = Caller(stand, self._made, self._element, threads)
         state = next(a for f in self._made.functions.values() for a in f.arguments if a.name == "x")
         self._state = tuple(field(m, stand, ()) for m in state.members)

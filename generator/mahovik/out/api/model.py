@@ -12,11 +12,11 @@ from mahovik.contract.functions import FUNCTIONS, PublicFunction
 from mahovik.contract.quantities import QUANTITIES, is_shared
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import show
+from mahovik.core.toolchain.compiled import ELEMENT, Real
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import results
 from mahovik.out.api.call import OnError
-from mahovik.out.api.compiled import ELEMENT, Real
 from mahovik.out.api.coordinates import WithCoordinates
 from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array

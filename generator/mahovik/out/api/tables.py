@@ -14,14 +14,12 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.paths import shown_path
 from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
+from mahovik.core.toolchain.block import LANES
+from mahovik.core.toolchain.compiled import CompiledLibrary, lower_structure
 from mahovik.errors import InputError, StandError, UsageError
-from mahovik.out.api.compiled import CompiledLibrary, lower_structure
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.variants import Variants, change_values, variants
-
-LANES = {8: 8, 4: 16}
-"""Stands side by side in a block, by the bytes of a real."""
 
 PLACE_OF_HOLD = ("pivot", "position", "angles")
 """Keys of a hold that say where it holds the carrier."""

@@ -17,8 +17,8 @@ from mahovik.core.stand.read import read
 from mahovik.core.stand.screening import doubtful_samples
 from mahovik.core.stand.screening import numbers as numbers_of
 from mahovik.core.stand.structure import structure
+from mahovik.core.toolchain.compiled import lower_structure
 from mahovik.errors import StandError, UsageError
-from mahovik.out.api.compiled import lower_structure
 from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import show
+from mahovik.core.toolchain.block import Block
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.block import Block
 from mahovik.out.campaign.in_time import TimeRunner, with_quaternion
 from mahovik.out.campaign.observe import Observer
 from mahovik.out.campaign.over import OverTable

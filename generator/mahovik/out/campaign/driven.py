@@ -7,11 +7,11 @@ import math
 
 import numpy as np
 
-from mahovik.out.campaign.block import Block
+from mahovik.core.toolchain.block import Block
 from mahovik.out.campaign.many_torques import drive_torques
 from mahovik.out.campaign.observe import Observer
 from mahovik.out.campaign.pose import Array
-from mahovik.use.simulate.by_c import Steepness
+from mahovik.use.simulate.by_c import Steepness, add_reaction
 from mahovik.use.simulate.case import Case, wrap_phases
 
 
@@ -88,12 +88,7 @@ class DrivenByTorque:
             now = self._case.regime.wrench(t)
             wrench[:] = np.concatenate([now.get(body, (0.0,) * 6) for body in self._inputs])[:, None]
         if self._case.regime.mixes_speed_and_torque:
-            block.call("matrices", t)
-            coupling = block.member("matrices", "I")
-            first = 6 * self._inputs.index(self._case.stand.carrier.name)
-            for s, value in enumerate(accelerations):
-                if value:
-                    wrench[first : first + 6] -= coupling[:, s] * value
+            add_reaction(block, self._inputs.index(self._case.stand.carrier.name), accelerations)
 
     def _solve(self, block: Block, t: float) -> None:
         """V_dot, phi_ddot and drive torques at the state of the block."""

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.out.campaign.block import Block
+from mahovik.core.toolchain.block import Block
 from mahovik.out.campaign.observe import Observer
 from mahovik.out.campaign.pose import Array
 from mahovik.use.simulate.case import Case, wrap_phases

@@ -9,12 +9,12 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from mahovik.core.toolchain.block import PER_BLOCK, Block
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.driven import DrivenByTorque
 from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.holds import Holds
@@ -29,8 +29,8 @@ from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
 from mahovik.out.functions.equilibrium import warn_of_turn
 from mahovik.out.functions.given import regime_of, state_of
-from mahovik.use.simulate.by_c import Steepness
-from mahovik.use.simulate.case import HINT, START_KEYS, Case
+from mahovik.use.simulate.by_c import Steepness, mobility
+from mahovik.use.simulate.case import HINT, START_KEYS, Case, wrap_phases
 
 SIZE = 256
 """Samples that are stepped together: their tables and states stay in the cache of the processor."""
@@ -64,7 +64,7 @@ class TimeRunner:
         """`times`: how many of output; `required`: what the carrier should do. Raises UsageError: too much to keep."""
         self.stand, self._quantities, self._start, self._course = stand, quantities, start, course
         self._times, self._required = times, required
-        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand)
         self._needs = frozenset[str]().union(*(q.needs for q in quantities))
         self._size = self._block_size()
 
@@ -93,10 +93,10 @@ class TimeRunner:
         laws = tables.laws() if any(q.signal and q.signal.part in ties(self.stand) for q in self._quantities) else {}
         holds = None if self._required is None else Holds.of(self.stand, tables)
         with np.errstate(all="ignore"):
-            whole = Block(self.stand, self._made, tables, 0, n)
+            whole = Block(self.stand, self._made, n, tables.block)
             lost = self._start.begin(whole, tables)
             for first in range(0, n, self._size):
-                block = Block(self.stand, self._made, tables, first, min(self._size, n - first))
+                block = Block(self.stand, self._made, min(self._size, n - first), tables.block, first)
                 block.x[:] = whole.x[:, first : first + block.n]
                 self._compute(block, laws, holds, found, reasons)
         for j, reason in lost.items():
@@ -183,21 +183,15 @@ def course_of(stand: Stand, case: Case) -> Course:
     model = build(stand)
     if not case.regime.by_torque and stand.flywheels:
         return GivenSpeeds(case, model.wrenches)
-    mobility = None
+    turned = None
     if stand.flywheels and Steepness(case).matters:
-        x = model.state(
-            position=case.start.position, attitude=case.start.quaternion, V=case.start.V, phi=case.phi0 % (2 * np.pi),
-            phi_dot=case.phi_dot0,
-        )  # fmt: skip
-        if stand.hold is not None and not stand.hold.freedoms:
-            given = [
-                model.coupled(x, tau).phi_ddot
-                for tau in (np.zeros(len(stand.flywheels)), *np.eye(len(stand.flywheels)))
-            ]
-            return DrivenByTorque(case, model.wrenches, np.abs(np.array(given[1:]) - given[0]).T)
-        locked = [each for each, held in zip(model.flywheels, case.regime.has_speed_law, strict=True) if held]
-        mobility = np.abs(model.coupled_jacobian(x, locked=locked).phi_ddot_tau)
-    return DrivenByTorque(case, model.wrenches, mobility)
+        start = case.start
+        block = Block(stand, compile_library(stand), 1)
+        block.given["locked"][:] = case.regime.has_speed_law
+        quaternion = start.quaternion or (1.0, 0.0, 0.0, 0.0)
+        block.x[:, 0] = [*start.position, *quaternion, *start.V, *wrap_phases(case.phi0), *case.phi_dot0]
+        turned = mobility(block)
+    return DrivenByTorque(case, model.wrenches, turned)
 
 
 def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start | AtRest:
@@ -207,8 +201,8 @@ def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start
         return Start(with_quaternion(stand, state))
     try:
         own = build(stand).tables({}, 1)
-        made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
-        found = AtRest(stand, phases, Block(stand, made, own, 0, 1))
+        made = compile_library(stand)
+        found = AtRest(stand, phases, Block(stand, made, 1, own.block))
         warn_of_turn(stand, found.nominal)
         return found
     except CheckError as error:

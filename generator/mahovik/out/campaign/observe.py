@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from mahovik.out.campaign.block import Block
+from mahovik.core.toolchain.block import Block
 from mahovik.out.campaign.pose import Array, rotation
 
 CACHE = 1 << 13

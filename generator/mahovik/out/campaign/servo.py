@@ -9,18 +9,16 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.core.stand.state import State
+from mahovik.core.toolchain.block import PER_BLOCK, Block
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import MahovikError
-from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.observe import Chunk, cut_before
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.signals import sensors
-from mahovik.out.campaign.start import column
 from mahovik.out.campaign.values import Frame, Scene
 from mahovik.out.functions.following import MEASURED_PERIODS, TABLE, following_case
 from mahovik.use.control.finite import Tracking, errors_of
@@ -41,7 +39,7 @@ class ServoRunner:
             stand, folder / over.motion, folder / over.programme, folder / over.servo, 0.0, 1, over.periods, over.begin,
             over.table or TABLE, "c",
         )  # fmt: skip
-        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand)
 
     def values(self, tables: Tables) -> tuple[dict[str, Array], list[str]]:
         """See `compute.Runner`."""
@@ -57,9 +55,9 @@ class ServoRunner:
     def _sample(self, tables: Tables, j: int, found: dict[str, Array]) -> str:
         """Run one sample; return why it has no quantities, or ""."""
         first = j // PER_BLOCK * PER_BLOCK
-        block = Block(self.stand, self._made, tables, first, min(PER_BLOCK, len(tables) - first))
+        block = Block(self.stand, self._made, min(PER_BLOCK, len(tables) - first), tables.block, first)
         case = replace(self._case, real=tables.stand(j))
-        record = close_loop(case, make=lambda stand, state, _: plant_of_sample(block, j - first, stand, state))
+        record = close_loop(case, make=lambda stand, state, _: SteppedPlant(stand, state, block, j - first))
         if record.stopped is not None:
             return record.stopped
         errors = (
@@ -74,20 +72,6 @@ class ServoRunner:
             else:
                 found[q.name][j] = _value(q, record, case.real)
         return ""
-
-
-def plant_of_sample(block: Block, lane: int, stand: CoreStand, state: State) -> SteppedPlant:
-    """The plant of one sample of a block, by the C that all samples share."""
-    block.x[:] = column(state)[:, None]
-    block.given["order"][0] = 4
-
-    def step(h: float) -> int:
-        block.given["dt"][0] = h
-        block.status[lane] = 0
-        block.call("step")
-        return int(block.status[lane])
-
-    return SteppedPlant(stand, state, block.x[:, lane], block.given["tau"][:, lane], step)
 
 
 def error_value(errors: Following | Tracking, statistic: str, axis: str) -> float:

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
+from mahovik.core.toolchain.block import Block
 from mahovik.errors import MahovikError
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.block import Block
 from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.pose import Array, compose, product, rotation, small_rotation, turn
 from mahovik.use.study.rest import accuracy, rest

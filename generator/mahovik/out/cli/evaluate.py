@@ -69,6 +69,6 @@ def _backend(stand: Stand, name: str, real: str) -> Backend:
         from mahovik.proof.verify.backends import CasadiBackend
 
         return CasadiBackend(stand)
-    from mahovik.out.api.evaluator import KeptBackend
+    from mahovik.proof.verify.backends import KeptBackend
 
     return KeptBackend(stand, "float" if real == "float" else "double")

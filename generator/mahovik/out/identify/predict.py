@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 from mahovik.core.motion.functions import Motion
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.state import State
+from mahovik.core.toolchain.block import PER_BLOCK, Block
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
-from mahovik.out.api.compiled import ELEMENT, compile_library
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.block import PER_BLOCK, Block
 from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.holds import Holds
 from mahovik.out.campaign.observe import Chunk, Observer
@@ -116,7 +116,7 @@ class Predictor:
         if start is None and stand.hold is not None:
             still = replace(still, **{name: getattr(home(stand), name) for name in ("position", "quaternion", "u")})
         self._case = Case(stand, own, start or still, until, every, dt)
-        self._made = compile_library(stand, "double", ELEMENT["double"], None, parallel=False)
+        self._made = compile_library(stand)
         self._course = GivenSpeeds(self._case, build(stand).wrenches)
         self._gravity = np.array(stand.gravity)
 
@@ -135,7 +135,7 @@ class Predictor:
         starts = np.zeros((n, self.deviations.count)) if starts is None else starts
         holds = Holds.of(self.stand, tables)
         for first in range(0, n, SIZE // PER_BLOCK * PER_BLOCK):
-            block = Block(self.stand, self._made, tables, first, min(SIZE, n - first))
+            block = Block(self.stand, self._made, min(SIZE, n - first), tables.block, first)
             own = slice(first, first + block.n)
             self._begin(block, starts[own].T, None if holds is None else holds.part(own))
             self._run(block, found[:, :, own])
@@ -147,7 +147,7 @@ class Predictor:
         Raises StateError.
         """
         tables = build(self.stand).tables({}, 1)
-        block = Block(self.stand, self._made, tables, 0, 1)
+        block = Block(self.stand, self._made, 1, tables.block)
         self._begin(block, np.zeros((self.deviations.count, 1)))
         states, rates = [], []
 

@@ -6,9 +6,8 @@ Computed by the emitted C (function `step`, fixed steps), or by SciPy on the lit
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -18,6 +17,7 @@ from mahovik.contract.status import status_words
 from mahovik.core.motion.laws import drive, steepness
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State, rest_state
+from mahovik.core.toolchain.block import Block
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.motion import coupled
@@ -42,16 +42,16 @@ class SteppedPlant:
     State: position (3), attitude (4, quaternion, w first), V (6), phi, phi_dot (N each); tau: motor torques at the end.
     """
 
-    def __init__(
-        self, stand: Stand, state: State, x: Array, drive: Array, step: Callable[[float], int], finer: int = 1
-    ) -> None:
-        """`x` (13 + 2 N), `drive` (N): memory of `step`, which makes a step of a length in s and returns a status."""
-        self.stand, self._finer = stand, finer
-        N = len(stand.flywheels)
+    def __init__(self, stand: Stand, state: State, block: Block, lane: int = 0, finer: int = 1) -> None:
+        """The state in `lane` of a block; `finer`: number of steps in place of one."""
+        self.stand, self._block, self._lane, self._finer = stand, block, lane, finer
+        N, x = len(stand.flywheels), block.x[:, lane]
+        block.x.T[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
+        block.given["order"][0] = 4
         self.position, self.attitude, self.V = x[:3], x[3:7], x[7:13]
         self._wrapped, self.phi_dot = x[13 : 13 + N], x[13 + N : 13 + 2 * N]
         self.phi, self.tau, self._rate = np.array(state.phi), np.zeros(N), np.zeros(N)
-        self._drive, self._step = drive, step
+        self._drive = block.given["tau"][:, lane]
         self._motors = [(s, each.motor) for s, each in enumerate(stand.flywheels) if each.motor is not None]
         self._fastest = _steepest_rate(stand)
 
@@ -67,8 +67,9 @@ class SteppedPlant:
             self._drive[:] = command
             for s, motor in self._motors:
                 self._drive[s] = drive(motor, float(command[s]), float(before[s] + 0.5 * h * self._rate[s]))
-            status = self._step(h)
-            if status < 0:
+            self._block.given["dt"][0], self._block.status[self._lane] = h, 0
+            self._block.call("step")
+            if (status := int(self._block.status[self._lane])) < 0:
                 raise StateError(
                     f"at t = {begin:.6g} s a step returned {status_words(status)}: the motion leaves its ranges"
                 )
@@ -76,35 +77,6 @@ class SteppedPlant:
             turned, expected = self._wrapped - phase, 0.5 * h * (before + self.phi_dot)
             self.phi = self.phi + turned + 2.0 * np.pi * np.round((expected - turned) / (2.0 * np.pi))
         self.tau = self._drive.copy()
-
-
-class PlantByC(SteppedPlant):
-    """The plant by the C of its own stand."""
-
-    def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
-        own = compiled_backend(stand)
-        ffi, N = own.library.ffi, len(stand.flywheels)
-        x = ffi.new(f"{stand.name}_state *")
-        view = np.frombuffer(ffi.buffer(x), dtype=np.float64)
-        attitude = own.arguments(state)["x"]["attitude"]
-        view[:] = [*state.position, *attitude, *state.V, *state.phi, *state.phi_dot]
-        drive, wrench = np.zeros(N), np.zeros(max(6 * len(own.inputs), 1))
-        known: dict[str, Any] = {
-            "table": own.library.default("default"),
-            "x": x,
-            "tau": ffi.cast(f"{stand.name}_real *", drive.ctypes.data),
-            "locked": ffi.new(f"int[{N}]"),
-            "wrench": ffi.cast(f"{stand.name}_real *", wrench.ctypes.data),
-            "order": 4,
-            "carry": ffi.NULL,
-            "next": x,
-        }
-        names = [a.name for a in own.program.function("step").arguments]
-        at = names.index("dt")
-        before, after = ([known[name] for name in part] for part in (names[:at], names[at + 1 :]))
-        function = own.library.function("step")
-        self._kept = known, wrench
-        super().__init__(stand, state, view, drive, lambda h: function(*before, h, *after), finer)
 
 
 def _steepest_rate(stand: Stand) -> float:
@@ -170,7 +142,7 @@ def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Pla
     Raises UsageError, ToolchainError.
     """
     if backend == "c":
-        return PlantByC(stand, state, finer)
+        return SteppedPlant(stand, state, Block(stand, compiled_backend(stand).made, 1), finer=finer)
     if backend == "scipy":
         return PlantByReference(stand, state)
     raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from mahovik.contract.status import status_words
-from mahovik.core.emit.names import member as c_member
 from mahovik.core.stand.model import Stand
+from mahovik.core.toolchain.block import Block
+from mahovik.core.toolchain.compiled import Real
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.pieces import stream_at
-from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.backends import KeptBackend
 from mahovik.use.simulate.case import Array, Case, Moment, wrap_phases
 
 REACTION = "forward"
@@ -29,42 +30,28 @@ class CMotion:
     The carry of each number that is set begins as zero, where the case asks for a carry.
     Within a step torques, wrenches and flywheel accelerations are constant: torques and wrenches of its middle,
     accelerations by the speeds at its ends. Where a torque falls steeply with speed a step is cut into parts
-    (Steepness). Beside torques a flywheel of given speed is locked at its mean speed,
-    and the reaction to its acceleration is a wrench on the carrier (Reaction).
+    (Steepness). Beside torques a flywheel of given speed is locked at its mean speed, and the reaction to its
+    acceleration is a wrench on the carrier (`add_reaction`).
     """
 
     def __init__(self, case: Case) -> None:
         self.case = case
         reacting = {case.stand.carrier.name} if case.regime.mixes_speed_and_torque else set()
         self.c = compiled_backend(with_wrench_inputs(case.stand, set(case.regime.wrenches) | reacting), case.real)
-        self._name = "step" if case.regime.by_torque or not case.stand.flywheels else "step_driven"
+        self._block = block = Block(case.stand, self.c.made, 1, carried=case.carried)
         N = len(case.stand.flywheels)
-        ffi = self.c.library.ffi
-        self._x = ffi.new(f"{case.stand.name}_state *")
-        kind = self.c.program.precision.scalar
-        self._view = np.frombuffer(ffi.buffer(self._x), dtype=kind)
-        self._carry = ffi.new(f"{case.stand.name}_step_carry *")
-        self._rounding = np.frombuffer(ffi.buffer(self._carry), dtype=kind)
-        self._phi, self._phi_dot = slice(13, 13 + N), slice(13 + N, 13 + 2 * N)
-        self._drive = np.zeros(max(N, 1), dtype=kind)
-        self._given = np.array(case.regime.has_speed_law, dtype=bool)
-        self._locked = np.array([*map(int, case.regime.has_speed_law), 0], dtype=np.intc)
-        self._wrench = np.zeros(6 * max(len(self.c.inputs), 1), dtype=kind)
+        self._x, self._phi, self._phi_dot = (
+            block.x[part, 0] for part in (slice(None), slice(13, 13 + N), slice(13 + N, None))
+        )
+        self._held = np.array(case.regime.has_speed_law, dtype=bool)
         self._rate = np.zeros(N)
-        self._turns = np.zeros(N)
+        block.given["order"][0], block.given["locked"][:] = case.order, self._held
         start = case.start
-        attitude = self.c.arguments(start)["x"]["attitude"]
-        self._view[:13] = [*start.position, *attitude, *start.V]
-        self._view[self._phi] = wrap_phases(case.phi0)
-        self._view[self._phi_dot] = case.phi_dot0
-        self._reaction = Reaction(self.c, self._x) if case.regime.mixes_speed_and_torque else None
+        self._x[:13] = [*start.position, *self.c.arguments(start)["x"]["attitude"], *start.V]
+        self._phi[:], self._phi_dot[:] = wrap_phases(case.phi0), case.phi_dot0
         self._steepness = Steepness(case)
-        self._mobility: Mobility | ClampedMobility | None = None
         if self._steepness.matters:
-            hold = case.stand.hold
-            make = Mobility if hold is None or hold.freedoms else ClampedMobility
-            self._mobility = make(self.c, self._x, self._locked[:N].tolist())
-            self._steepness.check(case.dt, self._mobility.matrix())
+            self._steepness.check(case.dt, mobility(block))
 
     def moments(self, mounts: bool) -> Iterator[Moment]:
         """One moment for every time of output. Raises StateError if the motion leaves the computable range."""
@@ -75,29 +62,9 @@ class CMotion:
                 phi = self._advance(float(times[k - 1]), float(t), phi)
             yield self._moment(float(t), phi, mounts)
 
-    def _arguments(self, h: float) -> list[Any]:
-        ffi = self.c.library.ffi
-
-        def real(array: Array) -> Any:
-            return ffi.cast(f"{self.case.stand.name}_real *", array.ctypes.data)
-
-        known = {
-            "table": self.c.library.default("default"),
-            "x": self._x,
-            "tau": real(self._drive),
-            "phi_ddot": real(self._drive),
-            "locked": ffi.cast("int *", self._locked.ctypes.data),
-            "wrench": real(self._wrench),
-            "dt": h,
-            "order": self.case.order,
-            "carry": self._carry if self.case.carried else ffi.NULL,
-            "next": self._x,
-        }
-        return [known[a.name] for a in self.c.program.function(self._name).arguments]
-
     def _advance(self, begin: float, end: float, phi: Array) -> Array:
         """Step from one time of output to the next; return the phases there, not wrapped."""
-        case, view = self.case, self._view
+        case = self.case
         count = max(1, math.ceil((end - begin) / case.dt * (1 - 1e-9)))
         h = (end - begin) / count
         times: Array = begin + h * np.arange(count + 1, dtype=np.float64)
@@ -106,70 +73,78 @@ class CMotion:
             return self._given_speeds(times)
         if begin == 0.0:
             self._rate = self._accelerations(0.0)[1]
-        if self._mobility is None:
+        if not self._steepness.matters:
             turned = self._torque_steps(times)
         else:
             turned = np.zeros(len(phi))
             for one, next_ in itertools.pairwise(times):
-                parts = self._steepness.parts(h, self._mobility.matrix(), view[self._phi_dot], self._rate)
+                parts = self._steepness.parts(h, mobility(self._block), self._phi_dot, self._rate)
                 turned += self._torque_steps(np.linspace(one, next_, parts + 1))
-        return np.where(self._given, case.motion(times[-1:])[0][0], phi + turned)
+        return np.where(self._held, case.motion(times[-1:])[0][0], phi + turned)
 
     def _given_speeds(self, times: Array) -> Array:
         """Steps of equal length if all speeds are given; return the phases at the end."""
-        view, h = self._view, float(times[1] - times[0])
-        step, arguments = self.c.library.function(self._name), self._arguments(h)
+        h, block = float(times[1] - times[0]), self._block
         given, speeds, _ = self.case.motion(times)
         states, mean = wrap_phases(given), np.diff(speeds, axis=0) / h
+        block.given["dt"][0] = h
         for k, begin in enumerate(times[:-1]):
             self._set_wrench(begin + h / 2)
-            view[self._phi], view[self._phi_dot] = states[k], speeds[k]
-            self._rounding[13:] = 0.0
-            self._drive[: len(mean[k])] = mean[k]
-            self._check(step(*arguments), begin)
-        view[self._phi], view[self._phi_dot] = states[-1], speeds[-1]
+            self._phi[:], self._phi_dot[:] = states[k], speeds[k]
+            self._forget_rounding(np.ones_like(self._held))
+            block.given["phi_ddot"][:, 0] = mean[k]
+            self._call("step_driven" if len(self._phi) else "step", begin)
+        self._phi[:], self._phi_dot[:] = states[-1], speeds[-1]
         return np.asarray(given[-1])
 
     def _torque_steps(self, times: Array) -> Array:
         """Steps of equal length under torques; return the angles turned by the flywheels."""
-        case, view, held = self.case, self._view, self._given
+        case, held, block = self.case, self._held, self._block
         h = float(times[1] - times[0])
-        step, arguments = self.c.library.function(self._name), self._arguments(h)
         middles = times[:-1] + h / 2
         (given, speeds, _), (halfway, middle_speeds, _) = case.motion(times), case.motion(middles)
         states, mean = wrap_phases(given), np.diff(speeds, axis=0) / h
         locked = (speeds[:-1] + 4 * middle_speeds + speeds[1:]) / 6  # not a difference of phases, which may be large
         whole = np.zeros(len(self._rate))
+        block.given["dt"][0] = h
         for k, middle in enumerate(middles):
-            before, phase = (view[part].astype(np.float64) for part in (self._phi_dot, self._phi))
-            if self._reaction is not None:
-                view[self._phi][held] = wrap_phases(halfway[k])[held]
+            before, phase = self._phi_dot.astype(np.float64), self._phi.astype(np.float64)
+            if case.regime.mixes_speed_and_torque:
+                self._phi[held] = wrap_phases(halfway[k])[held]
             self._set_wrench(middle, np.where(held, mean[k], 0.0))
-            view[self._phi][held], view[self._phi_dot][held] = states[k][held], locked[k][held]
-            self._rounding[13:][np.tile(held, 2)] = 0.0
-            self._drive[:] = case.torques(middle, before + h / 2 * self._rate)
-            self._check(step(*arguments), times[k])
-            view[self._phi][held], view[self._phi_dot][held] = states[k + 1][held], speeds[k + 1][held]
-            after = view[self._phi_dot].astype(np.float64)
+            self._phi[held], self._phi_dot[held] = states[k][held], locked[k][held]
+            self._forget_rounding(held)
+            block.given["tau"][:, 0] = case.torques(middle, before + h / 2 * self._rate)
+            self._call("step", times[k])
+            self._phi[held], self._phi_dot[held] = states[k + 1][held], speeds[k + 1][held]
+            after = self._phi_dot.astype(np.float64)
             self._rate = (after - before) / h
-            turned, expected = view[self._phi] - phase, h * (before + after) / 2
+            turned, expected = self._phi - phase, h * (before + after) / 2
             whole += turned + 2 * np.pi * np.round((expected - turned) / (2 * np.pi))
         return whole
 
+    def _forget_rounding(self, which: Array) -> None:
+        """Phases and speeds that were set have no carry."""
+        if self.case.carried:
+            self._block.given["carry"]["rounding"][0, 13:][np.tile(which, 2)] = 0.0
+
     def _set_wrench(self, t: float, accelerations: Array | None = None) -> None:
         """Set the run-time wrenches at a time; on the carrier also the reaction to given `accelerations`."""
-        if self.case.regime.wrenches or self._reaction is not None:
+        if self.case.regime.wrenches or self.case.regime.mixes_speed_and_torque:
             now = self.case.regime.wrench(t)
             for i, body in enumerate(self.c.inputs):
-                self._wrench[6 * i : 6 * i + 6] = now.get(body, (0.0,) * 6)
-        if self._reaction is not None and accelerations is not None:
-            self._wrench[self._reaction.place] += self._reaction.wrench(accelerations)
+                self._block.given["wrench"][6 * i : 6 * i + 6, 0] = now.get(body, (0.0,) * 6)
+        if self.case.regime.mixes_speed_and_torque and accelerations is not None:
+            add_reaction(self._block, self.c.inputs.index(self.case.stand.carrier.name), accelerations)
 
-    def _check(self, status: int, t: float) -> None:
+    def _call(self, function: str, t: float) -> None:
+        """Call a function of the C at the present state. Raises StateError: it refuses."""
+        status = self._block.run(function)
         if status < 0:
-            where = f"at t = {t:.6g} s a step returned {status_words(status)}"
+            name = "a step" if function.startswith("step") else function
+            where = f"at t = {t:.6g} s {name} returned {status_words(status)}"
             try:
-                x, y, z = self._view[:3].tolist()
+                x, y, z = self._x[:3].tolist()
                 stream_at(self.case.stand, (x, y, z))
             except StateError as outside:
                 raise StateError(f"{where}: {outside}") from None
@@ -177,49 +152,42 @@ class CMotion:
 
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""
-        case, view = self.case, self._view
-        phi_dot = view[self._phi_dot].copy()
-        state = case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], phi_dot)
-        tau = np.array(case.torques(t, phi_dot))
-        inputs = self.c.arguments(replace(state, tau=tuple(tau.tolist()))) | {"x": self._x}
+        case, held, given = self.case, self._held, self._block.given
+        tau = np.array(case.torques(t, self._phi_dot))
         phi_ddot = case.motion(np.array([t]))[2][0]
         if case.regime.by_torque:
-            self._set_wrench(t, np.where(self._given, phi_ddot, 0.0))
-            now = {"locked": self._locked[:-1].tolist(), "wrench": self._wrench.tolist()}
-            found = self._call("coupled", inputs | now, t)
-            phi_ddot = np.where(self._given, phi_ddot, found["phi_ddot"])
+            self._set_wrench(t, np.where(held, phi_ddot, 0.0))
+            given["tau"][:, 0] = tau
+            self._call("coupled", t)
+            phi_ddot = np.where(held, phi_ddot, given["phi_ddot"][:, 0])
         else:
-            found = self._call("forward", inputs | {"phi_ddot": phi_ddot.tolist()}, t)
-        V_dot = np.array(found["V_dot"])
+            self._set_wrench(t)
+            given["phi_ddot"][:, 0] = phi_ddot
+            self._call("forward", t)
+        V_dot = given["V_dot"][:, 0].astype(np.float64)
         if case.stand.flywheels:
-            inputs |= {"phi_ddot": phi_ddot.tolist(), "V_dot": V_dot.tolist()}
-            needed = np.array(self._call("torque", inputs, t)["tau"])
-            tau = np.where([each.by_torque for each in case.regime.flywheels], tau, needed)
+            given["phi_ddot"][:, 0] = phi_ddot
+            self._call("torque", t)
+            tau = np.where(held, given["tau"][:, 0], tau)
         return V_dot, phi_ddot, tau
 
-    def _call(self, function: str, inputs: dict[str, Any], t: float) -> dict[str, Any]:
-        status, outputs = self.c.call(function, inputs)
-        self._check(status, t)
-        return outputs
-
     def _moment(self, t: float, phi: Array, mounts: bool) -> Moment:
-        view = self._view
         V_dot, phi_ddot, tau = self._accelerations(t)
-        state = self.case.state(t, view[:3], view[3:7], view[7:13], view[self._phi], view[self._phi_dot].copy())
+        x = self._x
+        state = self.case.state(t, x[:3], x[3:7], x[7:13], self._phi, self._phi_dot)
         state = self.case.moving(state, V_dot, phi_ddot)
-        want = ["points", "mounts"] if mounts else ["points"]
-        found = self.c.evaluate(state, want)
-        loads = np.array(found["mount_wrench"]).reshape(-1, 6) if mounts else None
+        answers = self.c.evaluate(state, ["points", "mounts"] if mounts else ["points"])
+        loads = np.array(answers["mount_wrench"]).reshape(-1, 6) if mounts else None
         reaction = None
         if self.case.stand.hold is not None:
             reaction = np.array(self.c.evaluate(state, [REACTION])["reaction"])
-        return Moment(t, state, phi.copy(), tau, found["points"], loads, reaction)
+        return Moment(t, state, phi.copy(), tau, answers["points"], loads, reaction)
 
 
 @lru_cache(maxsize=4)
-def compiled_backend(stand: Stand, real: str = "double") -> CBackend:
-    """The compiled C of a stand; the last few are cached, so that many runs of one stand compile once."""
-    return CBackend(stand, real)
+def compiled_backend(stand: Stand, real: str = "double") -> KeptBackend:
+    """The compiled C of a stand; the last few are at hand, so that many runs of one stand load it once."""
+    return KeptBackend(stand, cast(Real, real))
 
 
 def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
@@ -234,6 +202,37 @@ def with_wrench_inputs(stand: Stand, bodies: set[str]) -> Stand:
         instruments=tuple(map(one, stand.instruments)),
         flywheels=tuple(map(one, stand.flywheels)),
     )
+
+
+def mobility(block: Block) -> Array:
+    """d phi_ddot / d tau (N x N, magnitudes, 1/(kg m2)) at the one state of a block. Locked flywheels: zero.
+
+    Of a state out of range it is what it was; the next step refuses that state as well.
+    """
+    if block.has("coupled_jacobian"):
+        block.run("coupled_jacobian")
+        return np.asarray(np.abs(block.member("coupled_jacobian", "phi_ddot_tau")[..., 0]))
+    given, rates = block.given, []  # a clamped carrier has no Jacobians; phi'' is linear in the torques
+    kept = given["tau"].copy()
+    for tau in (np.zeros(len(kept)), *np.eye(len(kept))):
+        given["tau"][:, 0] = tau
+        block.run("coupled")
+        rates.append(given["phi_ddot"][:, 0].copy())
+    given["tau"][:] = kept
+    return np.asarray(np.abs(np.array(rates[1:]) - rates[0]).T)
+
+
+def add_reaction(block: Block, place: int, accelerations: Array) -> None:
+    """Add -sum I_s phi_s'' of (8) to the wrench on the carrier, in E1 about O1, for these phi'' (N, rad/s2).
+
+    `coupled` and `step` lock a flywheel at constant speed only. A known acceleration is a term without unknowns in (8)
+    and can be added to F; it does not appear in the rows of other flywheels. `place`: that of the carrier's wrench.
+    """
+    block.call("matrices")
+    coupling = block.member("matrices", "I")
+    for s, value in enumerate(accelerations):
+        if value:
+            block.given["wrench"][6 * place : 6 * place + 6] -= coupling[:, s] * value
 
 
 TORQUE_STEP = 0.1
@@ -286,70 +285,3 @@ class Steepness:
 def _parts(h: float, mobility: Array, falls: Array) -> int:
     fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
     return max(1, math.ceil(h * fastest / TORQUE_STEP))
-
-
-def result_view(c: CBackend, x: Any, function: str, member: str, **given: Any) -> tuple[Callable[[], int], Array]:
-    """A call of a C function at the state `x`, which its owner updates, and the numbers of one member of its result.
-
-    Inputs that are not given are zero. A state out of range leaves the numbers; the next step refuses it as well.
-    """
-    ffi, name = c.library.ffi, c.program.name
-    out = ffi.new(f"{name}_{function}_result *")
-    count = max(6 * len(c.inputs), len(given.get("locked", ())), 1)
-    zero = ffi.new(f"{name}_real[]", count)
-    known = {"table": c.library.default("default"), "x": x, "tau": zero, "wrench": zero, "out": out, **given}
-    arguments = [known[a.name] for a in c.program.function(function).arguments]
-    call = c.library.function(function)
-    return lambda: int(call(*arguments)), np.frombuffer(
-        ffi.buffer(ffi.addressof(out, c_member(member))), dtype=c.program.precision.scalar
-    )
-
-
-class Mobility:
-    """d phi_ddot / d tau (N x N, 1/(kg m2)) at the state `x`, which its owner updates. Locked flywheels: zero."""
-
-    def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
-        array = c.library.ffi.new("int[]", locked)
-        self._call, view = result_view(c, x, "coupled_jacobian", "phi_ddot_tau", locked=array)
-        self._view = view.reshape(len(locked), -1)
-
-    def matrix(self) -> Array:
-        """Mobility matrix; unchanged if the state is out of range."""
-        self._call()
-        return np.abs(self._view)
-
-
-class ClampedMobility:
-    """Mobility of a clamped carrier, whose C has no Jacobians: by calls of `coupled`, linear in the torques."""
-
-    def __init__(self, c: CBackend, x: Any, locked: list[int]) -> None:
-        self._c, self._inputs = c, {"x": x, "locked": locked, "table": c.library.default("default")}
-        self._inputs["wrench"] = [0.0] * (6 * max(len(c.inputs), 1))
-        self._matrix = np.zeros((len(locked), len(locked)))
-
-    def matrix(self) -> Array:
-        """Mobility matrix; unchanged if the state is out of range."""
-        torques = np.vstack([np.zeros(len(self._matrix)), np.eye(len(self._matrix))])
-        found = [self._c.call("coupled", self._inputs | {"tau": tau.tolist()}) for tau in torques]
-        if all(status >= 0 for status, _ in found):
-            rates = np.array([outputs["phi_ddot"] for _, outputs in found])
-            self._matrix = np.abs(rates[1:] - rates[0]).T
-        return self._matrix
-
-
-class Reaction:
-    """-sum I_s phi_s'' of (8) at the state `x`, which its owner updates; `place`: index of the carrier's wrench.
-
-    `coupled` and `step` lock a flywheel at constant speed only. A known acceleration is a term
-    without unknowns in (8) and can be added to F; it does not appear in the rows of other flywheels.
-    """
-
-    def __init__(self, c: CBackend, x: Any) -> None:
-        self._call, view = result_view(c, x, "matrices", "I")
-        self._I = view.reshape(6, -1)
-        first = 6 * c.inputs.index("carrier")
-        self.place = slice(first, first + 6)
-
-    def wrench(self, accelerations: Array) -> Array:
-        """Force and moment about O1 in E1 for these phi'' (N, rad/s2; zero if not given)."""
-        return np.zeros(6) if self._call() < 0 else -(self._I @ accelerations)

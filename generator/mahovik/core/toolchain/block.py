@@ -1,4 +1,4 @@
-"""Samples that are computed together: their memory, calls of the C with it, and which of them are refused."""
+"""States that are computed together: their memory, calls of the C with it, and which of them are refused."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.status import status_words
+from mahovik.core.program.arrays import record
 from mahovik.core.stand.model import Stand
-from mahovik.out.api.compiled import COURSE, CompiledLibrary
-from mahovik.out.api.tables import LANES, Tables
-from mahovik.out.campaign.pose import Array
+from mahovik.core.toolchain.compiled import COURSE, CompiledLibrary
+
+Array = NDArray[Any]
+
+LANES = {8: 8, 4: 16}
+"""Stands side by side in a block of tables, by the bytes of a real."""
 
 PER_BLOCK = LANES[8]
 """Samples of one block of tables."""
@@ -24,27 +28,40 @@ RESULTS = {"forward": ("V_dot",), "coupled": ("V_dot", "phi_ddot"), "torque": ("
 
 
 class Block:
-    """n samples from `first` of `tables`, a multiple of PER_BLOCK.
+    """n states with the numbers of the stand itself, or of stands that differ from it in numbers.
 
+    tables  by argument of the C, tables of many stands; None: those of the library
+    first   number of the first state among these stands, a multiple of PER_BLOCK
     given  memory of what the C takes, by argument: `x` (13 + 2 N, n), `phi_ddot`, `tau` (N, n), `V_dot` (6, n),
-           `wrench` (6 W, n), `locked` (N), `dt`, `order`
+           `wrench` (6 W, n), `locked` (N), `dt`, `order`; with `carried` the `carry` of steps, a record a state
     found  memory of results that nothing takes, by function
-    status  of each sample the first negative status, or 0; `at` where it was, in words
+    status  of each state the first negative status, or 0; `at` where it was, in words
     """
 
-    def __init__(self, stand: Stand, made: CompiledLibrary, tables: Tables, first: int, n: int) -> None:
+    def __init__(
+        self,
+        stand: Stand,
+        made: CompiledLibrary,
+        n: int,
+        tables: Callable[[str], Array] | None = None,
+        first: int = 0,
+        carried: bool = False,
+    ) -> None:
         self.stand, self.n, self.first, self._made, self._tables = stand, n, first, made, tables
-        N, wrenches = len(stand.flywheels), 6 * len(made.inputs)
-        self.given: dict[str, NDArray[Any]] = {
-            "x": np.zeros((13 + 2 * N, n)),
-            "phi_ddot": np.zeros((N, n)),
-            "tau": np.zeros((N, n)),
-            "V_dot": np.zeros((6, n)),
-            "wrench": np.zeros((wrenches, n)),
+        N, real = len(stand.flywheels), made.element
+        self.given: dict[str, Array] = {
+            "x": np.zeros((13 + 2 * N, n), real),
+            "phi_ddot": np.zeros((N, n), real),
+            "tau": np.zeros((N, n), real),
+            "V_dot": np.zeros((6, n), real),
+            "wrench": np.zeros((6 * len(made.inputs), n), real),
             "locked": np.zeros(N, dtype=np.int32),
-            "dt": np.zeros(1),
+            "dt": np.zeros(1, real),
             "order": np.zeros(1, dtype=np.int32),
         }
+        if carried:
+            (carry,) = (a for a in made.functions["step"].arguments if a.name == "carry")
+            self.given["carry"] = np.zeros(n, record(carry.members, real))
         self.found: dict[str, Array] = {}
         self.status: NDArray[np.int32] = np.zeros(n, dtype=np.int32)
         self.at: list[str] = [""] * n
@@ -60,30 +77,34 @@ class Block:
         """Whether the stand has a function of the C."""
         return function in self._made.functions
 
-    def call(self, function: str, t: float | None = None) -> None:
-        """Call a function for all samples; those that it refuses are noted, at the time `t`."""
+    def run(self, function: str) -> int:
+        """Call a function for all states; return the first negative status, else that of the first state."""
         call = self._calls.get(function)
         if call is None:
             call = self._calls[function] = self._prepare_call(function)
-        if call() < 0:
+        return call() or int(self._now[0])
+
+    def call(self, function: str, t: float | None = None) -> None:
+        """Call a function for all states; those that it refuses are noted, at the time `t`."""
+        if self.run(function) < 0:
             self.refuse(self._now, lambda _: "" if t is None else f"at t = {t:.6g} s ", function)
 
     def refuse(self, status: NDArray[np.int32], where: Callable[[int], str], function: str) -> None:
-        """Note the samples with a negative status that have none yet."""
+        """Note the states with a negative status that have none yet."""
         for j in np.flatnonzero((status < 0) & (self.status >= 0)):
             self.status[j] = status[j]
             self.at[j] = f"{where(int(j))}{function}"
 
     def reason(self, j: int) -> str:
-        """Why sample j is refused; "" where it is not."""
+        """Why state j is refused; "" where it is not."""
         if self.status[j] >= 0:
             return ""
         return f"{self.at[j]} returned {status_words(int(self.status[j]))}: the motion leaves its ranges"
 
-    def course(self, rows: Mapping[str, NDArray[Any]]) -> Callable[[], int]:
+    def course(self, rows: Mapping[str, Array]) -> Callable[[], int]:
         """A call of many steps under given speeds, which reads and writes `rows`: see the C."""
         names = ("phi", "phi_dot", "phi_ddot", "end_phi_ddot", "dt", "count")
-        arrays: list[NDArray[Any]] = [self._table("table"), self.x, self.given["phi_ddot"]]
+        arrays: list[Array] = [self._table("table"), self.x, self.given["phi_ddot"]]
         arrays += [*(rows[name] for name in names)]
         arrays += [self.given["order"], *(rows[name] for name in ("stretches", "kept", "states", "V_dot", "refused"))]
         arrays.append(self._now)
@@ -93,34 +114,39 @@ class Block:
             arrays.append(np.zeros((len(self.stand.hold.freedoms), self.n)))
         return self._made.of_tables.repeat_call(COURSE, self.n, arrays, rows["status"])
 
-    def _table(self, name: str) -> NDArray[np.uint8]:
+    def _table(self, name: str) -> Array:
+        if self._tables is None:
+            return self._made.tables[name]
         size = self._made.of_tables.block_bytes(name == "mounting")
         begin = self.first // PER_BLOCK * size
-        return self._tables.block(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
+        return self._tables(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
 
     def _prepare_call(self, function: str) -> Callable[[], int]:
-        arrays: list[NDArray[Any]] = []
-        for a in self._made.functions[function].arguments:
+        arrays: list[Array] = []
+        arguments, real = self._made.functions[function].arguments, self._made.element
+        for a in arguments:
             if a.name in TABLES:
                 arrays.append(self._table(a.name))
             elif a.direction == "inout":
-                arrays.append(np.empty(0))  # null: no carry
+                arrays.append(self.given.get(a.name, np.empty(0)))  # null: no carry
             elif a.name == "next":
                 arrays.append(self.x)
-            elif a.direction == "in" or a.name in RESULTS.get(function, ()):
+            elif a.direction == "in":
                 arrays.append(self.given[a.name])
             elif a.order == "components":
-                self.found[function] = np.zeros((a.components, self.n))
-                arrays.append(self.found[function])
+                arrays.append(np.zeros((a.components, self.n), real))
+                self.found[function] = arrays[-1]
             else:  # of a function without batch, state by state
-                arrays.append(np.zeros((self.n, a.components)))
+                arrays.append(np.zeros((self.n, a.components), real))
                 self.found[function] = arrays[-1].T
-        if not any(a.name in TABLES for a in self._made.functions[function].arguments):  # a clamped carrier's forward
+            if a.name in RESULTS.get(function, ()):
+                arrays[-1] = self.given[a.name]
+        if self._tables is None or not any(a.name in TABLES for a in arguments):  # a clamped carrier's forward
             return self._made.library.repeat_call(function, self.n, arrays, self._now)
         return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)
 
     def member(self, function: str, name: str) -> Array:
-        """A member of the results of a function, a view with the samples last."""
+        """A member of the results of a function, a view with the states last."""
         row = 0
         for m in self._made.functions[function].arguments[-1].members:
             if m.name == name:
