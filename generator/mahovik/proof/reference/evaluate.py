@@ -80,7 +80,7 @@ def evaluate(
 
     Of a task, other wants take the motion that results of `torque_for` where this is asked, else of `inverse`.
 
-    `at`: the pieces of this stand and state, where the caller has them already. `cuts`: thresholds of `inverse`.
+    `at`: the pieces of this stand and state, which then is that of `held_state`. `cuts`: thresholds of `inverse`.
 
     A held carrier moves with the state's u, u_dot, whatever its V, V_dot.
 
@@ -92,8 +92,9 @@ def evaluate(
         raise StateError(fault)
     values: Values = {}
     with np.errstate(all="ignore"):  # what overflows is not finite, and is reported below
-        state = held_state(stand, state)
-        at = at or pieces(stand, state)
+        if at is None:
+            state = held_state(stand, state)
+            at = pieces(stand, state)
         check_task_want(want, state.task)
         moved, choose = state, inverse.answer_inverse
         if state.task:

@@ -60,7 +60,7 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> C
 
     A function that is not tried at all fails.
     """
-    check = Check("", "bad inputs refused, outputs untouched")
+    check = Check("", "bad inputs refused")
     for function in program.functions:
         if not function.public:
             continue

@@ -127,9 +127,9 @@ class Scales:
 
     def _shaken_answers(self, equation: Equation, stand: Stand, state: State, at: Pieces) -> list[Values]:
         found = []
-        for _ in range(PERTURBATIONS if len(at.flywheels) else 0):
+        for shaken in self._shaken(at) if len(at.flywheels) else ():
             with suppress(StateError, np.linalg.LinAlgError, ArithmeticError):
-                found.append(equation(stand, state, self._shaken(at)))
+                found.append(equation(stand, state, shaken))
         return found
 
     def at(self, state: State) -> Pieces:
@@ -235,19 +235,21 @@ class Scales:
             return along
         return np.repeat([np.max(along[:3]), np.max(along[3:])], 3)
 
-    def _shaken(self, at: Pieces) -> Pieces:
+    def _shaken(self, at: Pieces) -> Iterator[Pieces]:
         """Pieces whose K, I and F have all elements changed by D of their norms, with masses and inertias as units.
 
         A solver of least squares rounds relative to these norms, not to each element.
         """
-        L, Theta = np.linalg.cholesky(at.K), np.sqrt(np.diag(at.Theta_ff))
+        L, Theta, rng = np.linalg.cholesky(at.K), np.sqrt(np.diag(at.Theta_ff)), self._rng
         root = np.linalg.inv(L)
-        size = sum(float(np.linalg.norm(root @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
         X = root @ at.I / Theta
-        R = self._size * self._rng.uniform(-1.0, 1.0, (6, 6))
-        I = at.I + L @ (self._size * float(np.linalg.norm(X)) * self._rng.uniform(-0.4, 0.4, X.shape)) * Theta
-        F = at.F + L @ (self._size * size * self._rng.uniform(-0.4, 0.4, 6))
-        return replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
+        size = sum(float(np.linalg.norm(root @ term)) for term in _terms(at, np.zeros(6), np.zeros(len(Theta))))
+        of_I, of_F = (self._size * number for number in (float(np.linalg.norm(X)), size))
+        for _ in range(PERTURBATIONS):
+            R = self._size * rng.uniform(-1.0, 1.0, (6, 6))
+            I = at.I + L @ (of_I * rng.uniform(-0.4, 0.4, X.shape)) * Theta
+            F = at.F + L @ (of_F * rng.uniform(-0.4, 0.4, 6))
+            yield replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
 
 
 def scales_of(stand: Stand, state: State, want: str) -> Mapping[str, Any]:

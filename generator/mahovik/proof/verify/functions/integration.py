@@ -65,10 +65,10 @@ def judge_steps(case: Case, rows: Rows) -> None:
 
 def _judge_motions(case: Case, rows: Rows, carried: str) -> None:
     """Rows of motions; `carried`: with a carry, in words."""
-    agreement = rows.check(f"change of state in a motion{carried}")
+    agreement = rows.check(f"motion{carried}")
     orders = {}
     if case.real == "double" and not carried:  # in float rounding hides the order of the same program
-        orders = {order: rows.check(f"order {order}: order seen", "order") for order in ORDER_STEPS}
+        orders = {order: rows.check(f"order {order}, as seen", "order") for order in ORDER_STEPS}
     for number, (name, state) in enumerate(case.states):
         unseen = {order: check for order, check in orders.items() if not check.states}
         if number >= STATES and not unseen:
@@ -79,7 +79,7 @@ def _judge_motions(case: Case, rows: Rows, carried: str) -> None:
             if number < STATES:
                 agreement.note(_least(motion.error, agreement.limit), name)
             if number < STATES and carried:
-                few = rows.check(f"change of some last places{carried}")
+                few = rows.check(f"last places{carried}")
                 few.note(motion.error(TINY[case.real], TINY_STEPS, order=2), name)
             for order, check in unseen.items():
                 off = _least(partial(motion.off_order, order), check.limit, LONGER)

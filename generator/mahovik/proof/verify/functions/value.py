@@ -219,7 +219,7 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
     mounts = rows.function == "prepare_mounts"
     asked = ("mounts",) if mounts else ("matrices", "momentum", "forward", "torque", "points")
     known = case.backend.wants_of(case.backend.complete.program)
-    check = rows.check("answers, with other parameters")
+    check = rows.check("other parameters")
     for number in range(OTHER_STANDS):
         other = _with_other_parameters(case.stand, case.random(200 + number))
         judge = Judge(other, case.limits)
