@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -104,6 +105,53 @@ def balance(
     return found
 
 
+class Solved(NamedTuple):
+    """States c (n, 2 m) and constant numbers h (n, f) on a torus, and the last linear equations."""
+
+    c: Complex
+    h: Complex
+    linear: Linearised
+
+
+def newton(
+    scene: Scene, torus: Torus, given: Drive, w: Array, slow: Whole, start: Complex, rounding: Array, fastest: float
+) -> Solved | None:
+    """The motion at frequencies w (n; rad/s), constant at `slow`, from states `start` (n, 2 m); None: not found.
+
+    given      sums of the flywheels at the nodes; rounding (m): rates of the speeds in a state that count as none
+    fastest    speed of a flywheel, rad/s
+    """
+    f, m = scene.free.shape[1], scene.count
+    push = scene.effect_of_wrench(given)
+    c, h = start, np.zeros((len(torus.k), f), dtype=np.complex128)
+    size = np.repeat([1.0, fastest], m)
+    least = (ROUNDING + scene.noise) / fastest**2
+    linear, before = None, np.inf
+    for _ in range(STEPS):
+        y = torus.values(c)
+        if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
+            return None
+        rate = scene.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
+        left = torus.coefficients(rate) - 1j * w[:, None] * c
+        if linear is not None and np.all(np.abs(left[:, m:]) <= rounding):
+            return Solved(c, h, linear)
+        if linear is None:
+            J = scene.jacobian(given, y, scene.twist(rate[:, m:]))
+            linear = Linearised(torus, J, push, scene.free_displacement, w, slow, size)
+        settled = SETTLED * np.abs(c / size).max() + least
+        step = linear.solve(left, c, SMALL * settled)
+        if step is None:
+            return None
+        c, h = c + step[0], h + step[1]
+        change = np.abs(step[0] / size).max()
+        if change <= SETTLED * np.abs(c / size).max() + least:
+            return Solved(c, h, linear)
+        if change > SAME * before:  # the linear equations of an earlier step help little here
+            linear = None
+        before = change
+    return None
+
+
 class _Search:
     """Newton's method at one order after the other, each from the last."""
 
@@ -124,37 +172,11 @@ class _Search:
         if not self.scene.count:
             return self._at_rest(order, torus)
         given = self._drive(torus.nodes)
-        f, m = self.scene.free.shape[1], self.scene.count
-        push = self.scene.effect_of_wrench(given)
-        c, h = self._start(torus), np.zeros((len(torus.k), f), dtype=np.complex128)
-        size = np.repeat([1.0, self.fastest], m)
-        least = (ROUNDING + self.scene.noise) / self.fastest**2
-        linear, before = None, np.inf
-        for _ in range(STEPS):
-            y = torus.values(c)
-            if not np.all(np.isfinite(y)) or np.abs(self.scene.whole(y)[:, 3:6]).max() > LARGEST:
-                break
-            rate = self.scene.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
-            left = torus.coefficients(rate) - 1j * w[:, None] * c
-            if linear is not None and np.all(np.abs(left[:, m:]) <= self.rounding):
-                self.before = torus, c
-                return self._with_missing(self._result(order, torus, c, h), linear, h)
-            if linear is None:
-                J = self.scene.jacobian(given, y, self.scene.twist(rate[:, m:]))
-                linear = Linearised(torus, J, push, self.scene.free_displacement, w, slow, size)
-            settled = SETTLED * np.abs(c / size).max() + least
-            step = linear.solve(left, c, SMALL * settled)
-            if step is None:
-                break
-            c, h = c + step[0], h + step[1]
-            change = np.abs(step[0] / size).max()
-            if change <= SETTLED * np.abs(c / size).max() + least:
-                self.before = torus, c
-                return self._with_missing(self._result(order, torus, c, h), linear, h)
-            if change > SAME * before:  # the linear equations of an earlier step help little here
-                linear = None
-            before = change
-        raise self._failure(order)
+        solved = newton(self.scene, torus, given, w, slow, self._start(torus), self.rounding, self.fastest)
+        if solved is None:
+            raise self._failure(order)
+        self.before = torus, solved.c
+        return self._with_missing(self._result(order, torus, solved.c, solved.h), solved.linear, solved.h)
 
     def _at_rest(self, order: int, torus: Torus) -> Balance:
         """The carrier at rest."""

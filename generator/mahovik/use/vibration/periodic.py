@@ -1,8 +1,7 @@
 """The periodic steady state of the carrier under flywheels at constant speeds: (8) in full, by Fourier collocation.
 
-y at 2 H + 1 uniform nodes is a trigonometric polynomial of H harmonics, found by Newton's method. Its linear equations
-are solved by GMRES, preconditioned by their mean over the period, harmonic by harmonic; what varies in it is small
-where unbalance is.
+With a common period the torus of `balance` has one phase, that of the period: y is a trigonometric polynomial of H
+harmonics, for the phases of the flywheels as they are.
 """
 
 from __future__ import annotations
@@ -12,7 +11,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import expm
-from scipy.sparse.linalg import LinearOperator, gmres
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
@@ -20,91 +18,12 @@ from mahovik.errors import CheckError
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.plan.array import Array, Complex
 from mahovik.use.study.rest import rest
+from mahovik.use.vibration.balance import newton
 from mahovik.use.vibration.scene import FREE, Scene, coordinates
 from mahovik.use.vibration.speeds import Turning, common_period
-from mahovik.use.vibration.torus import odd_length
+from mahovik.use.vibration.torus import Torus, odd_length
+from mahovik.use.vibration.torus_motion import gyration_radius, rounding_rates
 from mahovik.use.vibration.view import FullMotion, Observable
-
-ACCURATE = 1e-7
-"""Accuracy of GMRES in one step of Newton's method."""
-
-RESTART, ROUNDS = 60, 5
-
-
-def derivative(y: Array, base: float) -> Array:
-    """dy/dt at the nodes (M odd, ...), base: 2 pi / period (rad/s)."""
-    M = len(y)
-    spectrum = np.fft.rfft(y, axis=0)
-    k = np.arange(len(spectrum)).reshape(-1, *(1,) * (y.ndim - 1))
-    return np.asarray(np.fft.irfft(1j * base * k * spectrum, M, axis=0))
-
-
-@dataclass(frozen=True, eq=False)
-class LinearSystem:
-    """dy' = J dy + push dh + r with conditions: conditions . mean(dy) = c. The unknowns are dy (M, n) and dh (f).
-
-    J (M, n, n); push (M, n, f): effect of the constant numbers h on y'; conditions (f, n); base: rad/s;
-    size (n): scales of the unknowns.
-    """
-
-    J: Array
-    push: Array
-    conditions: Array
-    base: float
-    size: Array
-
-    def solve(self, r: Array, c: Array) -> tuple[Array, Array] | None:
-        """dy, dh; None if the equations are singular, at an undamped resonance."""
-        M, n = r.shape
-        f = len(c)
-        inverse = self._inverse(M)
-        if inverse is None:
-            return None
-
-        def pack(dy: Array, dh: Array) -> Array:
-            return np.concatenate([(dy / self.size).ravel(), dh])
-
-        def back(r: Array, c: Array) -> Array:
-            spectrum = np.fft.rfft(r, axis=0).astype(np.complex128)
-            right = np.concatenate([spectrum, np.zeros((len(spectrum), f))], axis=1)
-            right[0, n:] = M * c
-            found = (inverse @ right[:, :, None])[:, :, 0]
-            return pack(np.fft.irfft(found[:, :n], M, axis=0), found[0, n:].real / M)
-
-        def forward(x: Array) -> Array:
-            dy, dh = x[: M * n].reshape(M, n) * self.size, x[M * n :]
-            left = derivative(dy, self.base) - (self.J @ dy[:, :, None])[:, :, 0] - self.push @ dh
-            return back(left, self.conditions @ dy.mean(axis=0))
-
-        count = M * n + f
-        operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
-        x, missed = gmres(operator, back(r, c), rtol=ACCURATE, atol=0.0, restart=RESTART, maxiter=ROUNDS)
-        if missed or not np.all(np.isfinite(x)):
-            return None
-        return x[: M * n].reshape(M, n) * self.size, x[M * n :]
-
-    def _inverse(self, M: int) -> Complex | None:
-        """Inverses (H + 1, n + f, n + f) of the mean equations, one per harmonic; constants h belong to the zeroth."""
-        n, f = self.J.shape[1], len(self.conditions)
-        k = np.arange(M // 2 + 1)
-        A = np.zeros((len(k), n + f, n + f), dtype=np.complex128)
-        A[:, :n, :n] = -self.J.mean(axis=0)
-        A[:, range(n), range(n)] += 1j * self.base * k[:, None]
-        A[0, :n, n:], A[0, n:, :n] = -self.push.mean(axis=0), self.conditions
-        A[1:, range(n, n + f), range(n, n + f)] = 1.0
-        try:
-            found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
-        except np.linalg.LinAlgError:
-            return None
-        return found if np.all(np.isfinite(found)) else None
-
-
-def resample(y: Array, M: int) -> Array:
-    """The same trigonometric polynomial at M nodes (odd), without its highest harmonics if M is smaller."""
-    spectrum = np.fft.rfft(y, axis=0)
-    H = min(len(spectrum), M // 2 + 1)
-    return np.asarray(np.fft.irfft(spectrum[:H], M, axis=0) * (M / len(y)))
-
 
 PER_TURN = 4
 """Harmonics per turn of the fastest flywheel at first."""
@@ -123,13 +42,6 @@ COARSE = 1e-6
 
 ROUNDING = 1e-14
 """m/s2, rad/s2: smaller harmonics count as zero."""
-
-STEPS = 30
-NEWTON_TOLERANCE = 1e-12
-"""Relative size of a last step of Newton's method."""
-
-LARGEST = 2.0
-"""rad: limit near the edge of the chart."""
 
 UNSTABLE = 1e-3
 """Multipliers above 1 by more than this grow; less may be rounding of a neutral one."""
@@ -233,12 +145,11 @@ def _at_rest(scene: Scene, turning: Turning, phases: Array) -> Periodic:
 
 
 class _Search:
-    """Newton's method at a number of harmonics, doubled until the highest ones are negligible."""
+    """The motion with a number of harmonics, doubled until the highest ones are negligible."""
 
     def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
         self.scene, self.turning, self.phases = scene, turning, phases
-        f = scene.free.shape[1]
-        self.y, self.h = np.zeros((1, 2 * scene.count)), np.zeros(f)
+        self.c = np.zeros((1, 2 * scene.count), dtype=np.complex128)
         H = max(8, PER_TURN * max(map(abs, turning.turns)))
         enough = KINKED_TAIL if scene.stand.has_kinks else TAIL
         before = np.inf
@@ -249,64 +160,41 @@ class _Search:
                 return
             before, H = self.tail, 2 * H
             if H > MOST:
-                raise CheckError(f"{self._failure()}: its harmonics do not fall off within {MOST} of the period")
+                raise self._failure(f"its harmonics do not fall off within {MOST} of the period")
 
-    def _failure(self) -> str:
-        given = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
-        return f"{self.scene.stand.name} at speeds {given} rad/s: no periodic steady state found"
+    def _failure(self, why: str) -> CheckError:
+        speeds = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
+        return CheckError(f"{self.scene.stand.name} at speeds {speeds} rad/s: no periodic steady state found: {why}")
 
     def _solve(self, H: int) -> None:
         """The course with H harmonics. Raises CheckError."""
-        M = odd_length(2 * H + 1)
-        scene, base = self.scene, self.turning.base
-        phi = phases_at(self.turning, self.phases, M)
-        self.given = given = scene.drive(phi, np.broadcast_to(self.turning.speeds, phi.shape))
-        y, h, push = resample(self.y, M), self.h, scene.effect_of_wrench(given)
-        fastest = base * max(map(abs, self.turning.turns))
-        size = np.repeat([1.0, fastest], scene.count)
-        for number in range(STEPS):
-            rate = scene.rate(given, y) + push @ h
-            left = rate - derivative(y, base)
-            if number and np.abs(left).max() <= scene.noise:
-                return
-            J = scene.jacobian(given, y, scene.twist(rate[:, scene.count :]))
-            linear = LinearSystem(J, push, scene.free_displacement, base, size)
-            step = linear.solve(left, -scene.free_displacement @ y.mean(axis=0))
-            if step is None:
-                break
-            y, h = y + step[0], h + step[1]
-            self.y, self.h, self.J = y, h, J
-            if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
-                break
-            if np.abs(step[0] / size).max() <= NEWTON_TOLERANCE * np.abs(y / size).max() + ROUNDING / fastest**2:
-                return
-        raise CheckError(f"{self._failure()}: an undamped resonance, or the carrier moves too violently")
+        scene, base, speeds = self.scene, self.turning.base, np.array(self.turning.speeds)
+        torus, fastest = Torus.of(1, H), float(np.abs(speeds).max())
+        phi = phases_at(self.turning, self.phases, torus.M)
+        given = scene.drive(phi, np.broadcast_to(speeds, phi.shape))
+        w, slow = np.asarray(base * torus.k[:, 0], dtype=np.float64), np.zeros(1, dtype=np.int64)
+        rounding = rounding_rates(scene, speeds)
+        solved = newton(scene, torus, given, w, slow, torus.pad(self.c), rounding, fastest)
+        if solved is None:
+            raise self._failure("an undamped resonance, or the carrier moves too violently")
+        self.given, self.c, self.y, h = given, solved.c, torus.values(solved.c), solved.h[0].real
+        pushed = (scene.effect_of_wrench(given) @ h)[:, scene.count :]
+        self.hold, self.V_dot = scene.wrench @ h, scene.acceleration(given, self.y) + scene.twist(pushed)
 
     def _tail(self) -> float:
         """Part of the largest harmonic of V* that the highest third holds; 0 if it is rounding."""
-        sizes = np.abs(np.fft.rfft(self.V_dot(), axis=0)) / len(self.y)
-        each = (sizes * np.repeat([1.0, self._gyration_radius()], 3)).max(axis=1)
+        sizes = np.abs(np.fft.rfft(self.V_dot, axis=0)) / len(self.y)
+        each = (sizes * np.repeat([1.0, gyration_radius(self.scene)], 3)).max(axis=1)[: len(self.c)]
         last = float(each[2 * len(each) // 3 :].max())
         return 0.0 if last <= ROUNDING else last / float(each.max())
 
-    def _gyration_radius(self) -> float:
-        """Radius of gyration, m, to compare rotations with displacements."""
-        K = self.scene.K
-        return float(np.sqrt(np.trace(K[3:, 3:]) / np.trace(K[:3, :3])))
-
-    def V_dot(self) -> Array:
-        """V* (M, 6)."""
-        scene = self.scene
-        pushed = (scene.effect_of_wrench(self.given) @ self.h)[:, scene.count :]
-        return scene.acceleration(self.given, self.y) + scene.twist(pushed)
-
     def result(self) -> Periodic:
         """The result of the course."""
-        V_dot, y = self.V_dot(), self.scene.whole(self.y)
-        multiplier = largest_multiplier(self.J, self.turning.period)
-        hold = self.scene.wrench @ self.h
+        scene, y = self.scene, self.scene.whole(self.y)
+        J = scene.jacobian(self.given, self.y, self.V_dot)
+        multiplier = largest_multiplier(J, self.turning.period)
         phi = self.given.phi
-        return Periodic(self.scene, self.turning, y, V_dot, phi, hold, multiplier, self.tail, natural(self.J))
+        return Periodic(scene, self.turning, y, self.V_dot, phi, self.hold, multiplier, self.tail, natural(J))
 
 
 def largest_multiplier(J: Array, period: float) -> float:
