@@ -12,7 +12,7 @@ from mahovik.stands import path
 from mahovik.use.simulate.case import load_start
 
 SAT4 = str(path("sat4"))
-ASKED = ("--point", "acc1", "--band", "20..200Hz", "--backend", "none")
+ASKED = ("--point", "acc1", "--band", "20..200Hz")
 NEAR = ("--speeds", "3040 3022 3040 3022 rpm", "--momentum", "0 0 14")
 
 

@@ -24,7 +24,7 @@ COMMANDS = {
     "follow": "simulate $shaker2 --programme p.json --motion $spin --servo servo.toml",
     "response": "response $bench8 --at carrier --speed w1=6rpm",
     "jitter": "jitter $sat4 --speed all=3000rpm --at acc1",
-    "quiet": "quiet $sat4 --point acc1 --band 20..200Hz --backend none --momentum '0 0 14'",
+    "quiet": "quiet $sat4 --point acc1 --band 20..200Hz --momentum '0 0 14'",
     "plan": "plan $demo3 --motion $turn -o p2.json",
     "verify": "verify $demo3",
     "replay": "replay $demo3 --log none.log",

@@ -114,7 +114,6 @@ def quiet(
     ),
     seed: int = SEED_OF_STARTS,
     seconds: float | None = TIME_LIMIT,
-    backend: str = choice("--backend", ["c", "scipy", "none"], "Simulate by c, by scipy, or not at all.", default="c"),
     output: str | None = file_option("-o", "REGIME.toml", "Write the speeds, for `simulate --regime`."),
     state_file: str | None = file_option("--state", "S.json", "Write the state, for `simulate --start`."),
     as_json: bool = JSON,
@@ -122,11 +121,11 @@ def quiet(
     """Quiet a point by speeds and phases of flywheels.
 
     The unbalance of redundant flywheels cancels at the point. Their momentum is kept exactly: only combinations of
-    speeds without momentum change, and phases of flywheels that turn together. A simulation of the whole stand checks
-    the jitter before and after.
+    speeds without momentum change, and phases of flywheels that turn together. The full equations check the jitter
+    before and after.
 
-    Exit status: 0 lower, and confirmed by simulation; 1 no allowed speeds, not lower or not as low as wanted, or the
-    simulation disagrees; 2 bad input; 130 Ctrl-C.
+    Exit status: 0 lower, and confirmed by the full equations; 1 no allowed speeds, not lower or not as low as wanted,
+    or the full equations disagree; 2 bad input; 130 Ctrl-C.
     """
     from mahovik.writing import write
 
@@ -144,8 +143,7 @@ def quiet(
         found = find(
             stand, point, band, momentum=momentum, speeds=speeds, axes=axes, measure=measure, limit=limit, least=least,
             change=change, reduction=reduction, avoid=_intervals(avoid, margin), modes="modes" in avoid, margin=margin,
-            orders=orders, guard=guard, seed=seed, seconds=seconds, backend=None if backend == "none" else backend,
-            progress=stage.show,
+            orders=orders, guard=guard, seed=seed, seconds=seconds, progress=stage.show,
         )  # fmt: skip
     if output is not None:
         found.save(output)
@@ -191,18 +189,16 @@ def _print(found: QuietResult) -> None:
         "flywheels",
         f"apart, {found.unit}>",
         f"together, {found.unit}>",
-        "simulated>",
+        "in full>",
         "",
     )
     rows = [*_lines(found, "before", found.before), *_lines(found, "after", found.after)]
     print_table(columns, rows, title="amplitudes, 0 to peak")
     for name, jitter in (("before, phases not held", found.before), ("after", found.after)):
-        simulated = ""
-        if jitter.simulated is not None:
-            simulated = f", simulated {jitter.simulated:.4g} (expected {jitter.expected:.4g})"
+        full = "" if jitter.full is None else f"; at these phases {jitter.rms:.4g}, in full {jitter.full:.4g}"
         rms = jitter.free if jitter is found.before else jitter.rms
         what = f"{found.options.measure} of {found.options.point}, {band}"
-        print_line(f"{name}: {what}: RMS {rms:.4g} {found.unit}{simulated}")
+        print_line(f"{name}: {what}: RMS {rms:.4g} {found.unit}{full}")
     ratio = found.reduction
     words = f"{ratio:.4g} times lower" if ratio >= 1.0 else f"{1.0 / ratio:.4g} times higher"
     along = "" if found.stand.hold is None else " along the freedoms"
@@ -216,25 +212,28 @@ def _lines(found: QuietResult, when: str, jitter: Jitter) -> Iterator[tuple[str,
     """Rows for order 1 of all flywheels."""
     from mahovik.use.vibration.band import in_band
 
-    heard = jitter.heard or (None,) * len(jitter.lines)
-    for line, simulated in zip(jitter.lines, heard, strict=True):
+    in_full = jitter.full_lines or (None,) * len(jitter.lines)
+    for line, full in zip(jitter.lines, in_full, strict=True):
         sizes = (f"{(2.0 * x) ** 0.5:.4g}" for x in (line.apart, line.mean_square))
         names = " ".join(found.wheels.names[s] for s in line.flywheels)
         where = "" if in_band(line.frequency, found.options.band) else "outside the band"
-        yield when, f"{line.frequency:.4f}", names, *sizes, "-" if simulated is None else f"{simulated:.4g}", where
+        yield when, f"{line.frequency:.4f}", names, *sizes, "-" if full is None else f"{full:.4g}", where
 
 
 def _end(found: QuietResult) -> None:
     """Warnings; exit status."""
     if found.interrupted:
-        click.echo("interrupted: this is the best so far, not simulated", err=True)
+        click.echo("interrupted: this is the best so far, not checked by the full equations", err=True)
         raise SystemExit(INTERRUPTED)
     if found.broken_options:
         click.echo(f"warning: the present speeds break their own limits: {', '.join(found.broken_options)}", err=True)
     if found.cut:
         click.echo("warning: --time cut the search: another run may find more", err=True)
+    for jitter in (found.before, found.after):
+        if jitter.unchecked:
+            click.echo(f"warning: not checked by the full equations: {jitter.unchecked}", err=True)
     if not found.agrees:
-        click.echo("error: the simulation differs from first order by more than 1 % of the RMS before", err=True)
+        click.echo("error: the full equations differ from first order by more than 1 % of the RMS before", err=True)
         raise SystemExit(1)
     if found.reduction < 1.0:
         click.echo("error: no allowed speeds are lower than before; these are the lowest", err=True)

@@ -142,7 +142,7 @@ def _warn_of_planned_speeds(stand: Stand, asked: SpeedPlan, given: Sequence[str]
 
 
 class Quiet(Table):
-    """Speeds and phases that make a point quiet: a row per flywheel. `result` holds lines and simulations."""
+    """Speeds and phases that make a point quiet: a row per flywheel. `result` holds the lines."""
 
     index = "flywheel"
 
@@ -244,7 +244,6 @@ def quiet(
     guard: float = 0.02,
     seed: int = 0,
     seconds: Number | None = None,
-    backend: str | None = "c",
     progress: OnProgress | None = None,
 ) -> Quiet:
     """Find speeds and phases of redundant flywheels that make a point quiet; their momentum is kept exactly.
@@ -258,7 +257,6 @@ def quiet(
     reduction     choose the least change that makes it lower by this factor; None: the lowest
     avoid, modes  frequencies (from, to; Hz) that no order may meet; also the natural ones, with a margin
     orders        whose lines avoid them; guard: at the band's ends
-    backend       simulates before and after: "c", "scipy"; None: no simulation
 
     Ctrl-C gives the best so far. Raises StandError, UsageError, CheckError.
     """
@@ -280,6 +278,6 @@ def quiet(
         speed("limit", limit), speed("least", least) or 0.0, speed("change", change), reduction,
         tuple((a, b) for a, b in avoid), tuple(orders), modes, margin, guard, seed,
     )  # fmt: skip
-    found = find(own, options, allowed, backend, lambda words: tell(progress, Progress(words)))
+    found = find(own, options, allowed, lambda words: tell(progress, Progress(words)))
     warn_of_turn(own)
     return Quiet(found)

@@ -1,4 +1,4 @@
-"""Quiet speeds and phases, with the jitter before and after by first order and by full simulation.
+"""Quiet speeds and phases, with the jitter before and after by first order and by the full equations.
 
 Output files: a regime that `simulate` reads, an initial state, and everything as JSON.
 """
@@ -14,14 +14,16 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.core.toolchain.compiler import find_compiler
-from mahovik.errors import StateError
+from mahovik.errors import CheckError
 from mahovik.proof.verify.states import state_object
 from mahovik.use.plan.array import Array
 from mahovik.use.plan.stream import uniform_stream
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
+from mahovik.use.vibration.balance import balance
 from mahovik.use.vibration.band import in_band
+from mahovik.use.vibration.exact import exact_lines
+from mahovik.use.vibration.lines import SAME, coherent
 from mahovik.use.vibration.quiet.lines import (
     Amplitudes,
     Line,
@@ -32,27 +34,19 @@ from mahovik.use.vibration.quiet.lines import (
 )
 from mahovik.use.vibration.quiet.options import MEASURES, QuietOptions, Wheels, check_options
 from mahovik.use.vibration.quiet.search import Search, broken_limits
-from mahovik.use.vibration.quiet.simulation import (
-    Sampling,
-    band_rms,
-    expected_samples,
-    line_amplitude,
-    simulate_point,
-)
 
 AGREE = 0.01
-"""Part of the RMS before: a larger difference of simulated and expected RMS in the band means first order fails."""
+"""Part of the RMS before: a larger difference from the full equations in the band means first order fails."""
 
 
 @dataclass(frozen=True, eq=False)
 class Jitter:
-    """Jitter at some speeds and phases, in the measure's unit; values that were not simulated are None.
+    """Jitter at some speeds and phases, in the measure's unit.
 
     free       RMS in the band if no phase is held, the mean over phases
-    rms        RMS in the band with these phases, over all time
-    expected   RMS of the simulated samples, by first order
-    simulated  RMS by the simulation
-    lines      in and outside the band; heard: their simulated amplitudes
+    rms        RMS in the band with these phases, by first order
+    full       RMS by the full equations, with lines at all orders; None: not found, for the reason `unchecked`
+    lines      in and outside the band; full_lines: their amplitudes by the full equations
     start      state at t = 0
     """
 
@@ -62,9 +56,9 @@ class Jitter:
     rms: float
     lines: tuple[Line, ...]
     start: State
-    expected: float | None = None
-    simulated: float | None = None
-    heard: tuple[float, ...] | None = None
+    full: float | None = None
+    full_lines: tuple[float, ...] | None = None
+    unchecked: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,17 +78,13 @@ class QuietResult:
 
     @property
     def reduction(self) -> float:
-        """Factor of reduction: RMS before, phases not held, over RMS after plus the simulation's excess over expected.
+        """Factor of reduction: RMS before, phases not held, over the larger RMS after, by first order or in full.
 
-        inf: silence after; 1: silence before, so nothing to reduce. Lines whose beat is longer than the simulated time
-        are loud or quiet by chance: the simulation never lowers the first-order value for all time.
+        inf: silence after; 1: silence before, so nothing to reduce.
         """
         if self.before.free == 0.0:
             return 1.0
-        beyond = 0.0
-        if self.after.simulated is not None and self.after.expected is not None:
-            beyond = max(0.0, self.after.simulated**2 - self.after.expected**2)
-        after = math.sqrt(self.after.rms**2 + beyond)
+        after = max(self.after.rms, self.after.full or 0.0)
         return self.before.free / after if after > 0.0 else math.inf
 
     @property
@@ -114,28 +104,24 @@ class QuietResult:
 
     @property
     def agrees(self) -> bool:
-        """Whether simulation and first order agree on the RMS in the band, before and after; True if not simulated."""
-        pairs = [(each.simulated, each.expected) for each in (self.before, self.after)]
+        """Whether the full equations and first order agree on the RMS in the band, before and after, where known."""
         allowed = AGREE * max(self.before.free, 1e-300)
-        return all(one is None or other is None or abs(one - other) <= allowed for one, other in pairs)
+        return all(each.full is None or abs(each.full - each.rms) <= allowed for each in (self.before, self.after))
 
 
 def quiet(
     stand: Stand,
     options: QuietOptions,
     seconds: float | None = None,
-    backend: str | None = "c",
     progress: Callable[[str], None] | None = None,
 ) -> QuietResult:
-    """Find quiet speeds and phases. `backend` of the check: c or scipy; None: no simulation.
+    """Find quiet speeds and phases.
 
-    Raises StandError for a stream by depth, UsageError for bad input; ToolchainError if c lacks a compiler, before the
-    search; CheckError if no speeds are allowed, or there is no equilibrium.
+    Raises StandError for a stream by depth, UsageError for bad input; CheckError if no speeds are allowed, or there is
+    no equilibrium.
     """
     uniform_stream(stand)
     check_options(stand, options)
-    if backend == "c":
-        find_compiler()  # before the search, not after it
     wheels = Wheels.of(stand, options)
     tell = progress or (lambda _: None)
     amplitudes = Amplitudes.of(stand, options)
@@ -152,17 +138,14 @@ def quiet(
     unheld = np.random.default_rng([options.seed, 2]).uniform(0.0, 2 * math.pi, len(speeds))
     interrupted = outcome.interrupted
 
-    def jitters(by: str | None) -> list[Jitter]:
-        found = []
-        for name, (now, angles) in {"before": (wheels.start, unheld), "after": (speeds, phases)}.items():
-            tell(f"simulating {name}")
-            found.append(_jitter(stand, options, amplitudes, now, angles, by))
-        return found
+    def jitters(full: bool) -> list[Jitter]:
+        tell("solving the full equations" if full else "first order")
+        return [_jitter(amplitudes, options, *each, full) for each in ((wheels.start, unheld), (speeds, phases))]
 
     try:
-        before, after = jitters(None if interrupted else backend)
+        before, after = jitters(not interrupted)
     except KeyboardInterrupt:
-        before, after = jitters(None)
+        before, after = jitters(False)
         interrupted = True
     hold = _phase_tolerance(after, options)
     return QuietResult(
@@ -179,42 +162,25 @@ def _carrier_frequencies(stand: Stand, pose: State) -> tuple[float, ...]:
     return tuple(mode.frequency for mode in found if mode.kind == "oscillation")
 
 
-def _jitter(
-    stand: Stand,
-    options: QuietOptions,
-    amplitudes: Amplitudes,
-    speeds: Array,
-    phases: Array,
-    backend: str | None,
-) -> Jitter:
-    """Jitter by first order, and by simulation."""
+def _jitter(amplitudes: Amplitudes, options: QuietOptions, speeds: Array, phases: Array, full: bool) -> Jitter:
+    """Jitter by first order, and by the full equations."""
     a = amplitudes.at(speeds)
-    found = tuple(lines(speeds, phases, a))
-    start = amplitudes.start(speeds, phases)
-    free, rms = (
-        math.sqrt(uncontrolled_mean_square(speeds, a, options.band)),
-        math.sqrt(mean_square(list(found), options.band)),
-    )
-    if backend is None:
-        return Jitter(speeds, phases, free, rms, found, start)
-    sampling = Sampling.of(options, speeds)
-    integrals = MEASURES[options.measure].integrals
-    x = simulate_point(stand, options, start, sampling, backend)
-    if not np.all(np.isfinite(x)):
-        raise StateError(f"{stand.name}: the simulation leaves the computable range")
-    ours = expected_samples(speeds, phases, a, integrals, sampling)
-    heard = tuple(line_amplitude(x, sampling.every, each.frequency, integrals) for each in found)
-    return Jitter(
-        speeds,
-        phases,
-        free,
-        rms,
-        found,
-        start,
-        band_rms(ours, sampling.every, options.band, integrals),
-        band_rms(x, sampling.every, options.band, integrals),
-        heard,
-    )
+    first = tuple(lines(speeds, phases, a))
+    free = math.sqrt(uncontrolled_mean_square(speeds, a, options.band))
+    rms = math.sqrt(mean_square(list(first), options.band))
+    jitter = Jitter(speeds, phases, free, rms, first, amplitudes.start(speeds, phases))
+    if not full:
+        return jitter
+    try:
+        motion = balance(amplitudes.scene, speeds.tolist(), phases.tolist())
+    except CheckError as error:
+        return replace(jitter, unchecked=str(error))
+    every = exact_lines(motion, amplitudes.chain.seen, phases)
+    frequency, amplitude = coherent(every.frequency[0], every.amplitude[0])
+    sizes = np.linalg.norm(amplitude @ np.array(options.axes).T, axis=1)
+    total = math.sqrt(float((sizes[in_band(frequency, options.band)] ** 2).sum()) / 2.0)
+    at = [np.abs(frequency - line.frequency) <= SAME * line.frequency for line in first]
+    return replace(jitter, full=total, full_lines=tuple(float(sizes[each].sum()) for each in at))
 
 
 def _phase_tolerance(after: Jitter, options: QuietOptions) -> float | None:
@@ -270,7 +236,7 @@ def as_object(found: QuietResult) -> dict[str, Any]:
 
 
 def _jitter_object(found: QuietResult, jitter: Jitter) -> dict[str, Any]:
-    heard = jitter.heard or (None,) * len(jitter.lines)
+    in_full = jitter.full_lines or (None,) * len(jitter.lines)
     lines = [
         {
             "frequency": line.frequency,
@@ -278,17 +244,16 @@ def _jitter_object(found: QuietResult, jitter: Jitter) -> dict[str, Any]:
             "in_band": bool(in_band(line.frequency, found.options.band)),
             "amplitude": math.sqrt(2.0 * line.mean_square),
             "amplitude_of_phases_not_held": math.sqrt(2.0 * line.apart),
-            "simulated": simulated,
+            "full": full,
         }
-        for line, simulated in zip(jitter.lines, heard, strict=True)
+        for line, full in zip(jitter.lines, in_full, strict=True)
     ]
     return {
         "speeds": jitter.speeds.tolist(),
         "phases": jitter.phases.tolist(),
         "rms_of_phases_not_held": jitter.free,
         "rms": jitter.rms,
-        "expected": jitter.expected,
-        "simulated": jitter.simulated,
+        "full": jitter.full,
         "lines": lines,
         "start": state_object(jitter.start),
     }
