@@ -13,7 +13,7 @@ from audits.audit import Array, Audit, Term
 from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser
-from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
+from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.motion import bias

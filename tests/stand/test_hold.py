@@ -15,7 +15,7 @@ from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds,
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.summary import summarize
 from mahovik.proof.reference.screw import twists as literal_twists
-from mahovik.proof.second.problems import twists as moving_twists
+from mahovik.proof.second.system import twists as moving_twists
 
 STAND = """
 schema = 1

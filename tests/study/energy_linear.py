@@ -14,8 +14,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.evaluate import Second
-from mahovik.proof.second.problems import point_names
 from mahovik.proof.second.rotation import Array, Expr, turn
+from mahovik.proof.second.system import point_names
 
 
 class Matrices(NamedTuple):

@@ -23,9 +23,9 @@ from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
+from mahovik.proof.diagnose.columns import LawParts
 from mahovik.proof.diagnose.diagnosis import Diagnosis
-from mahovik.proof.diagnose.terms.laws import LawParts
-from mahovik.proof.diagnose.terms.search import TermSearch, TermSearchResult
+from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.evaluate import held_state

@@ -9,7 +9,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.law import CrossFlow
-from mahovik.proof.diagnose.terms.laws import LawParts, LawTerm
+from mahovik.proof.diagnose.columns import LawParts, LawTerm
 from mahovik.proof.reference.array import Array
 
 PLANES = (("v", "x r", "drag_y"), ("w", "x q", "drag_z"))

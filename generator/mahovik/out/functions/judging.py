@@ -179,10 +179,10 @@ def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progr
 
 def _diagnosis(stand: CoreStand, judged: Judged, seed: int) -> Diagnosis:
     """Diagnosis of what differs, for the wants that it offers. Raises CheckError, UsageError."""
+    from mahovik.proof.diagnose.answers import spread_rows
+    from mahovik.proof.diagnose.columns import count
     from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.diagnose.states import spread_rows
-    from mahovik.proof.diagnose.terms.products import count
-    from mahovik.proof.diagnose.terms.search import WANTS, TermSearch
+    from mahovik.proof.diagnose.search import WANTS, TermSearch
 
     found, states, program = judged.found, judged.states, judged.program
     if found.passed:

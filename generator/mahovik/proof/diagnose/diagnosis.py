@@ -14,11 +14,19 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.write import dumps
-from mahovik.proof.diagnose.answers import Answers, AnswerVector, Model, Precision, Reference, numbers_at
+from mahovik.proof.diagnose.answers import (
+    FIRST,
+    Answers,
+    AnswerVector,
+    Model,
+    Precision,
+    Reference,
+    numbers_at,
+    separating_states,
+)
 from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
 from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
-from mahovik.proof.diagnose.states import FIRST, separating_states
-from mahovik.proof.diagnose.terms.search import TermSearchResult
+from mahovik.proof.diagnose.search import TermSearchResult
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import wrench_to_parent

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from mahovik.proof.diagnose.diagnosis import Cause, Diagnosis
-from mahovik.proof.diagnose.terms.search import TermSearchResult, WrongTerm
+from mahovik.proof.diagnose.search import TermSearchResult, WrongTerm
 
 CONSTANT = "1"
 """The product without factors, as it is written."""

@@ -14,19 +14,19 @@ from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.second import problems
+from mahovik.proof.second import system as equations
 from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.coordinates import free_coordinates, held_coordinates
 from mahovik.proof.second.rotation import Array, Expr, attitude
 from mahovik.proof.second.system import System, check_depth
 
 PROBLEMS: dict[str, Callable[[System], dict[str, Expr]]] = {
-    "momentum": problems.momentum,
-    "forward": problems.forward,
-    "torque": problems.torque,
-    "coupled": problems.coupled,
-    "points": problems.points,
-    "reaction": problems.reaction,
+    "momentum": equations.momentum,
+    "forward": equations.forward,
+    "torque": equations.torque,
+    "coupled": equations.coupled,
+    "points": equations.points,
+    "reaction": equations.reaction,
 }
 """Wants that are CasADi functions of the state."""
 
@@ -48,7 +48,7 @@ class Second:
     @cached_property
     def system(self) -> System:
         """The stand's equations as expressions."""
-        return System(self.stand, problems.twists(self.stand.hold))
+        return System(self.stand, equations.twists(self.stand.hold))
 
     def function(self, want: str) -> Expr:
         """The CasADi function of a want of PROBLEMS.
@@ -79,7 +79,7 @@ class Second:
         if state.task:
             raise StateError("task: the second derivation has no tasks, ask the backends c or numpy")
         if self.stand.hold is not None:
-            state = problems.held_state(self.system.S, state)
+            state = equations.held_state(self.system.S, state)
         check_depth(self.stand, state)
         with np.errstate(all="ignore"):  # what is not finite is found below
             inputs = self.arguments(state)
@@ -107,7 +107,7 @@ class Second:
         }
 
     def _solve(self, want: str, inputs: dict[str, Any]) -> Values:
-        if want == "points" and not problems.point_names(self.stand):
+        if want == "points" and not equations.point_names(self.stand):
             return {"points": {}}
         if want == "momentum" and not any(body.mass for body in self.stand.bodies):
             raise StateError("momentum: no body of the stand has a mass, so there is no center_of_mass")
@@ -118,10 +118,10 @@ class Second:
         return {name: float(value[0, 0]) if name == "energy" else value[:, 0] for name, value in values.items()}
 
     def _by_point(self, values: dict[str, Array]) -> dict[str, dict[str, Array]]:
-        names = problems.point_names(self.stand)
+        names = equations.point_names(self.stand)
         split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
         return {
-            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in problems.POINT_QUANTITIES}
+            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in equations.POINT_QUANTITIES}
             for k, point in enumerate(names)
         }
 
@@ -147,7 +147,7 @@ class Derivatives:
 
     def __init__(self, second: Second, want: str, by: Sequence[str], locked: Sequence[bool] = ()) -> None:
         self._second, system = second, second.system
-        answer = problems.coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
+        answer = equations.coupled(system, locked) if want == "coupled" else PROBLEMS[want](system)
         rate = "V_dot" if system.stand.hold is None else "u_dot"
         slopes = {f"{v}_{name}": self._slope(answer[v], name) for v in (rate, "phi_ddot") if v in answer for name in by}
         self._function = second.as_function("derivatives", slopes)

@@ -28,7 +28,7 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import DataError, StateError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.dependence import depends_on
+from mahovik.proof.verify.held import depends_on
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.files.table import Table
 from mahovik.use.measured.held_log import HeldColumns, groups_of
