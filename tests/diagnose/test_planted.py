@@ -18,9 +18,8 @@ from diagnose.rig import WANTS, Rig
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import read
 from mahovik.core.stand.toml import parse
-from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
+from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, as_object, sentences
 from mahovik.proof.diagnose.search import TermSearch
-from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.verify.states import Request
 
 HERE = Path(__file__).parent

@@ -24,9 +24,8 @@ from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
 from mahovik.proof.diagnose.columns import LawParts
-from mahovik.proof.diagnose.diagnosis import Diagnosis
+from mahovik.proof.diagnose.diagnosis import Diagnosis, as_object, sentences
 from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
-from mahovik.proof.diagnose.words import as_object, sentences
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.law import BodyReference

@@ -77,7 +77,7 @@ class Verification(Table):
         """The diagnosis in sentences; none without one."""
         if self.diagnosis is None:
             return ()
-        from mahovik.proof.diagnose.words import sentences
+        from mahovik.proof.diagnose.diagnosis import sentences
 
         return tuple(sentences(self.diagnosis))
 
@@ -92,7 +92,7 @@ class Verification(Table):
         """What `mahovik judge --json` prints besides the rows."""
         if self.diagnosis is None:
             return {}
-        from mahovik.proof.diagnose.words import as_object
+        from mahovik.proof.diagnose.diagnosis import as_object
 
         return {"diagnosis": as_object(self.diagnosis)}
 

@@ -322,7 +322,8 @@ class LawTerm:
     term         what the coefficient stands before, in words; the coefficient itself, if there are none
     coefficient  its path in the stand file
     value        the right one, SI
-    wrench       (n, 6; N, N m) where the coefficient is one, in the body's frame, at n states
+    wrench       (n, 6; N, N m) where the coefficient is one, in the body's frame, at n states; of a column: one
+                 component (n) of it on the carrier
     """
 
     detail: int
@@ -338,20 +339,6 @@ class LawParts:
 
     law: type[Any]
     terms: Callable[[Sequence[Body], Array], Iterable[LawTerm]]
-
-
-@dataclass(frozen=True, eq=False)
-class LawColumn:
-    """A column of one component of the wrench on the carrier, and the coefficient that it belongs to.
-
-    name    what the coefficient stands before; values (n), of which the right ones are `right` times
-    path    of the coefficient in the stand file; of several that no state tells apart: joined by "or"
-    """
-
-    name: str
-    values: Array
-    path: str
-    right: float
 
 
 _Change = Callable[[Any, float], Any]
@@ -379,7 +366,7 @@ class _Law:
 
 def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list[_Law]:
     """All laws of a stand at n states: those between E0 and the carrier, then those of each body."""
-    found, of_carrier = list[_Law](), cast(tuple[Any, ...], stand.laws)
+    laws, of_carrier = list[_Law](), cast(tuple[Any, ...], stand.laws)
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
     between, of_bodies = parts("reference", CarrierReference), parts("reference", BodyReference, BODY_LAWS)
     coarse = {each.law: each.terms for each in parts("faults", LawParts, BODY_LAWS)}
@@ -390,7 +377,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
 
     for law in of_carrier:
         path = f"hold.{law.key}" if isinstance(law, HeldLaw) else law.key
-        found.append(_Law([law] * len(at), path, on_carrier, np.eye(6), ()))
+        laws.append(_Law([law] * len(at), path, on_carrier, np.eye(6), ()))
     for s, k in enumerate(at[0].bodies.placed()):
         bodies, V_r = [p.bodies.bodies[s] for p in at], np.array([k.twist(p.V_r) for p in at])
 
@@ -402,26 +389,27 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
         for law in of_body:
             kind = type(law)
             terms = coarse[kind](bodies, V_r) if kind in coarse else ()
-            found.append(_Law([b.law(kind) for b in bodies], f"{k.body.name}.{law.key}", on_body, k.L, terms))
-    return found
+            laws.append(_Law([b.law(kind) for b in bodies], f"{k.body.name}.{law.key}", on_body, k.L, terms))
+    return laws
 
 
 def coefficients(laws: Sequence[Any], path: str, wrench: Callable[[int, Any], Array]) -> Iterator[LawTerm]:
     """Terms of the coefficients of a law as it is at n states, under a path; `wrench`: of another law at a state."""
+    right = np.array([wrench(i, law) for i, law in enumerate(laws)])
     for name, value, largest, changed in _numbers(laws[0], path):
         step = largest or 1.0
 
         def wrenches(k: int, of: int, change: _Change = changed, value: float = value, step: float = step) -> Array:
             return np.array([wrench(i, change(law, value + k * step)) for i, law in enumerate(laws[:of])])
 
-        P0, P1, P2, P3 = (wrenches(k, SEEN) for k in range(4))
+        P0, P1, P2, P3 = right[:SEEN], *(wrenches(k, SEEN) for k in (1, 2, 3))
         small = ALIKE * float(np.abs(P3).max())
         if np.abs(P3 - 3.0 * P2 + 3.0 * P1 - P0).max() > small:
             continue
         linear = np.abs(P2 - 2.0 * P1 + P0).max() <= small
-        P0, P1 = wrenches(0, len(laws)), wrenches(1, len(laws))
-        square = 0.0 if linear else (wrenches(2, len(laws)) - 2.0 * P1 + P0) / (2.0 * step**2)
-        yield LawTerm(0, name, name, value, (P1 - P0) / step - square * (2.0 * value + step))
+        P1 = wrenches(1, len(laws))
+        square = 0.0 if linear else (wrenches(2, len(laws)) - 2.0 * P1 + right) / (2.0 * step**2)
+        yield LawTerm(0, name, name, value, (P1 - right) / step - square * (2.0 * value + step))
         if not linear:
             yield LawTerm(0, f"{name}^2", name, value**2, np.asarray(square))
 
@@ -454,30 +442,31 @@ def _in_field(key: str, change: _Change) -> _Change:
     return lambda whole, x: replace(whole, **{key: change(getattr(whole, key), x)})
 
 
-def law_columns(laws: Sequence[_Law], row: Array) -> Iterator[list[LawColumn]]:
+def law_columns(laws: Sequence[_Law], row: Array) -> Iterator[list[LawTerm]]:
     """Columns of the component that `row` (6) takes of the wrench: coarse parts of each law; then finer ones."""
     finest = max((term.detail for law in laws for term in law.coarse), default=-1) + 1
     for detail in range(finest + 1 if laws else 0):
         there = ((law.L, term) for law in laws for term in law.terms(detail))
-        yield _merge([LawColumn(x.term, x.wrench @ (row @ L), x.coefficient, x.value) for L, x in there])
+        yield _merge([replace(term, wrench=term.wrench @ (row @ L)) for L, term in there])
 
 
-def _merge(columns: Sequence[LawColumn]) -> list[LawColumn]:
+def _merge(columns: Sequence[LawTerm]) -> list[LawTerm]:
     """Without columns that are zero; columns that are proportional at all states are one, with all their names."""
-    largest = max((float(np.linalg.norm(x.values)) for x in columns), default=0.0)
-    kept: list[LawColumn] = []
+    largest = max((float(np.linalg.norm(x.wrench)) for x in columns), default=0.0)
+    kept: list[LawTerm] = []
     for column in columns:
-        b = column.values
+        b = column.wrench
         if np.linalg.norm(b) <= ALIKE * largest:
             continue
         for i, other in enumerate(kept):
-            a = other.values
+            a = other.wrench
             ratio = float(a @ b) / float(a @ a)
             if np.linalg.norm(b - ratio * a) <= ALIKE * np.linalg.norm(b):
-                there = [x for x in (other, column) if x.right]  # of those that the right equations have
+                there = [x for x in (other, column) if x.value]  # of those that the right equations have
                 if there:
-                    name, path = (" or ".join(getattr(x, key) for x in there) for key in ("name", "path"))
-                    kept[i] = replace(other, name=name, path=path, right=other.right + ratio * column.right)
+                    words, path = (" or ".join(getattr(x, key) for x in there) for key in ("term", "coefficient"))
+                    value = other.value + ratio * column.value
+                    kept[i] = replace(other, term=words, coefficient=path, value=value)
                 break
         else:
             kept.append(column)

@@ -26,7 +26,7 @@ from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
 from mahovik.proof.diagnose.columns import (
     ROWS,
     Frame,
-    LawColumn,
+    LawTerm,
     body_terms,
     count,
     explain,
@@ -385,13 +385,13 @@ class TermSearch:
         fits: list[Fit] = []
         for i in wrong:
             there = _is_there(right[:, i])
-            fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawColumn]()
+            fit, of_laws = columns.fit(error[:, i], rounding, there), list[LawTerm]()
             columns_of_laws = law_columns(laws, of.frame.rows[:, i])
             while not (fit.exact and len(fit.coefficients) <= FEW):
                 if (finer := next(columns_of_laws, None)) is None:
                     break
-                kept = columns.independent(np.column_stack([x.values for x in finer]))
-                wide = np.column_stack([table.values, *(finer[j].values for j in kept)])
+                kept = columns.independent(np.column_stack([x.wrench for x in finer]))
+                wide = np.column_stack([table.values, *(finer[j].wrench for j in kept)])
                 more = np.full(len(kept), False)
                 widened = Columns(wide, np.append(table.accelerate, more))
                 other = widened.fit(error[:, i], rounding, np.append(there, ~more))
@@ -402,12 +402,13 @@ class TermSearch:
             if mass and (left <= SAME * np.abs(right[mass, i])).all():
                 fit = Fit({}, 1.0)  # "all of it is missing" is true of every wrong equation, but a program has its mass
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
-            names = (*table.names, *(x.name for x in of_laws))
+            names = (*table.names, *(x.term for x in of_laws))
             for k, c in fit.coefficients.items():
-                values = of_laws[k - m].values if k >= m else table.values[:, k]
+                values = of_laws[k - m].wrench if k >= m else table.values[:, k]
                 factor, expected, path = c, None, ""
                 if k >= m:
-                    factor, expected, path = of_laws[k - m].right + c, of_laws[k - m].right, of_laws[k - m].path
+                    expected, path = of_laws[k - m].value, of_laws[k - m].coefficient
+                    factor = expected + c
                 elif there[k]:
                     factor, expected, path = self._part(of, k, i, float(right[k, i]), c)
                 elif not np.isnan(right[k, i]):

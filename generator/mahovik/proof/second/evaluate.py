@@ -121,7 +121,9 @@ class Second:
         names = equations.point_names(self.stand)
         split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
         return {
-            point: {name: split[name][k] if name == "C" else split[name][k][:, 0] for name in equations.POINT_QUANTITIES}
+            point: {
+                name: split[name][k] if name == "C" else split[name][k][:, 0] for name in equations.POINT_QUANTITIES
+            }
             for k, point in enumerate(names)
         }
 
