@@ -23,12 +23,11 @@ from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propeller, Propellers
 from mahovik.proof import reference
-from mahovik.proof.diagnose.columns import LawParts
 from mahovik.proof.diagnose.diagnosis import Diagnosis, as_object, sentences
 from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.law import BodyReference
+from mahovik.proof.reference.law import BodyReference, LawParts
 from mahovik.proof.reference.motion import bias, torque
 from mahovik.proof.reference.pieces import body_wrench
 from mahovik.proof.reference.screw import twists

@@ -18,16 +18,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.hold import FREEDOMS, freedom_labels, freedom_names, wrenches
 from mahovik.core.stand.declare import Declared, Spread
+from mahovik.core.stand.hold import FREEDOMS, freedom_labels, freedom_names, wrenches
 from mahovik.core.stand.law import HeldLaw
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Flywheel, Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.numbers import pairs_explain
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.law import BodyReference, CarrierReference
+from mahovik.proof.reference.law import BodyReference, CarrierReference, LawParts, LawTerm
 from mahovik.proof.reference.pieces import body_wrench
 from mahovik.proof.reference.rotation import C1, Pose
 from mahovik.proof.reference.screw import Phi, T, block_diagonal, f, force_at, spin, twists
@@ -312,33 +312,6 @@ SEEN = 6
 
 ALIKE = 1e-10
 """Sine of the angle between columns below which they are one; part of a wrench that is rounding of its differences."""
-
-
-@dataclass(frozen=True, eq=False)
-class LawTerm:
-    """A part of the wrench of a law that is proportional to one coefficient.
-
-    detail       0: the coarsest parts of the law; parts of one detail are looked for together
-    term         what the coefficient stands before, in words; the coefficient itself, if there are none
-    coefficient  its path in the stand file
-    value        the right one, SI
-    wrench       (n, 6; N, N m) where the coefficient is one, in the body's frame, at n states; of a column: one
-                 component (n) of it on the carrier
-    """
-
-    detail: int
-    term: str
-    coefficient: str
-    value: float
-    wrench: Array
-
-
-@dataclass(frozen=True)
-class LawParts:
-    """Coarse parts of a law, LAW of `faults` of its folder: of one body at n states, with its twists V_r (n, 6)."""
-
-    law: type[Any]
-    terms: Callable[[Sequence[Body], Array], Iterable[LawTerm]]
 
 
 _Change = Callable[[Any, float], Any]

@@ -26,7 +26,6 @@ from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
 from mahovik.proof.diagnose.columns import (
     ROWS,
     Frame,
-    LawTerm,
     body_terms,
     count,
     explain,
@@ -38,6 +37,7 @@ from mahovik.proof.diagnose.columns import (
 )
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.law import LawTerm
 from mahovik.proof.reference.momentum import momentum
 from mahovik.proof.reference.motion import bias, mounts, reaction, torque
 from mahovik.proof.verify.draw import with_drawn_actuators

@@ -1,9 +1,10 @@
-"""What the literal reference takes of a law of `laws/`."""
+"""What the literal reference, and the search for wrong terms of a program, take of a law of `laws/`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
@@ -28,3 +29,30 @@ class CarrierReference:
 
     wrenches: Callable[[Stand, State, Pose], dict[str, Array]]
     margin: Callable[[Stand, State], float] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class LawTerm:
+    """A part of the wrench of a law that is proportional to one coefficient.
+
+    detail       0: the coarsest parts of the law; parts of one detail are looked for together
+    term         what the coefficient stands before, in words; the coefficient itself, if there are none
+    coefficient  its path in the stand file
+    value        the right one, SI
+    wrench       (n, 6; N, N m) where the coefficient is one, in the body's frame, at n states; of a column: one
+                 component (n) of it on the carrier
+    """
+
+    detail: int
+    term: str
+    coefficient: str
+    value: float
+    wrench: Array
+
+
+@dataclass(frozen=True)
+class LawParts:
+    """Coarse parts of a law, LAW of `faults` of its folder: of one body at n states, with its twists V_r (n, 6)."""
+
+    law: type[Any]
+    terms: Callable[[Sequence[Body], Array], Iterable[LawTerm]]
