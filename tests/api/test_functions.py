@@ -208,7 +208,7 @@ TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
 SEARCHES: dict[str, Callable[[str], object]] = {
     "plan": lambda limit: mahovik.plan(SHAKER2, TILT, seconds=limit),
     "design": lambda limit: mahovik.design(SHAKER2, TILT, "phase", seconds=limit),
-    "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), backend=None, seconds=limit),
+    "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), seconds=limit),
 }
 
 
