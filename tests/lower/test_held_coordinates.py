@@ -22,8 +22,8 @@ from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
+from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import judge
 from mahovik.proof.verify.scales import Scales

@@ -21,9 +21,9 @@ from mahovik.laws.stop.law import Stops
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.value import jacobian_checks
 from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick

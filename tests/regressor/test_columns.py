@@ -24,9 +24,9 @@ from mahovik.proof.reference.bodies import bodies_of, spatial_inertia
 from mahovik.proof.reference.pieces import mass_matrix
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.scales import Scales
 from strategies import stands as some_stands

@@ -17,10 +17,10 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.case import Case, ordinary
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.judges import PROGRAMS, verify_judges

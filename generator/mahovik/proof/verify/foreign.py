@@ -31,10 +31,10 @@ from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
+from mahovik.proof.verify.case import Rows, ordinary
 from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw, with_drawn_actuators
-from mahovik.proof.verify.functions.case import Rows, ordinary
 from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.held import onto_hold, with_angles, with_quaternion

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 
 from mahovik.contract.quantities import limits_of
-from mahovik.proof.verify.functions.case import Case, Rows
+from mahovik.proof.verify.case import Case, Rows
 
 TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
 """2 pi; the angles are rounded to 17 digits, and have at most eight before the point."""

@@ -38,7 +38,7 @@ from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.functions.case import Case, Rows
+from mahovik.proof.verify.case import Case, Rows
 
 Flags = NDArray[np.bool_]
 

@@ -21,9 +21,9 @@ from typing import Any
 from mahovik.contract.functions import FUNCTIONS, task_of
 from mahovik.errors import StateError
 from mahovik.proof.reference.regressor import answer_regressor
+from mahovik.proof.verify.case import Case, Rows
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.functions import exact, integration, optimality, value
-from mahovik.proof.verify.functions.case import Case, Rows
 from mahovik.proof.verify.programme import functions as programme
 from mahovik.proof.verify.servo import functions as servo
 

@@ -30,8 +30,8 @@ from mahovik.proof.reference.screw import block_diagonal, twists
 from mahovik.proof.second import Second
 from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.backends import turns
+from mahovik.proof.verify.case import Case, Rows
 from mahovik.proof.verify.compare import Judge
-from mahovik.proof.verify.functions.case import Case, Rows
 from mahovik.proof.verify.scales import Equation, turning
 from mahovik.proof.verify.states import Request
 

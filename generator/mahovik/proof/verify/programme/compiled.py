@@ -18,7 +18,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.functions.case import Rows
+from mahovik.proof.verify.case import Rows
 from mahovik.proof.verify.refusals import NULL, Path, WrongValue, limit_at, with_value, wrong_numbers
 from mahovik.proof.verify.scales import is_word
 
