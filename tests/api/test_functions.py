@@ -184,7 +184,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
 USUAL: dict[str, dict[str, Any]] = {
     "response": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
     "jitter": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
-    "quiet": {"point": "acc1", "band": (20.0, 200.0), "momentum": (0.0, 0.0, 1.0), "backend": None},
+    "quiet": {"point": "acc1", "band": (20.0, 200.0), "momentum": (0.0, 0.0, 1.0)},
     "plan": {"motion": stands.path("demo3").with_suffix(".motion.json")},
     "judge": {"command": "false"},
 }
