@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import mahovik
-from mahovik.core.stand.editing import exact
+from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import CampaignError, UsageError
 from mahovik.out.api.tables import Tables

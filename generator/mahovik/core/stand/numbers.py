@@ -1,40 +1,275 @@
-"""Numbers of a stand file by their paths, flattened once from the tables: value, dimension, bounds; set by path too.
+"""Keys and numbers of a stand file by their paths: `carrier.center_of_mass[0]`, `w*.inertia.J12`, `leg[0].stiffness`.
 
-The grammar of paths is that of `paths`: `carrier.center_of_mass[0]`, `w*.inertia.J12`, `leg[0].stiffness`.
+A path begins with the name of a body, a point or a law's part, or with a key of the file. `[i]` is a place in a list,
+`[i][j]` an element of a matrix, `J12` one of an inertia, `*` what there is. `put` changes any keys of a document,
+`StandNumbers` has all numbers, flattened once from the tables: value, dimension, bounds.
 """
 
 from __future__ import annotations
 
 import re
+import typing
 from collections.abc import Iterable, Iterator, Mapping
 from copy import deepcopy
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from decimal import Decimal
 from fnmatch import fnmatchcase
+from functools import partial
+from numbers import Integral, Real
 from typing import Any
 
+from mahovik.core.stand import datasheet
+from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.datasheet import FlywheelForm, UnbalanceTable
-from mahovik.core.stand.editing import exact, put, unbalance_of
+from mahovik.core.stand.echoes import moments_of
 from mahovik.core.stand.fields import QuantityValidator, Table
 from mahovik.core.stand.hold import find_freedom
+from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.laws import arrays, headers, held_laws, hold_table, tables
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.problems import keys_of
+from mahovik.core.stand.model import Flywheel, Hold, Stand
+from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.units import PLAIN, Dimension, number, show
-from mahovik.core.stand.written import quantity_and_table
-from mahovik.errors import UsageError
+from mahovik.errors import StandError, UsageError
 from mahovik.nearest import suggestion
 
-_INDEX = re.compile(r"\[(\d+|\*)\]")
+Way = tuple[str | int, ...]
+"""Keys and indices that lead to a value of a document."""
+Steps = tuple[str, ...]
+"""Names, keys and places, as text, of a path."""
+
+_PLACE = re.compile(r"\[(\d+|\*)\]")
 _ELEMENT = re.compile(r"J([1-3])([1-3])")
+
+_VECTORS = frozenset(("angles", "center_of_mass", "gravity", "pivot", "position", "stream"))
+"""Keys whose three numbers are zero where the file does not give them."""
+_SYMMETRIC = ("inertia", "added_mass")
 _IDLE = frozenset(("motor", "encoder", "inverse_weight", "inverse_most", "schema"))
 """Keys whose numbers are in no table of the C."""
-
-_SYMMETRIC = ("inertia", "added_mass")
 _SHEET = ("spin_inertia", "transverse_inertia", "unbalance")
 _BY_TENSOR = ("center_of_mass", "inertia")
 
-Steps = tuple[str | int, ...]
-"""Keys and indices that lead to a value of the document."""
+
+def steps_of(path: str) -> Steps:
+    """The steps of a path or a pattern. Raises UsageError."""
+    steps: list[str] = []
+    for step in _PLACE.sub(r".\1", path).split("."):
+        if not step or "[" in step or "]" in step:
+            words = "is no path; expected names joined by dots, and places in brackets, as carrier.center_of_mass[0]"
+            raise UsageError(f"{path}: {words}")
+        element = _ELEMENT.fullmatch(step) if steps and steps[-1] == "inertia" else None
+        steps += [str(int(x) - 1) for x in element.groups()] if element else [step]
+    return tuple(steps)
+
+
+def path_of(steps: Iterable[str]) -> str:
+    """The path of steps."""
+    path = "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps).removeprefix(".")
+    element = re.compile(r"(?<=\binertia)\[([0-2])\]\[([0-2])\]$")
+    return element.sub(lambda found: f".J{int(found[1]) + 1}{int(found[2]) + 1}", path)
+
+
+# -- changes of a document -------------------------------------------------------------------------------------------
+
+
+def exact(value: Any) -> Any:
+    """A value as TOML has it: lists, tables, and floats with all their digits."""
+    if hasattr(value, "tolist"):  # a NumPy array or scalar
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        return {str(key): exact(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [exact(item) for item in value]
+    if isinstance(value, bool | str | Decimal):
+        return value
+    if isinstance(value, Integral):
+        return int(value)
+    return Decimal(repr(float(value))) if isinstance(value, Real) else value
+
+
+def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
+    """Set values by path in the document, the keys of a stand file; a None takes a key away.
+
+    Numbers of `unbalance` are set last, those of a flywheel together: a static unbalance is as given, whatever
+    mass and centre of mass are set beside it. Raises UsageError, StandError.
+    """
+    unbalances: dict[Way, dict[str, Any]] = {}
+    for path, value in changes.items():
+        for way in ways_of(document, path):
+            if way[-2:-1] == ("unbalance",):
+                unbalances.setdefault(way[:-2], {})[str(way[-1])] = value
+            else:
+                _put(document, way, value, path)
+    for way, keys in unbalances.items():
+        wheel = value_at(document, way)
+        if "inertia" in wheel or "center_of_mass" in wheel:
+            wheel.update(_unbalance_keys(document, wheel, keys))
+        else:
+            for key, value in keys.items():
+                _put(document, (*way, "unbalance", key), value, f"{wheel.get('name')}.unbalance.{key}")
+
+
+def value_at(document: Any, way: Way) -> Any:
+    """What is in the document where a way leads; tables that are missing are made."""
+    for step in way:
+        if isinstance(step, str) and step not in document:
+            document[step] = {}
+        document = document[step]
+    return document
+
+
+def _put(document: dict[str, Any], way: Way, value: Any, path: str) -> None:
+    place, last = value_at(document, way[:-1]), way[-1]
+    if value is not None:
+        place[last] = exact(value)
+    elif isinstance(place, list) or last in place:
+        del place[last]
+    else:
+        raise UsageError(f"{path}: there is no {show(last)} to take away{suggestion(str(last), place)}")
+
+
+def ways_of(document: dict[str, Any], path: str) -> list[Way]:
+    """Where a path or a pattern leads in a document; of a symmetric matrix both elements are meant.
+
+    Lists that the document gives by one unit, by their diagonal, or not at all as they are zero are written out in it,
+    so that each way is that of a number. Raises UsageError.
+    """
+    first, *rest = steps_of(path)
+    starts: dict[str, Way] = {key: () for key, value in document.items() if isinstance(value, dict)}
+    for key, items in document.items():
+        for i, item in enumerate(items if isinstance(items, list) else ()):
+            if isinstance(item, dict) and "name" in item:
+                starts[item["name"]] = (key, i)
+    if "*" in first:
+        names = [name for name in starts if fnmatchcase(name, first)]
+        if not names:
+            raise UsageError(f"{path}: no name matches {show(first)}{suggestion(first.strip('*'), starts)}")
+    elif first in starts or first in document or first in _VECTORS or not rest:
+        names = [first]
+    else:
+        known = [*(key for key in document if key != "schema"), *starts]
+        raise UsageError(f"{path}: {document.get('name', 'the stand')} has no {show(first)}{suggestion(first, known)}")
+    ways: list[Way] = []
+    for name in names:
+        start = starts.get(name, ())
+        ways += _below(value_at(document, start), start, rest if start else [name, *rest], path)
+    if not ways:
+        raise UsageError(f"{path}: matches no key of {document.get('name', 'the stand')}")
+    return ways
+
+
+def _below(place: Any, way: Way, steps: list[str], path: str) -> Iterator[Way]:
+    """Where steps lead from a value of a document on, `way` from its top."""
+    if not steps:
+        yield way
+        return
+    step, *rest = steps
+    if isinstance(place, list):
+        for i in range(len(place)) if step == "*" else [_index(place, step, path)]:
+            yield from _below(place[i], (*way, i), rest, path)
+        return
+    if not isinstance(place, dict):
+        raise UsageError(f"{path}: {show(place)} has no keys, so there is no {show(step)} in it")
+    for key in [each for each in place if fnmatchcase(each, step)] if "*" in step else [step]:
+        pairs = [rest]
+        if rest and (rest[0].isdigit() or rest[0] == "*"):
+            if key == "inertia" and key not in place:
+                raise UsageError(f"{path}: expected the inertia as a matrix or its diagonal, but the file gives none")
+            _write_out(place, key, rest)
+            if key in _SYMMETRIC and len(rest) > 1 and rest[0] != rest[1]:
+                pairs.append([rest[1], rest[0], *rest[2:]])
+        for pair in pairs:
+            yield from _below(place.get(key, {}), (*way, key), pair, path)
+
+
+def _index(place: list[Any], step: str, path: str) -> int:
+    """The place in a list that a step gives, by its number or by a name. Raises UsageError."""
+    names = {item["name"]: i for i, item in enumerate(place) if isinstance(item, dict) and "name" in item}
+    if step in names:
+        return names[step]
+    if step.isascii() and step.isdigit() and int(step) < len(place):
+        return int(step)
+    if names:
+        raise UsageError(f"{path}: no {show(step)}{suggestion(step, names)}")
+    raise UsageError(f"{path}: {show(step)}, expected a place from 0 to {len(place) - 1}")
+
+
+def _write_out(place: dict[str, Any], key: str, inside: list[str]) -> None:
+    """Write the value of a key as a list of numbers; as a list of rows where the path has two places."""
+    value = place.get(key)
+    if value is None and key in _VECTORS:
+        value = [0, 0, 0]
+    if isinstance(value, dict) and value.keys() == {"value", "unit"}:
+        value = _with_unit(value["value"], value["unit"])
+    if not isinstance(value, list):
+        return
+    if len(inside) > 1 and inside[1].isdigit() and not any(isinstance(each, dict | list) for each in value):
+        value = [[each if i == k else 0 for k in range(len(value))] for i, each in enumerate(value)]
+    place[key] = value
+
+
+def _with_unit(value: Any, unit: str) -> Any:
+    return [_with_unit(each, unit) for each in value] if isinstance(value, list) else f"{value} {unit}"
+
+
+def unbalance_of(wheel: Flywheel) -> dict[str, Any]:
+    """The four numbers of `unbalance` of a flywheel, however its file gives it."""
+    (_, y, z), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
+    return {
+        "static": wheel.mass * hypot(y, z), "static_at": atan2(z, y),
+        "dynamic": hypot(J[0][1], J[0][2]), "dynamic_at": atan2(-J[0][2], -J[0][1]),
+    }  # fmt: skip
+
+
+def _unbalance_keys(document: Mapping[str, Any], table: Mapping[str, Any], keys: Mapping[str, Any]) -> dict[str, Any]:
+    """The centre of mass and the inertia of a flywheel with other numbers of its unbalance, as keys of its table."""
+    problems, where = Problems(document.get("name", "stand")), f"flywheel {show(table.get('name'))}"
+    form = problems.valid(arrays()["flywheel"], dict(table), where)
+    wheel = None if form is None else Flywheel.read(form, partial(problems.add, where), moments_of(table))
+    if wheel is None:
+        raise StandError(problems.lines)
+    (x, _, _), J = wheel.center_of_mass, inertia_about_origin(wheel).tolist()
+    unbalance = problems.valid(UnbalanceTable, exact(unbalance_of(wheel) | dict(keys)), f"{where} unbalance")
+    if unbalance is None:
+        raise StandError(problems.lines)
+    _, y, z = datasheet.center_of_mass(wheel.mass, unbalance)
+    for i, product in enumerate(datasheet.inertia(J[0][0], (J[1][1], J[2][2]), unbalance)[0]):
+        J[0][i] = J[i][0] = product
+    return {"center_of_mass": exact([x, y, z]), "inertia": exact(J), "inertia_about": "origin"}
+
+
+# -- numbers of the tables -------------------------------------------------------------------------------------------
+
+
+def tables_in(document: Mapping[str, Any]) -> Iterator[tuple[type[Table], Mapping[str, Any], Steps, Way]]:
+    """Every table of a valid stand file but its header, with its keys, its name or place, and the way to it."""
+    for key, table in (tables() | arrays() | {"hold": hold_table()}).items():
+        items = document.get(key, [])
+        if isinstance(items, dict):
+            yield table, items, (key,), (key,)
+        else:
+            for i, item in enumerate(items):
+                yield table, item, (item["name"],) if "name" in item else (key, str(i)), (key, i)
+
+
+def quantity_and_table(*annotations: Any) -> tuple[QuantityValidator | None, type[Table] | None]:
+    """What reads the numbers of a field, and the table in its annotation; each None where there is none."""
+    for each in annotations:
+        if isinstance(each, QuantityValidator) and each.dimension is not None:
+            return each, None
+        if isinstance(each, type) and issubclass(each, Table):
+            return None, each
+        found = quantity_and_table(*typing.get_args(each))
+        if found != (None, None):
+            return found
+    return None, None
+
+
+def dimension_along(hold: Hold | None, table: type[Table], freedom: str | None, key: str) -> Dimension | None:
+    """Dimension of a number of friction or a stop, which is that of its freedom; None of other numbers."""
+    law = next((law for law in held_laws() if table is law.item.table()), None)
+    if law is None or hold is None:
+        return None
+    return law.item.dimension(key, hold.freedoms[find_freedom(hold, freedom)].kind)
 
 
 @dataclass(frozen=True)
@@ -58,22 +293,9 @@ class StandNumber:
     least: float | None = None
     above: float | None = None
     most: float | None = None
-    place: Steps = ()
+    place: Way = ()
     whole: tuple[Any, ...] | None = None
     element: tuple[int, int] | None = None
-
-
-@dataclass
-class _Table:
-    """What is below a part of a path: by key, or by index as text; a text says why there is no number.
-
-    written  keys that the file has, which `*` stands for; single: the number that all elements of a list are
-    """
-
-    inside: dict[str, _Table | StandNumber | str] = field(default_factory=dict)
-    written: frozenset[str] = frozenset()
-    single: StandNumber | None = None
-    is_list: bool = False
 
 
 class StandNumbers:
@@ -82,16 +304,20 @@ class StandNumbers:
     def __init__(self, stand: Stand, document: Mapping[str, Any]) -> None:
         """`document`: the keys of the file of `stand`, as `toml.parse` gives them; it is not changed."""
         self._stand, self._document = stand, document
-        self._top = _Table()
-        self._read_tables()
+        self._found: dict[Steps, StandNumber | str] = {}  # a text says why there is no number
+        self._written: set[Steps] = set()  # tables and keys that the file has, which `*` stands for
+        for schema, raw, steps, way in tables_in(document):
+            self._written.add(steps[:1])
+            self._add_table(schema, raw, steps, way)
+        names = {steps[0] for steps in self._found}
+        for header in headers():
+            keys = {key: value for key, value in document.items() if key in keys_of(header)}
+            self._add_table(header, keys, (), (), names)
 
     def __iter__(self) -> Iterator[StandNumber]:
         """Every number once, those of zeros that the file leaves out too; in the order of the file's tables."""
-        seen: set[str] = set()
-        for each in _leaves(self._top):
-            if each.path not in seen:
-                seen.add(each.path)
-                yield each
+        once = {each.path: each for each in self._found.values() if isinstance(each, StandNumber)}
+        return iter(once.values())
 
     def find(self, pattern: str) -> list[StandNumber]:
         """The numbers of a path, or of all paths that a pattern with `*` matches, in the order of the file.
@@ -99,30 +325,74 @@ class StandNumbers:
         A path that ends at a vector stands for all its elements. Names that match, but that do not have such a number,
         are left out. Raises UsageError.
         """
-        steps = _INDEX.sub(r".\1", pattern).split(".")
-        if not all(steps):
-            raise UsageError(f"{show(pattern)} is no path; expected names joined by dots, such as carrier.mass")
-        found: dict[str, StandNumber] = {}
-        refusals: list[UsageError] = []
-        for name in self._names(steps[0], pattern):
-            try:
-                found |= {each.path: each for each in _below(self._top.inside[name], steps[1:], name, pattern)}
-            except UsageError as error:  # of a pattern: only what some of its names have is meant
-                refusals.append(error)
-        if not found:
-            raise refusals[0] if refusals else UsageError(f"{pattern}: matches no number of {self._stand.name}")
-        return list(found.values())
+        steps = steps_of(pattern)
+        matching = {at: each for at, each in self._found.items() if self._matches(steps, at)}
+        numbers = {
+            each.path: each
+            for at, each in matching.items()
+            if isinstance(each, StandNumber) and (len(at) == len(steps) or at[:-1] not in matching)
+        }
+        if not numbers:
+            reasons = (reason for reason in matching.values() if isinstance(reason, str))
+            raise UsageError(f"{pattern}: {next(reasons, None) or self._reason(steps)}")
+        return list(numbers.values())
+
+    def _matches(self, steps: Steps, at: Steps) -> bool:
+        """Does a path lead to the steps of a number, or to the vector that has it?"""
+        rest = at[len(steps) :]
+        return (
+            len(at) >= len(steps)
+            and (not rest or (len(rest) == 1 and rest[0].isdigit()))
+            and all(
+                fnmatchcase(own, step) and (own.isdigit() or at[: k + 1] in self._written)
+                if "*" in step
+                else own == step
+                for k, (own, step) in enumerate(zip(at, steps, strict=False))
+            )
+        )
+
+    def _reason(self, steps: Steps) -> str:
+        """Why a path or a pattern leads to no number: at the first name that matches."""
+        at: Steps = ()
+        for step in steps:
+            inside = self._inside(at)
+            if at and not inside:
+                reason = self._found[at]
+                return reason if isinstance(reason, str) else f"{path_of(at)} is one number; expected no more after it"
+            matching = [each for each in inside if (fnmatchcase(each, step) if "*" in step else each == step)]
+            if matching:
+                at = (*at, matching[0])
+            elif at and inside[0].isdigit():
+                return f"{path_of(at)}: expected a place from [0] to [{len(inside) - 1}], found [{step}]"
+            elif at:
+                return f"unknown key {show(step)}{suggestion(step, inside)}"
+            elif "*" in step:
+                return f"no name matches {show(step)}{suggestion(step.strip('*'), inside)}"
+            else:
+                return f"{self._stand.name} has no {show(step)}{suggestion(step, inside)}"
+        if any("*" in step for step in steps):
+            return f"matches no number of {self._stand.name}"
+        inside = self._inside(at)
+        if inside[0].isdigit():
+            *_, example = (each.path for each, _ in zip(self._numbers_below(at), range(2), strict=False))
+            return f"expected an element of the matrix, such as {example}"
+        key = "mass" if "mass" in inside else inside[0]
+        return f"is a table; expected the path of a number, such as {path_of((*at, key))}"
+
+    def _inside(self, at: Steps) -> list[str]:
+        """The next steps of all paths that begin with some."""
+        n = len(at)
+        return list(dict.fromkeys(steps[n] for steps in self._found if len(steps) > n and steps[:n] == at))
+
+    def _numbers_below(self, at: Steps) -> Iterator[StandNumber]:
+        yield from (x for steps, x in self._found.items() if steps[: len(at)] == at and isinstance(x, StandNumber))
 
     def written_out(self, numbers: Iterable[StandNumber]) -> dict[str, Any]:
         """A copy of the document in which lists that have these numbers stand in SI, element by element."""
         document: dict[str, Any] = deepcopy(dict(self._document))
         for each in numbers:
             if each.whole is not None:
-                *way, last = each.place
-                holder: Any = document
-                for step in way:
-                    holder = holder[step] if isinstance(step, int) else holder.setdefault(step, {})
-                holder[last] = exact(each.whole)
+                value_at(document, each.place[:-1])[each.place[-1]] = exact(each.whole)
         return document
 
     def with_values(self, values: Mapping[StandNumber, float]) -> dict[str, Any]:
@@ -135,119 +405,64 @@ class StandNumbers:
         """Mass of a body of the file, kg."""
         return float(next(body.mass for body in self._stand.bodies if body.name == name))
 
-    def _names(self, first: str, pattern: str) -> list[str]:
-        headers = {key for key in self._top.inside if key not in self._top.written}
-        tables = [name for name in self._top.inside if name not in headers]
-        if "*" in first:
-            names = [name for name in tables if fnmatchcase(name, first)]
-            if not names:
-                raise UsageError(f"{pattern}: no name matches {show(first)}{suggestion(first.strip('*'), tables)}")
-            return names
-        if first not in self._top.inside:
-            known = [*tables, *headers]
-            raise UsageError(f"{pattern}: {self._stand.name} has no {show(first)}{suggestion(first, known)}")
-        return [first]
-
-    # -- tables ------------------------------------------------------------------------------------------------------
-
-    def _read_tables(self) -> None:
-        """All tables of the file by name, then the keys outside any table."""
-        document, found = self._document, self._top.inside
-        for key, table in tables().items():
-            if key in document:
-                found[key] = self._table(table, document[key], key, (key,))
-        for key, table in arrays().items():
-            for i, item in enumerate(document.get(key, [])):
-                if "name" in item:
-                    found[item["name"]] = self._table(table, item, item["name"], (key, i))
-                else:
-                    items = found.setdefault(key, _Table(is_list=True))
-                    assert isinstance(items, _Table)
-                    items.inside[str(i)] = self._table(table, item, f"{key}[{i}]", (key, i))
-        if "hold" in document:
-            found.setdefault("hold", self._table(hold_table(), document["hold"], "hold", ("hold",)))
-        self._top.written = frozenset(found)
-        for header in headers():
-            keys = {key: value for key, value in document.items() if key in keys_of(header)}
-            for key, each in self._table(header, keys, "", ()).inside.items():
-                found.setdefault(key, each)
-
-    def _table(self, schema: type[Table], raw: Mapping[str, Any], path: str, place: Steps) -> _Table:
-        values = schema.model_validate(raw)
-        found = _Table(written=frozenset(key for key in raw if key not in _IDLE))
+    def _add_table(
+        self, schema: type[Table], raw: Mapping[str, Any], steps: Steps, way: Way, taken: Iterable[str] = ()
+    ) -> None:
+        """The numbers of a table, but of keys that are `taken` as names."""
+        values: Any = schema.model_validate(raw)
         by_sheet = issubclass(schema, FlywheelForm) and any(key in raw for key in _SHEET)
         for name, info in schema.model_fields.items():
             key = info.alias or name
-            below = f"{path}.{key}".lstrip(".")
+            at, below = (*steps, key), (*way, key)
+            if key in taken:
+                continue
+            if key in raw and steps and key not in _IDLE:
+                self._written.add(at)
             if key in _IDLE:
-                found.inside[key] = "acts in no table of the C; expected a number of a body or a law"
+                self._found[at] = "acts in no table of the C; expected a number of a body or a law"
             elif by_sheet and key in _BY_TENSOR:
-                found.inside[key] = f"the file of {self._stand.name} gives {path} by {', '.join(_SHEET)}"
+                self._found[at] = f"the file of {self._stand.name} gives {path_of(at)} by {', '.join(_SHEET)}"
             elif key == "unbalance":
-                found.inside[key] = self._table(UnbalanceTable, self._unbalance(path, raw), below, (*place, key))
+                self._add_table(UnbalanceTable, self._unbalance(steps[0], raw), at, below)
             else:
-                quantity, inner = quantity_and_table((info.annotation, *info.metadata))
-                value = getattr(values, name)
-                along = self._along_freedom(schema, values, name) if value is not None else None
+                quantity, inner = quantity_and_table(info.annotation, *info.metadata)
+                value, freedom = getattr(values, name), getattr(values, "freedom", None)
+                along = dimension_along(self._stand.hold, schema, freedom, name) if value is not None else None
                 if along is not None:
                     quantity, value = QuantityValidator(float, along), number(value, along)
-                found.inside[key] = self._key(quantity, inner, value, raw.get(key), below, (*place, key))
-        return found
+                self._add(quantity, inner, value, raw.get(key), at, below)
 
-    def _key(
-        self,
-        quantity: QuantityValidator | None,
-        inner: type[Table] | None,
-        value: Any,
-        raw: Any,
-        path: str,
-        place: Steps,
-    ) -> _Table | StandNumber | str:
-        """What is below one key; `value`: of the valid table, `raw`: in the file."""
-        body, key = path.partition(".")[0].partition("[")[0], str(place[-1])
+    def _add(
+        self, quantity: QuantityValidator | None, inner: type[Table] | None, value: Any, raw: Any, at: Steps, way: Way
+    ) -> None:
+        """The numbers of one key; `value`: of the valid table, `raw`: in the file."""
+        key, dimension = str(way[-1]), PLAIN if quantity is None else quantity.dimension or PLAIN
+
+        def add(places: tuple[int, ...], x: float, **more: Any) -> None:
+            steps = (*at, *map(str, places))
+            i, j = (*sorted(places), 0, 0)[:2] if key in _SYMMETRIC else (*places, *places, 0, 0)[:2]
+            own = dimension[i // 3][j // 3] if isinstance(dimension, tuple) else dimension
+            more |= {"element": (i, j)} if key in _SYMMETRIC and len(places) == 2 else {}
+            self._found[steps] = StandNumber(path_of(steps), at[0], key, own, x, **more)
+
         if value is None:
-            return f"the file of {self._stand.name} has no {path} to vary"
-        if inner is not None and isinstance(value, list | tuple):
-            items = {str(i): self._table(inner, raw[i], f"{path}[{i}]", (*place, i)) for i in range(len(value))}
-            return _Table(dict(items), is_list=True)
-        if inner is not None:
-            return self._table(inner, raw or {}, path, place)
-        dimension = PLAIN if quantity is None or quantity.dimension is None else quantity.dimension
-        if isinstance(value, float):
-            bounds = (None,) * 3 if quantity is None else (quantity.least, quantity.above, quantity.most)
-            return StandNumber(path, body, key, _of_element(dimension, 0, 0), value, *bounds)
-        if not isinstance(value, tuple) or not value or not isinstance(value[0], tuple | float):
-            return f"{path} is no number, so it cannot vary"
-        found = _Table(is_list=True)
-        if isinstance(value[0], float):
-            for i, x in enumerate(value):
-                found.inside[str(i)] = StandNumber(
-                    f"{path}[{i}]", body, key, _of_element(dimension, i, i), x, place=place, whole=value
-                )
-            if key == "transverse_inertia" and not isinstance(raw, list) and not _has_list(raw):  # one for both axes
-                found.single = StandNumber(path, body, key, _of_element(dimension, 0, 0), value[0])
-            return found
-        if not all(isinstance(x, float) for row in value for x in row):
-            return f"{path} is no number, so it cannot vary"
-        for i, row in enumerate(value):
-            cells = _Table(is_list=True)
-            for j, x in enumerate(row):
-                a, b = (min(i, j), max(i, j)) if key in _SYMMETRIC else (i, j)
-                shown = f"{path}.J{a + 1}{b + 1}" if key == "inertia" else f"{path}[{a}][{b}]"
-                element = (a, b) if key in _SYMMETRIC else None
-                cells.inside[str(j)] = StandNumber(
-                    shown, body, key, _of_element(dimension, a, b), x, place=place, whole=value, element=element
-                )
-            found.inside[str(i)] = cells
-        return found
-
-    def _along_freedom(self, schema: type[Table], table: Any, key: str) -> Dimension | None:
-        """Dimension of a number of friction or a stop, which is that of its freedom; None of other numbers."""
-        law = next((law for law in held_laws() if schema is law.item.table()), None)
-        hold = self._stand.hold
-        if law is None or hold is None:
-            return None
-        return law.item.dimension(key, hold.freedoms[find_freedom(hold, table.freedom)].kind)
+            self._found[at] = f"the file of {self._stand.name} has no {path_of(at)} to vary"
+        elif inner is not None and isinstance(value, list | tuple):
+            for i, item in enumerate(raw or ()):
+                self._add_table(inner, item, (*at, str(i)), (*way, i))
+        elif inner is not None:
+            self._add_table(inner, raw or {}, at, way)
+        elif isinstance(value, float):
+            limits = ("least", "above", "most") if quantity is not None else ()
+            add((), value, **{name: getattr(quantity, name) for name in limits})
+        elif not _is_array(value):
+            self._found[at] = f"{path_of(at)} is no number, so it cannot vary"
+        else:
+            if key == "transverse_inertia" and not isinstance(raw["value"] if isinstance(raw, dict) else raw, list):
+                add((), value[0])  # one for both axes
+            for i, row in enumerate(value):
+                for places, x in [((i,), row)] if isinstance(row, float) else [((i, j), x) for j, x in enumerate(row)]:
+                    add(places, x, place=way, whole=value)
 
     def _unbalance(self, name: str, raw: Mapping[str, Any]) -> Mapping[str, Any]:
         """Unbalance of a flywheel, however its file gives it."""
@@ -258,63 +473,8 @@ class StandNumbers:
         return given
 
 
-def _leaves(node: _Table | StandNumber | str) -> Iterator[StandNumber]:
-    if isinstance(node, StandNumber):
-        yield node
-    elif isinstance(node, _Table):
-        if node.single is not None:
-            yield node.single
-        for each in node.inside.values():
-            yield from _leaves(each)
-
-
-def _below(node: _Table | StandNumber | str, steps: list[str], shown: str, pattern: str) -> Iterator[StandNumber]:
-    """Numbers that the rest of a pattern names below a part of a path, `shown`. Raises UsageError."""
-    if isinstance(node, str):
-        raise UsageError(f"{pattern}: {node}")
-    if isinstance(node, StandNumber):
-        if steps:
-            raise UsageError(f"{pattern}: {shown} is one number; expected no more after it")
-        yield node
-    elif not steps:
-        yield from _all_elements(node, shown, pattern)
-    elif node.is_list:
-        element = _ELEMENT.fullmatch(steps[0])
-        step, *rest = (*(str(int(x) - 1) for x in element.groups()), *steps[1:]) if element else steps
-        if step != "*" and step not in node.inside:
-            found = f", found [{step}]" if step else ""
-            raise UsageError(f"{pattern}: {shown}: expected a place from [0] to [{len(node.inside) - 1}]{found}")
-        for i in node.inside if step == "*" else [step]:
-            yield from _below(node.inside[i], rest, f"{shown}[{i}]", pattern)
-    else:
-        step, *rest = steps
-        if "*" not in step and step not in node.inside:
-            raise UsageError(f"{pattern}: unknown key {show(step)}{suggestion(step, list(node.inside))}")
-        keys = [key for key in node.inside if fnmatchcase(key, step) and key in node.written] if "*" in step else [step]
-        for key in keys:
-            yield from _below(node.inside[key], rest, f"{shown}.{key}", pattern)
-
-
-def _all_elements(node: _Table, shown: str, pattern: str) -> Iterator[StandNumber]:
-    """The elements of a vector, to which a path leads that ends there. Raises UsageError."""
-    first = next(iter(node.inside.values()), None)
-    if not node.is_list:
-        key = "mass" if "mass" in node.inside else next(iter(node.inside))
-        raise UsageError(f"{pattern}: is a table; expected the path of a number, such as {shown}.{key}")
-    if node.single is not None:
-        yield node.single
-    elif isinstance(first, StandNumber):
-        yield from (each for each in node.inside.values() if isinstance(each, StandNumber))
-    else:
-        *_, example = (each.path for each, _ in zip(_leaves(node), range(2), strict=False))
-        raise UsageError(f"{pattern}: expected an element of the matrix, such as {example}")
-
-
-def _of_element(dimension: Any, i: int, j: int) -> Dimension:
-    """Dimension of one element, where it depends on the block of a 6x6."""
-    found: Dimension = dimension[i // 3][j // 3] if isinstance(dimension, tuple) else dimension
-    return found
-
-
-def _has_list(raw: Any) -> bool:
-    return isinstance(raw, dict) and isinstance(raw.get("value"), list)
+def _is_array(value: Any) -> bool:
+    """Is it a vector or a matrix of numbers?"""
+    if not isinstance(value, tuple) or not value:
+        return False
+    return all(isinstance(x, float) for row in value for x in (row if isinstance(row, tuple) else (row,)))

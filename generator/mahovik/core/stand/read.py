@@ -130,7 +130,8 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         check_tasks(problems, tasks, tuple(each.body for each in instruments), points)
         bodies: list[_ReadBody[Any]] = [*carriers, *instruments, *flywheels]
         for each in bodies:
-            physical.check_body(each.body, each.where, problems, each.moments, each.advice)
+            advice = thin_disc(each.table, each.moments) if isinstance(each.table, FlywheelForm) else ""
+            physical.check_body(each.body, each.where, problems, each.moments, advice)
     if problems.lines or header is None:
         raise StandError(problems.lines)
     stream = ZERO3 if header.stream is None and profile is not None else header.stream
@@ -188,12 +189,12 @@ def _hold(problems: Problems, document: dict[str, Any]) -> tuple[Hold | None, li
 
 @dataclass(frozen=True)
 class _ReadBody(Generic[AnyBody]):
-    """A body; the words that name it, how its moments of inertia are shown, and what to write if they cannot be."""
+    """A body; the words that name it, its table, and how its moments of inertia are shown."""
 
     body: AnyBody
     where: str
+    table: Any
     moments: Moments
-    advice: str
 
 
 def _bodies(
@@ -209,8 +210,7 @@ def _bodies(
         acting = tuple(law for law in laws if law is not None)
         body = kind.read(table, partial(problems.add, where), moments, name=name, laws=acting)
         if body is not None:
-            advice = thin_disc(table, moments) if isinstance(table, FlywheelForm) else ""
-            found.append(_ReadBody(body, where, moments, advice))
+            found.append(_ReadBody(body, where, table, moments))
     return found
 
 

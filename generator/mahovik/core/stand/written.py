@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import typing
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain
@@ -12,8 +11,10 @@ from typing import Any
 
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
 from mahovik.core.stand.fields import ADDED_MASS, SHARE, Blocks, QuantityValidator, Table, asymmetries, vector
-from mahovik.core.stand.hold import HoldTable, find_freedom, hold_of
-from mahovik.core.stand.laws import arrays, headers, held_laws, tables
+from mahovik.core.stand.hold import HoldTable, hold_of
+from mahovik.core.stand.laws import headers
+from mahovik.core.stand.model import Hold
+from mahovik.core.stand.numbers import dimension_along, path_of, quantity_and_table, tables_in
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
@@ -71,46 +72,34 @@ def _numbers(path: str | Path) -> Iterator[Quantity]:
     """All numbers of a valid stand file, in its order."""
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
     for header in headers():
-        yield from _of_table(document, header, "stand")
-    for key, table in (tables() | arrays()).items():
-        items = document.get(key, [])
-        for k, item in enumerate(items if isinstance(items, list) else [items]):
-            where = item.get("name", f"{key}[{k}]" if isinstance(items, list) else key)
-            yield from _of_table(item, table, where)
-    if "hold" in document:
-        yield from _of_hold(document["hold"])
+        yield from _of_table(document, header, "stand", None)
+    raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in HoldTable.model_fields}
+    hold = hold_of(HoldTable.model_validate(raw_hold), Problems("hold")) if raw_hold else None
+    for table, raw, steps, _ in tables_in(document):
+        yield from _of_table(raw, table, path_of(steps), hold)
 
 
-def _of_hold(raw: dict[str, Any]) -> Iterator[Quantity]:
-    """The numbers of `[hold]`, and of friction and stops, whose units are those of their freedoms."""
-    yield from _of_table(raw, HoldTable, "hold")
-    own = HoldTable.model_validate({key: value for key, value in raw.items() if key in HoldTable.model_fields})
-    hold = hold_of(own, Problems("hold"))
-    if hold is None:
-        return
-    for law in held_laws():
-        for k, item in enumerate(raw.get(law.key, [])):
-            kind = hold.freedoms[find_freedom(hold, item.get("freedom"))].kind
-            for name, value in item.items():
-                if (dimension := law.item.dimension(name, kind)) is not None:
-                    yield dimension, value, f"hold.{law.key}[{k}]", name
-
-
-def _of_table(raw: dict[str, Any], table: type[Table], where: str, path: str = "") -> Iterator[Quantity]:
-    fields = _fields(table)
+def _of_table(
+    raw: Mapping[str, Any], table: type[Table], where: str, hold: Hold | None, path: str = ""
+) -> Iterator[Quantity]:
     for key, value in raw.items():
-        quantity, inner = fields.get(key, (None, None))
-        if quantity is not None:
+        quantity, inner = _fields(table).get(key, (None, None))
+        along = dimension_along(hold, table, raw.get("freedom"), key)
+        if along is not None:
+            yield along, value, where, path + key
+        elif quantity is not None:
             yield quantity.dimension, value, where, path + key
         elif inner is not None and isinstance(value, dict):
-            yield from _of_table(value, inner, where, f"{path}{key}.")
+            yield from _of_table(value, inner, where, hold, f"{path}{key}.")
+        elif inner is not None and where == "hold":
+            for k, item in enumerate(value):
+                yield from _of_table(item, inner, f"hold.{key}[{k}]", hold)
 
 
 @cache
 def _fields(table: type[Table]) -> dict[str, tuple[QuantityValidator | None, type[Table] | None]]:
     """What the keys of a table are."""
-    fields = table.model_fields.items()
-    return {key: quantity_and_table((field.annotation, *field.metadata)) for key, field in fields}
+    return {key: quantity_and_table(field.annotation, *field.metadata) for key, field in table.model_fields.items()}
 
 
 def _of_matrix6(blocks: Blocks, raw: list[Any], where: str, key: str) -> Iterator[Written]:
@@ -140,16 +129,3 @@ def _of_value(dimension: Dimension, raw: Any, where: str, key: str) -> Iterator[
 
 def _is_row(raw: Any) -> bool:
     return isinstance(raw["value"] if isinstance(raw, dict) else raw, list)
-
-
-def quantity_and_table(annotations: tuple[Any, ...]) -> tuple[QuantityValidator | None, type[Table] | None]:
-    """What reads the numbers of a field, and the table in its annotation; each None where there is none."""
-    for each in annotations:
-        if isinstance(each, QuantityValidator) and each.dimension is not None:
-            return each, None
-        if isinstance(each, type) and issubclass(each, Table):
-            return None, each
-        found = quantity_and_table(typing.get_args(each))
-        if found != (None, None):
-            return found
-    return None, None

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.columns import Column, Run
-from mahovik.core.stand.paths import shown_path
 from mahovik.core.stand.units import show
 from mahovik.errors import InputError
 
@@ -36,7 +35,7 @@ class Samples:
                 raise InputError(f"tables: n: expected a number of samples, found {n!r:.40}")
             sizes = {"n": int(n)} | sizes
         if len(set(sizes.values())) > 1:
-            found = ", ".join(f"{shown_path(name)} {size}" for name, size in sizes.items())
+            found = ", ".join(f"{name} {size}" for name, size in sizes.items())
             raise InputError(f"tables: different numbers of samples: {found}")
         if not sizes:
             raise InputError("tables: no array of samples is given; expected one, or n")
@@ -72,9 +71,7 @@ def _value(path: str, value: Any) -> Any:
     except (ValueError, TypeError):
         found = np.array(None)
     if found.dtype.kind not in "iuf" or found.ndim == 0:
-        raise InputError(
-            f"tables: {shown_path(path)}: expected an array of numbers, one of each sample, found {show(value)}"
-        )
+        raise InputError(f"tables: {path}: expected an array of numbers, one of each sample, found {show(value)}")
     return np.asarray(found, dtype=np.float64)
 
 

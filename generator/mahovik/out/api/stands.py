@@ -11,8 +11,8 @@ from typing import Any
 from mahovik import stands
 from mahovik.core.stand import toml
 from mahovik.core.stand import write as writing
-from mahovik.core.stand.editing import exact, put
 from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.numbers import exact, put
 from mahovik.core.stand.read import load as load_file
 from mahovik.core.stand.read import read
 from mahovik.core.stand.units import show
@@ -45,7 +45,7 @@ class Stand(CoreStand):
     def to_dict(self) -> dict[str, Any]:
         """The keys of its file, as they were given; of a stand that Python code made, all in SI."""
         document: dict[str, Any] | None = self.__dict__.get("_document")
-        return deepcopy(document) if document is not None else toml.parse(writing.dumps(self))
+        return deepcopy(document) if document is not None else exact(writing.document_of(self))
 
     def replace(self, changes: Mapping[str, Any]) -> Stand:
         """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity[2]": 0}`.

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import fill_record
 from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.core.stand.paths import shown_path
 from mahovik.core.stand.read import read
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain.block import LANES
@@ -74,7 +73,7 @@ class Tables:
         return self.base.replace(self.samples.values(int(number) % n))
 
     def __repr__(self) -> str:
-        names = list(map(shown_path, self.samples.given))
+        names = list(self.samples.given)
         paths = ", ".join(names if len(names) <= 4 else [*names[:3], f"{len(names) - 3} more"]) or "nothing"
         return f"<Tables of {len(self)} stands {self.base.name}: {paths}; {self.real}>"
 
@@ -87,7 +86,7 @@ def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
         keys = path.replace("[", ".").split(".")
         if keys[0] == "hold" and not {*keys[1:2]} & {*PLACE_OF_HOLD, "friction", "stop"}:
             raise UsageError(
-                f"{shown_path(path)}: decides how the carrier can move, the same for all samples; make a model of each"
+                f"{path}: decides how the carrier can move, the same for all samples; make a model of each"
             )
 
 

@@ -8,8 +8,8 @@ from decimal import Decimal
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from mahovik.core.stand.editing import exact
 from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import ANGLE, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import UsageError

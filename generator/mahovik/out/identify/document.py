@@ -9,8 +9,7 @@ from typing import Any
 
 import tomlkit
 
-from mahovik.core.stand.numbers import StandNumber
-from mahovik.core.stand.paths import plain_paths
+from mahovik.core.stand.numbers import StandNumber, ways_of
 from mahovik.core.stand.units import INERTIA, LENGTH, Dimension, factor, number
 from mahovik.out.api.stands import Stand
 
@@ -25,7 +24,7 @@ def with_numbers(text: str, new: Stand, places: Sequence[StandNumber]) -> str:
     document = tomlkit.parse(text)
     target = new.to_dict()
     for place in places:
-        way = _way(plain_paths(target, place.path)[0], document)
+        way = _way(target, place.path, document)
         if "unbalance" in way:
             own = _inside(document, way[: way.index("unbalance")])
             if "inertia" in own or "center_of_mass" in own:
@@ -138,16 +137,13 @@ def _exact(old: Any) -> Any:
     return Decimal(repr(raw)) if isinstance(raw, float) else raw
 
 
-def _way(path: str, document: Any) -> list[Any]:
-    """Keys and indices of a path of keys and numbers joined by dots."""
-    first, *rest = path.split(".")
-    way: list[Any] = [first]
-    if first not in document:
-        for key, items in document.items():
-            for k, item in enumerate(items if isinstance(items, list) else []):
-                if isinstance(item, dict) and item.get("name") == first:
-                    way = [key, k]
-    return [*way, *(int(step) if step.isdigit() else step for step in rest)]
+def _way(target: Any, path: str, document: Any) -> list[Any]:
+    """Keys and indices of a number of `target` in the document, which may have its tables in another order."""
+    key, *rest = ways_of(target, path)[0]
+    item = target[key][rest[0]] if rest and isinstance(rest[0], int) else None
+    if isinstance(item, dict) and "name" in item:
+        rest[0] = [each.get("name") for each in document[key]].index(item["name"])
+    return [key, *rest]
 
 
 def _inside(document: Any, way: list[Any]) -> Any:

@@ -11,9 +11,9 @@ import numpy as np
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.state import State
-from mahovik.core.stand.toml import parse
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.write import document_of
 from mahovik.proof.diagnose.answers import (
     FIRST,
     Answers,
@@ -146,7 +146,7 @@ class Diagnoser:
         ]
         self.whole = AnswerVector.of(stand, [request for _, request in asked])
         self._first = {request.id for number, request in asked if number < FIRST}
-        self._document = document if document is not None else parse(dumps(stand))
+        self._document = document if document is not None else exact(document_of(stand))
 
     @property
     def requests(self) -> tuple[Request, ...]:

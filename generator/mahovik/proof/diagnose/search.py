@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 from scipy.linalg import svd
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
-from mahovik.core.stand.numbers import StandNumbers
+from mahovik.core.stand.numbers import StandNumbers, exact
 from mahovik.core.stand.random_state import along_freedoms
 from mahovik.core.stand.read import read
 from mahovik.core.stand.state import Quaternion, State
-from mahovik.core.stand.toml import parse
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.write import document_of
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
@@ -439,7 +438,7 @@ class TermSearch:
         Of all of the coefficient of product k; else of the part of it that a number has, where this explains the error
         by a likely factor. The part is what changes with the number in the right equations.
         """
-        file, g = StandNumbers(self._stand, parse(dumps(self._stand))), float(np.linalg.norm(self._stand.gravity))
+        file, g = StandNumbers(self._stand, exact(document_of(self._stand))), float(np.linalg.norm(self._stand.gravity))
         found = expected + error, expected, ""
         for number in file:
             sizes = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]

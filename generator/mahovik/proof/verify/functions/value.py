@@ -14,11 +14,10 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.numbers import StandNumbers
+from mahovik.core.stand.numbers import StandNumbers, exact
 from mahovik.core.stand.read import read
 from mahovik.core.stand.state import State, rest_state
-from mahovik.core.stand.toml import parse
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.write import document_of
 from mahovik.errors import StandError, StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, vector
@@ -247,7 +246,7 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
 
     As physical as the stand: mass and inertia grow together, and centres of mass come nearer to the origin.
     """
-    file = StandNumbers(stand, parse(dumps(stand)))
+    file = StandNumbers(stand, exact(document_of(stand)))
     grown = {body.name: rng.uniform(1.01, 1.05) for body in stand.bodies}
     moved, values = {point.name for point in stand.points} | grown.keys() - {stand.carrier.name}, {}
     for number in file:
