@@ -118,13 +118,14 @@ def value_at(document: Any, way: Way) -> Any:
 
 
 def _put(document: dict[str, Any], way: Way, value: Any, path: str) -> None:
-    place, last = value_at(document, way[:-1]), way[-1]
+    place: Any = value_at(document, way[:-1])
+    last: Any = way[-1]
     if value is not None:
         place[last] = exact(value)
     elif isinstance(place, list) or last in place:
         del place[last]
     else:
-        raise UsageError(f"{path}: there is no {show(last)} to take away{suggestion(str(last), place)}")
+        raise UsageError(f"{path}: there is no {show(last)} to take away{suggestion(last, place)}")
 
 
 def ways_of(document: dict[str, Any], path: str) -> list[Way]:
