@@ -135,11 +135,12 @@ class Rows:
 
     def compare(
         self, name: str, state: State, equation: Equation, found: Mapping[str, Any], suffix: str = "",
-        least_squares: bool = False, kind: str = "value",
+        least_squares: bool = False, weak: Sequence[str] = (),
     ) -> None:  # fmt: skip
         """Compare results with the answer of an equation, each of its quantities, with measured scales.
 
-        A state where the reference has no answer, or where rounding decides a word of it, is left out.
+        A state where the reference has no answer, or where rounding decides a word of it, is left out. `weak`:
+        quantities of which a solver regularises a part, of the kind `optimality`.
         """
         assert self._scales is not None
         try:
@@ -148,7 +149,8 @@ class Rows:
             self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
             return
         for quantity, value in measured.values.items():
-            check, scale = self.check(f"{quantity}{suffix}", kind), measured.scales[quantity]
+            kind, words = ("optimality", ", of weak directions") if quantity in weak else ("value", "")
+            check, scale = self.check(f"{quantity}{words}{suffix}", kind), measured.scales[quantity]
             if measured.undecided:
                 check.skip("rounding decides a word of the answer", name)
                 continue

@@ -20,7 +20,7 @@ from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
-from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.fields import Mat3, Vec6
 from mahovik.core.stand.model import COMPONENTS, Motor, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
@@ -135,13 +135,6 @@ class Problem:
     locked: Flags
 
     @classmethod
-    def of_accelerations(cls, question: Question, stand: Stand, at: Pieces) -> Problem:
-        """Of phi'' within the limits of the options."""
-        limit = np.array(question.options["limit"], dtype=np.float64)
-        none = np.zeros(len(limit))
-        return cls(question.scaled(stand, at), none, -limit, limit, none.astype(bool))
-
-    @classmethod
     def of_torques(cls, question: Question, stand: Stand, at: Pieces) -> Problem:
         """Of tau within what the motors have, for rows of a task; wanted speeds near zero are avoided."""
         options, state, locked = question.options, question.state, cast(Flags, question.locked)
@@ -168,32 +161,30 @@ class Problem:
 
 
 def judge_conditions(
-    case: Any, rows: Rows, where: str, problem: Problem, x: Array, found: Mapping[str, Any], status: int, slack: float,
-    regular: float,
+    case: Any, rows: Rows, question: Question, problem: Problem, x: Array, found: Mapping[str, Any], status: int,
+    slack: float, regular: float,
 ) -> None:  # fmt: skip
-    """The bounds are kept, and the conditions of a least error hold within them; the bits of the status say so.
+    """The bounds are kept, and the conditions of a least error hold within them; LIMITED and UNREACHABLE say so.
 
     `slack`: by which part of a bound rounding may exceed it; `regular`: 0 where directions are weak, and no error is
-    judged.
+    judged. UNREACHABLE is due by the residual that is given, which is judged by itself.
     """
+    where, scaled, bits = question.name, problem.scaled, status_bits(status)
     limited, size = np.array(found["limited"], dtype=bool), np.maximum(np.abs(problem.least), np.abs(problem.most))
     high, low = x >= problem.most - slack * size, x <= problem.least + slack * size
     inside = (x <= problem.most + slack * size) & (x >= problem.least - slack * size)
     rows.demand("bounds kept", bool(np.all(inside | problem.locked)), where, "a bound is exceeded")
     rows.demand("limited", bool(np.all((high | low | problem.locked)[limited])), where, "limited, but not at a bound")
-    bits, W, r, y = status_bits(status), problem.W, problem.scaled.r, problem.y(x)
     rows.demand("LIMITED", bool(limited.any()) == ("LIMITED" in bits), where, "not as `limited` says")
     side, pinned = np.where(problem.locked, 0.0, high * 1.0 - low * 1.0), high & low & ~problem.locked
     if regular and np.any(np.isfinite(size) & (size < 1e30)):
-        off = excess(np.where(pinned, 0.0, W), r, r - W @ y, side, regular)
+        off = excess(np.where(pinned, 0.0, problem.W), scaled.r, scaled.r - problem.W @ problem.y(x), side, regular)
         rows.check("least error, within bounds").note(off, where)
-
-
-def judge_reached(case: Any, rows: Rows, where: str, scaled: ScaledDemand, residual: Array, status: int) -> None:
-    """UNREACHABLE says what the residual does, which is judged by itself."""
-    left, most = float(np.linalg.norm(scaled.root @ residual)), case.scales.cuts.reached * np.linalg.norm(scaled.r)
+    residual = vector(found["residual"])
+    error = scaled.root @ (residual if question.use is None else residual[question.use])
+    left, most = float(np.linalg.norm(error)), float(case.scales.cuts.reached * np.linalg.norm(scaled.r))
     words = f"the error is {left:.1e}, of {most:.1e} accepted"
-    rows.demand("UNREACHABLE", bool(left > most) == ("UNREACHABLE" in status_bits(status)), where, words)
+    rows.demand("UNREACHABLE", (left > most) == ("UNREACHABLE" in bits), where, words)
 
 
 def kept_values(case: Any, scaled: ScaledDemand) -> Array:
@@ -254,37 +245,29 @@ def judge_inverse(case: Case, rows: Rows) -> None:
 def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, found: Mapping[str, Any]) -> None:
     """Judge one answer of `inverse`: its conditions, and what follows from it."""
     where, x, at = question.name, vector(found["phi_ddot"]), case.scales.at(question.state)
-    problem, regular = Problem.of_accelerations(question, case.stand, at), THRESHOLDS[case.real].regular
-    judge_conditions(case, rows, where, problem, x, found, status, 0.0, regular)
-    residual = vector(found["residual"])
-    judge_reached(
-        case, rows, where, problem.scaled, residual if question.use is None else residual[question.use], status
-    )
-    free = float(np.min(question.options["limit"], initial=np.inf)) > 1e30
-    kept = kept_values(case, problem.scaled)
+    limit, regular = np.array(question.options["limit"], dtype=np.float64), THRESHOLDS[case.real].regular
+    none = np.zeros(len(limit))
+    problem = Problem(question.scaled(case.stand, at), none, -limit, limit, none.astype(bool))
+    judge_conditions(case, rows, question, problem, x, found, status, 0.0, regular)
+    free = float(np.min(limit, initial=np.inf)) > 1e30
     # of a damped answer, whose scale the weak directions do not raise, the solver regularises them
-    is_weak = question.damping[1] > 0.0 and has_weak(kept, regular)
-
-    def answer(stand: Stand, _: State, near: Pieces) -> Values:
-        scaled = question.scaled(stand, near)
-        return {"phi_ddot": weighted_solution(scaled, question.weight, len(kept), *question.damping)}
-
-    def consequences(stand: Stand, _: State, near: Pieces) -> Values:
-        return consequences_of(case, question, stand, near, None if free else x)
-
-    if free:
-        kind, suffix = ("optimality", ", of weak directions") if is_weak else ("value", "")
-        rows.compare(where, question.state, answer, found, suffix, least_squares=True, kind=kind)
+    is_weak = question.damping[1] > 0.0 and has_weak(kept_values(case, problem.scaled), regular)
     words = "|".join(sorted(set(status_bits(status)) - {"LIMITED", "UNREACHABLE"}))
-    suffix = "" if free else ", with limits"
-    rows.compare(where, question.state, consequences, {**found, "status": words}, suffix, least_squares=True)
+
+    def equation(stand: Stand, _: State, near: Pieces) -> Values:
+        return answer_of(case, question, stand, near, None if free else x)
+
+    rows.compare(
+        where, question.state, equation, {**found, "status": words}, "" if free else ", with limits",
+        least_squares=True, weak=("phi_ddot",) if is_weak else (),
+    )  # fmt: skip
     _judge_hardest(rows, question, found)
     if question.state.task:
         _judge_by_points(case, rows, question, found)
 
 
-def consequences_of(case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot: Array | None) -> Values:
-    """What an answer brings about, of the literal one where `phi_ddot` is None; singular values, rank and status.
+def answer_of(case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot: Array | None) -> Values:
+    """The literal answer to a question; of an answer `phi_ddot` what it brings about.
 
     status  bits joined by |, in the order of their names, but for LIMITED and UNREACHABLE
     """
@@ -293,7 +276,7 @@ def consequences_of(case: Case, question: Question, stand: Stand, at: Pieces, ph
     rank, values = len(kept_values(case, scaled)), cast(Values, {})
     if phi_ddot is None:
         phi_ddot = weighted_solution(scaled, question.weight, rank, near, damping)
-        values = {"limited": np.zeros(len(phi_ddot), dtype=np.int64)}
+        values = {"phi_ddot": phi_ddot, "limited": np.zeros(len(phi_ddot), dtype=np.int64)}
     V_dot = forward(at, phi_ddot)
     if question.state.task:
         left = np.zeros(len(question.state.demand))
@@ -357,7 +340,7 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
         kept = least_pivot(normal_matrix(question.scaled(stand, at), question.weight, question.damping[1]))
         return {"refusal": int(kept <= THRESHOLDS[case.real].gram_pivot)}
 
-    rows.compare(question.name, question.state, refusal, {"refusal": int(status < 0)}, kind="exact")
+    rows.compare(question.name, question.state, refusal, {"refusal": int(status < 0)})
     if status < 0:
         rows.demand("its status", status_words(status) == "NOT_POSITIVE_DEFINITE", question.name, status_words(status))
         return
@@ -511,15 +494,13 @@ def _at_the_edge_of_reach(case: Case, plain: Question, scaled: ScaledDemand, ran
 
 
 def _demanding(case: Case, state: State, change: Array) -> State:
-    """The state with another demand, so that the demand c of (12), or of the task, is less by `change`."""
+    """The state with another demand, so that c of (12), or of the task, is less by `change`."""
     if state.task:
         return replace(state, demand=tuple(case.nearest_numbers(vector(state.demand) + change).tolist()))
-    at = case.scales.at(state)
-    S, faster = at.S, solve(at.S.T @ at.K @ at.S, change)
-    if case.stand.hold is None:
-        return replace(state, V_dot=tuple(case.nearest_numbers(vector(state.V_dot) + faster).tolist()))
-    u_dot = vector(state.u_dot) + faster
-    return replace(state, u_dot=tuple(u_dot.tolist()), V_dot=tuple(case.nearest_numbers(S @ u_dot).tolist()))
+    at, held = case.scales.at(state), case.stand.hold is not None
+    rates = vector(state.u_dot if held else state.V_dot) + solve(at.S.T @ at.K @ at.S, change)
+    V_dot = tuple(case.nearest_numbers(at.S @ rates).tolist())
+    return replace(state, V_dot=cast(Vec6, V_dot), u_dot=tuple(rates.tolist()) if held else ())
 
 
 def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Question]:
@@ -612,8 +593,7 @@ def judge_torques(
 
         rows.compare(name, state, least, found, least_squares=True)
     regular = 0.0 if is_weak or of_share else THRESHOLDS[case.limits.real].bounded
-    judge_conditions(case, rows, name, problem, tau, found, status, 4.0 * case.limits.value, regular)
-    judge_reached(case, rows, name, problem.scaled, vector(found["residual"]), status)
+    judge_conditions(case, rows, question, problem, tau, found, status, 4.0 * case.limits.value, regular)
     if of_share:
         _judge_share(case, rows, question, problem, found, is_weak)
 
