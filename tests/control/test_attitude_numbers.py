@@ -111,7 +111,7 @@ def test_a_reference_takes_a_part_of_what_the_flywheels_reach_without_one(even: 
 
 def test_the_emitted_settings_are_these_numbers() -> None:
     made = attitude_sources(stand(False), LoopOptions(), "double")
-    table = made.files["eye4_attitude.c"].partition("eye4_attitude_default = {")[2].partition("};")[0]
+    table = made.files["eye4_attitude.c"].partition("eye4_attitude_default =\n{")[2].partition("};")[0]
     written = {
         name: [float(number) for number in re.findall(r"[-+.e\d]+", values)]
         for name, values in re.findall(r"\.(\w+) = (\{[^}]*\}|[^,]+),", table)

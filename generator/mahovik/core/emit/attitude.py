@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.emit.code import Code
-from mahovik.core.lower.attitude import attitude_routines
-from mahovik.core.lower.layout import Layout
-from mahovik.core.program.types import Kind
+from mahovik.core.emit.generate import Generated
+from mahovik.core.lower.attitude import lower_attitude
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand, Task
 
@@ -31,47 +30,39 @@ def needed_functions(tables: AttitudeTables) -> tuple[str, ...]:
 
 
 class AttitudePrinter:
-    """Texts of an attitude loop."""
+    """Texts of an attitude loop beside the C of its stand."""
 
-    def __init__(self, stand: Stand, layout: Layout, tables: AttitudeTables) -> None:
+    def __init__(self, stand: Stand, generated: Generated, tables: AttitudeTables) -> None:
         self._stand, self._tables = stand, tables
-        self._code = Code(attitude_routines(layout), identities(stand), word="attitude_word")
-        components = [row.component for row in tables.task.rows]
-        places = [("wx", "wy", "wz").index(component) for component in components]
+        places = [("wx", "wy", "wz").index(row.component) for row in tables.task.rows]
+        program = lower_attitude(generated.layout, generated.program, tables.task.name, places, tables.dumps)
+        self._code = Code(program, identities(stand), word="attitude_word")  # the stand's header declares none
         self._facts = {
             "task": tables.task.name,
             "dumps": tables.dumps,
-            "wrenches": 6 * len(layout.inputs),
-            "count": int(layout.count),
-            "harmonics": [(f.name, int(f.shape[0])) for f in layout.row.fields if f.name.endswith(("c", "s"))],
-            "rows": list(enumerate(places)),
-            "demand": ", ".join(f"made.demand.wanted[{place}]" for place in places),
+            "wrenches": 6 * len(generated.layout.inputs),
         }
 
     def files(self) -> dict[str, str]:
         """Header and source by file name."""
-        name = f"{self._stand.name}_attitude"
+        name, code = f"{self._stand.name}_attitude", self._code
+        config = code.program.structs[0]
+        header = self.render(
+            "attitude.h.j2",
+            structs=code.structs(code.program.structs),
+            functions=code.public_declarations(code.public),
+        )
         source = self.render(
             "attitude.c.j2",
-            limits=self._code.limits(("MAX_STEP", "MAX_WRENCH", "LARGEST")),
-            word=self._code.names.type(Kind.WORD),
-            uses_word=self._code.words,
-            uses_bits_of=Kind.WORD in self._code.casts,
-            uses_real_of=Kind.REAL in self._code.casts,
-            functions=self._code.functions,
-            settings={member: self.numbers(value) for member, value in self._tables.settings.items()},
+            limits=code.limits(),
+            tables=[code.table("attitude_default", config, self._tables.settings)],
+            functions=code.functions,
         )
-        return {f"{name}.h": self.render("attitude.h.j2"), f"{name}.c": source}
-
-    def numbers(self, value: float | tuple[float, ...]) -> str:
-        """Literals of one or several numbers, as an initialiser of C."""
-        if isinstance(value, tuple):
-            return f"{{ {self.list_literals(value)} }}"
-        return self._code.real(value)
+        return {f"{name}.h": header, f"{name}.c": source}
 
     def list_literals(self, values: tuple[float, ...]) -> str:
         """Literals, one after the other."""
-        return ", ".join(self._code.real(v) for v in values)
+        return ", ".join(map(self._code.real, values))
 
     def render(self, name: str, **more: Any) -> str:
         """A template rendered with the values that all of them use."""

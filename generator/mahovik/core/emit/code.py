@@ -62,6 +62,10 @@ class Code:
             "literal": self.real,
             "hexadecimal": self.hex,
             "zeros": zeros(self.public, self.names),
+            "words": self.words,
+            "word_type": self.names.type(Kind.WORD),
+            "bits_of": Kind.WORD in self.casts,
+            "real_of": Kind.REAL in self.casts,
         }
 
     def render(self, name: str, **more: Any) -> str:

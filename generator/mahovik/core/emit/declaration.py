@@ -144,7 +144,7 @@ def purpose_with_number(function: Function) -> str:
 
 def operation_counts(function: Function, program: Program) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
-    found = cost(function, program.functions)
+    found = cost(function, program.whole)
     if not found.total:
         return "No operation on reals."
     divisions = {0: "no division", 1: "1 of them a division"}.get(

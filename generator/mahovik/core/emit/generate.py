@@ -19,7 +19,7 @@ from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrict import restrict_program
-from mahovik.core.program.types import DOUBLE, FLOAT, Kind, Struct
+from mahovik.core.program.types import DOUBLE, FLOAT, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
@@ -133,9 +133,6 @@ class _Printer:
         return self._code.render(
             "stand.c.j2",
             **self._known,
-            bits_of=Kind.WORD in self._code.casts,
-            real_of=Kind.REAL in self._code.casts,
-            word=self._code.words,
             internal=self._code.structs(s for s in self._program.structs if s not in header_structs(self._program)),
             functions=[self._function(f) for f in self._program.functions],
             tables=[self._code.table(name, struct, value, labels) for name, struct, value, _ in self._constants()],

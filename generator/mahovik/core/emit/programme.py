@@ -15,7 +15,7 @@ from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme import CLOCK, Course, ProgrammeProgram
 from mahovik.core.lower.programme_play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
-from mahovik.core.program.types import Kind, numbers
+from mahovik.core.program.types import numbers
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -88,8 +88,6 @@ class _Printer:
             "motion": facts.motion,
             "torque": form.torque,
             "cyclic": form.cyclic,
-            "word": self._names.type(Kind.WORD),
-            "uses_real_of": Kind.REAL in self._code.casts,
             "parts": [c.form.part for c in made.courses if c.form.part],
             "method": _METHOD[form.kind],
             "table_bytes": sum(numbers(c.form.table) for c in made.courses) * made.program.precision.width // 8,

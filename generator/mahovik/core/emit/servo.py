@@ -17,8 +17,6 @@ from mahovik.core.lower import servo_golden as expected
 from mahovik.core.lower.servo import ServoForm
 from mahovik.core.lower.servo_golden import Golden
 from mahovik.core.program.function import Program
-from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import expressions
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -102,7 +100,6 @@ class _Printer:
 
     def source(self) -> str:
         """The source: tables, then functions."""
-        every = (e for f in self._code.program.functions for e in expressions(f.body))
         form, tables = self._form, self._tables
         constants = [self._code.table("servo_default", form.gains, tables.gains)]
         if tables.design is not None:
@@ -110,9 +107,6 @@ class _Printer:
         return self.render(
             "servo.c.j2",
             limits=self._code.limits(),
-            uses_word=bool(self._code.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every),
-            uses_bits_of=Kind.WORD in self._code.casts,
-            uses_real_of=Kind.REAL in self._code.casts,
             tables=constants,
             functions=self._code.functions,
         )
@@ -156,7 +150,6 @@ class _Printer:
         tables, limited = self._tables, self._code.names.constant("LIMITED")
         text = self._code.render(
             name,
-            word=self._code.names.type(Kind.WORD),
             trim=self._form.trim is not None,
             period=self._code.real(tables.period),
             ticks=tables.ticks,

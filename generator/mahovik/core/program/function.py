@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any, cast
 
 from mahovik.core.program.call import Argument, Call, Signature
-from mahovik.core.program.expression import Expr, Missing, Operand, Place, as_expr
+from mahovik.core.program.expression import Expr, Missing, Operand, Place, Variable, as_expr
 from mahovik.core.program.statement import Statement
 from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
 
@@ -81,7 +81,9 @@ class Function:
 class Program:
     """A whole program: functions in an order in which each comes after what it calls.
 
-    spare  functions that these do not call, for states side by side
+    spare   functions that these do not call, for states side by side
+    called  functions of another file: public ones that these call, and what those call
+    constants  of another file
     """
 
     name: str
@@ -90,6 +92,13 @@ class Program:
     structs: tuple[Struct, ...]
     functions: tuple[Function, ...]
     spare: tuple[Function, ...] = ()
+    called: tuple[Function, ...] = ()
+    constants: tuple[Variable, ...] = ()
+
+    @cached_property
+    def whole(self) -> tuple[Function, ...]:
+        """All functions, with those of another file."""
+        return (*self.called, *self.functions)
 
     def function(self, name: str) -> Function:
         """The function of that name. Raises KeyError."""

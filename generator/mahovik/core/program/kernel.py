@@ -77,6 +77,7 @@ KINDS = {
     "Reals": Kind.REAL,
     "Ints": Kind.INT,
     "Result": Kind.REAL,
+    "IntResult": Kind.INT,
     "Status": Kind.STATUS,
 }
 """Kinds of scalars, and of elements, by the annotation."""
@@ -121,6 +122,10 @@ class Result(Protocol):
     """A number that a function gives through a pointer, or a variable that an inline kernel changes."""
 
     value: Any
+
+
+IntResult = Result
+"""An int that a function gives through a pointer."""
 
 
 @dataclass(frozen=True)

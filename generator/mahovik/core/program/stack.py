@@ -36,7 +36,7 @@ _STEP = 16
 def stack_bound(function: Function, program: Program) -> int:
     """Upper bound of the stack that a call takes, with all functions that it calls; bytes."""
     deepest = SHARE * _deepest(function, program.precision.width // 8, _depths(program)) + START
-    deepest += SCALAR * min(cost(function, program.functions).total, TEMPORARIES)
+    deepest += SCALAR * min(cost(function, program.whole).total, TEMPORARIES)
     return -int(-deepest // _STEP) * _STEP
 
 
@@ -44,7 +44,7 @@ def stack_bound(function: Function, program: Program) -> int:
 def _depths(program: Program) -> dict[str, int]:
     """Stack of the deepest chain of calls from each function, bytes. Functions come after those that they call."""
     found: dict[str, int] = {}
-    for function in program.functions:
+    for function in program.whole:
         found[function.name] = _deepest(function, program.precision.width // 8, found)
     return found
 

@@ -16,13 +16,14 @@ def validate(program: Program) -> None:
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{name} names two things")
-    known: set[str] = set()
+    known = {f.name for f in program.called if f.public}
     for function in program.functions:
         unknown = called_names(function.body) - known
         if unknown:
             raise ValueError(f"{function.name} calls {sorted(unknown)[0]}, which does not come before it")
         known.add(function.name)
-        scope = {a.name: id(a.variable) for a in function.arguments}
+        variables = (*program.constants, *(a.variable for a in function.arguments))
+        scope = {variable.name: id(variable) for variable in variables}
         _check_block(function, function.body, scope)
         used = used_variables(function.body)
         for loop in loops_of_no_turn(function.body):

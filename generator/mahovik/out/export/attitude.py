@@ -32,7 +32,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
     design = design_attitude(stand, options)
     tables = AttitudeTables(design.task, design.dumps, design.settings)
     generated = generate_all(stand, real, needed_functions(tables))
-    printer = AttitudePrinter(stand, generated.layout, tables)
+    printer = AttitudePrinter(stand, generated, tables)
     main = printer.render(
         "attitude_main.c.j2",
         slew="30",
