@@ -209,13 +209,12 @@ class Tie:
         law, F = SimpleNamespace(**members), [0.0] * 6
         inputs = dict(zip(POSE, ([*np.moveaxis(x, -2, 0)] for x in pose), strict=True))
         lib, _, columns = law_functions(own)
-        function, end = self.law.tie
         named = {"law": law, self.member: law, "x": SimpleNamespace(**inputs), "C": inputs["C"], "F": F}
-        columns.call(function, *(named[argument] for argument in lib.taken(function)))
+        columns.call(self.law.tie, *(named[argument] for argument in lib.taken(self.law.tie)))
         columns.refused.clear()
         wrench = np.stack(np.broadcast_arrays(*F), axis=-2)
-        if end:
-            wrench[..., 3:, :] -= np.cross(getattr(law, end), wrench[..., :3, :], axisa=-2, axisb=-2, axisc=-2)
+        if self.law.at_points:
+            wrench[..., 3:, :] = 0.0
         return wrench
 
 
@@ -223,7 +222,7 @@ def ties(own: Structure) -> dict[str, Tie]:
     """What ties the carrier to E0, by name: the suspension; the legs, counted from 1."""
     named = {}
     for law in Layout(own, DOUBLE).law_tables:
-        for field in law.fields(own) if law.tie[0] else ():
+        for field in law.fields(own) if law.tie else ():
             if not field.shape:
                 named[field.name] = Tie(law, field.name, None)
             for k in range(int(field.shape[0]) if field.shape else 0):

@@ -29,7 +29,7 @@ class SuspensionProgram(CarrierProgram):
 
     words = "suspension"
     quaternions = ("suspension.attitude",)
-    tie = ("suspend", "")
+    tie = "suspend"
 
     def present(self, structure: Structure) -> bool:
         """Whether there is one."""
