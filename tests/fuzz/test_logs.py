@@ -14,7 +14,7 @@ from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.proof.verify.selftest import judge_log
 from mahovik.use.simulate import flight_log
 from mahovik.use.simulate.flight_log import Damage, Start, records
-from mahovik.use.simulate.replay import CMachine, check_stand, replay
+from mahovik.use.simulate.replay import Machine, c_machine, check_stand, replay
 from simulate.flights import Recorder
 
 NAME, REAL = "demo3", "double"
@@ -31,11 +31,11 @@ def log(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 
 
 @pytest.fixture(scope="module")
-def machine() -> CMachine:
-    return CMachine(STAND, REAL)
+def machine() -> Machine:
+    return c_machine(STAND, REAL)
 
 
-def read(data: bytes, file: Path, machine: CMachine) -> None:
+def read(data: bytes, file: Path, machine: Machine) -> None:
     """Read a log as the command does: all records, then the replay of those of this stand."""
     file.write_bytes(data)
     found, _ = flight_log.load(file)
@@ -51,7 +51,7 @@ def read(data: bytes, file: Path, machine: CMachine) -> None:
 @fuzzed(120)
 @given(data=st.data())
 def test_a_spoiled_flight_log(
-    data: st.DataObject, log: bytes, machine: CMachine, tmp_path_factory: pytest.TempPathFactory
+    data: st.DataObject, log: bytes, machine: Machine, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     text = b"\n".join(b"@" + log[i : i + 32].hex().encode() for i in range(0, len(log), 32))
     spoiled = data.draw(spoiled_bytes([log, text]))

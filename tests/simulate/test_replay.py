@@ -15,7 +15,7 @@ from mahovik.core.emit.log_format import MAGIC
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.errors import CheckError, UsageError
 from mahovik.use.simulate.flight_log import Damage, Start, load, records
-from mahovik.use.simulate.replay import CMachine, InterpreterMachine, Outcome, check_stand, explain, replay
+from mahovik.use.simulate.replay import Machine, Outcome, c_machine, check_stand, explain, interpreter_machine, replay
 from simulate.flights import Recorder
 
 CASES = [
@@ -45,9 +45,9 @@ def bench8(tmp_path_factory: pytest.TempPathFactory) -> Recorder:
 
 
 @cache
-def machine_of(name: str, real: str) -> CMachine:
+def machine_of(name: str, real: str) -> Machine:
     """Freshly generated C, compiled once."""
-    return CMachine(known_stand(name), real)
+    return c_machine(known_stand(name), real)
 
 
 def steps_of(recorder: Recorder, data: bytes | None = None) -> list[Outcome | Damage]:
@@ -81,7 +81,7 @@ def test_every_step_has_the_bits_of_the_flight(flown: Recorder) -> None:
 
 
 def test_the_interpreter_needs_no_compiler(flown: Recorder) -> None:
-    machine = InterpreterMachine(flown.stand, flown.real)
+    machine = interpreter_machine(flown.stand, flown.real)
     found = list(replay(machine, records(flown.log)))
     assert len(found) == STEPS
     assert all(isinstance(o, Outcome) and o.equal for o in found)

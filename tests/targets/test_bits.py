@@ -16,7 +16,7 @@ from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions
 from mahovik.use.simulate.flight_log import Start, load, records
-from mahovik.use.simulate.replay import CMachine, Outcome, replay
+from mahovik.use.simulate.replay import Outcome, c_machine, replay
 from targets.flight import flight
 from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.tools import EMBEDDED, target
@@ -75,7 +75,7 @@ def test_a_flight_of_two_thousand_steps(board: str, name: str, real: str, torque
     data, notes = load(log)
     assert notes == []
     assert sum(isinstance(r, Start) for r in records(data)) == 2
-    replayed = list(replay(CMachine(flown, real), records(data)))
+    replayed = list(replay(c_machine(flown, real), records(data)))
     outcomes = [o for o in replayed if isinstance(o, Outcome)]
     assert len(replayed) == len(outcomes) == 2002  # two of them refused
     assert all(o.equal for o in outcomes)

@@ -28,9 +28,18 @@ class InterpreterBackend(ProgramBackend):
     """A stand's program run by the interpreter."""
 
     def __init__(self, generated: Generated) -> None:
-        interpreter, values = Interpreter(generated.program), generated.values
-        stand = prepare_records(interpreter, generated.layout, values.table, values.mounting)
-        super().__init__("interpreter", generated.layout, generated.program, *stand, interpreter.run, values.options)
+        self.generated, self._interpreter, values = generated, Interpreter(generated.program), generated.values
+        stand = prepare_records(self._interpreter, generated.layout, values.table, values.mounting)
+        run = self._interpreter.run
+        super().__init__("interpreter", generated.layout, generated.program, *stand, run, values.options)
+
+    def table(self) -> Any:
+        """The default table as plain data."""
+        return self.generated.values.table
+
+    def hold_table(self, table: Any) -> Any:
+        """A table of plain data as functions take it."""
+        return self._interpreter.fill_storage(self.layout.table, table)
 
 
 def prepare_records(interpreter: Interpreter, layout: Layout, table: Any, mounting: Any) -> tuple[Any, Any]:
@@ -132,6 +141,10 @@ class CBackend(ProgramBackend):
     @cached_property
     def _plain_table(self) -> Any:
         return self.table()
+
+    def hold_table(self, table: Any) -> Any:
+        """A table of plain data as functions take it."""
+        return self.library.ffi.new(f"{self._stand.name}_table *", table)
 
     def table(self) -> Any:
         """The compiled default table as plain data."""

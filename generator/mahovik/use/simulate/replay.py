@@ -12,16 +12,15 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import status_words
-from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
 from mahovik.core.emit.reading import read_header
 from mahovik.core.emit.recorder import source_hash
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.states import encode
 from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step, members
 from mahovik.writing import format_of
@@ -54,71 +53,48 @@ class Outcome:
         return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
 
 
-class CMachine:
-    """Runs the steps of one stand by its C, freshly generated or in `folder`. Raises as CBackend.
+class Machine:
+    """Runs the steps of one stand by its C or by the interpreter, from the present `state` with the present `carry`.
 
     source   hash of the C source
     """
 
-    def __init__(self, stand: Stand, real: str, folder: Path | None = None) -> None:
-        self._c = _compiled_backend(stand, real) if folder is None else CBackend(stand, real, folder)
-        self.generated = self._c.generated
-        self.source = source_hash(self.generated.files if folder is None else _texts(folder, stand.name), stand.name)
-        self._ffi = self._c.library.ffi
-        self._prefix = stand.name
-        self._x = self._ffi.new(f"{stand.name}_state *")
-        dtype = np.dtype(self.generated.program.precision.scalar)
-        whole = np.frombuffer(self._ffi.buffer(self._x), dtype=dtype)
-        self._views, at = {}, 0
-        for f in self.generated.layout.state.fields:
-            self._views[f.name] = whole[at : at + int(f.shape[0])]
-            at += int(f.shape[0])
-        self._table = self._ffi.new(f"{stand.name}_table *")
-        self._carry = np.zeros(at, dtype=dtype)
+    def __init__(self, backend: CBackend | InterpreterBackend, source: int) -> None:
+        self._backend, self.generated, self.source = backend, backend.generated, source
+        self._dtype = np.dtype(self.generated.program.precision.scalar)
+        self._table: Any = None
+        self.state: Members = {}
+        self.carry = np.zeros(sum(int(f.shape[0]) for f in self.generated.layout.state.fields), dtype=self._dtype)
 
     def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
         """Set a state and a table; None: the default."""
-        given = self._c.library.default("default")[0] if table is None else table
-        self._table = self._ffi.new(f"{self._prefix}_table *", given)
-        self._carry[:] = 0.0
-        self.write(state, None)
+        self.set_table(self.default_table() if table is None else table)
+        self.state, self.carry = {**state}, np.zeros_like(self.carry)
 
-    def write(self, written: Mapping[str, Reals], stream: Reals | None, carry: Reals | None = None) -> None:
-        """Write members of the state, the table's stream, and the carry."""
-        for name, values in written.items():
-            self._views[name][:] = values
-        if stream is not None:
-            self._table.stream = stream.tolist()
-        if carry is not None:
-            self._carry[:] = carry
-
-    def carry(self) -> Reals:
-        """Copy of the carry."""
-        return self._carry.copy()
-
-    def state(self) -> Members:
-        """Copy of the state."""
-        return {name: view.copy() for name, view in self._views.items()}
+    def set_table(self, table: Mapping[str, Any]) -> None:
+        """Set the table from plain data."""
+        self._table = self._backend.hold_table(table)
 
     def step(self, step: Step) -> int:
-        """Run one step; return its status."""
-        name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x, "carry": self._ffi.NULL}
+        """Run one step; return its status. A refused one leaves the state."""
+        drive = "phi_ddot" if step.driven else "tau"
+        given = {drive: step.drive, "locked": step.locked, "wrench": step.wrench}
+        inputs: dict[str, Any] = {name: np.array(values).tolist() for name, values in given.items()}
+        inputs |= {"table": self._table, "dt": self._dtype.type(step.dt).item(), "order": step.order}
+        inputs["x"] = {name: values.tolist() for name, values in self.state.items()}
         if step.carried:
-            known["carry"] = self._ffi.cast(f"{self._prefix}_step_carry *", self._carry.ctypes.data)
-        for key, value in inputs.items():
-            if isinstance(value, np.ndarray):
-                kind = f"{self._prefix}_real[]" if value.dtype.kind == "f" else "int[]"
-                known[key] = self._ffi.from_buffer(kind, value)
-            else:
-                known[key] = value
-        arguments = self.generated.program.function(name).arguments
-        return int(self._c.library.function(name)(*(known[a.name] for a in arguments)))
+            inputs["carry"] = {"rounding": self.carry.tolist()}
+        status, outputs = self._backend.call(step.function, inputs)
+        if status >= 0:
+            self.state = {name: np.array(values, dtype=self._dtype) for name, values in outputs["next"].items()}
+        if status >= 0 and step.carried:
+            self.carry = np.array(outputs["carry"]["rounding"], dtype=self._dtype)
+        return status
 
     def default_table(self) -> Mapping[str, Any]:
         """The default table as plain data."""
-        found: Mapping[str, Any] = self._c.table()
-        return found
+        table: Mapping[str, Any] = self._backend.table()
+        return table
 
 
 @lru_cache(maxsize=4)
@@ -127,69 +103,17 @@ def _compiled_backend(stand: Stand, real: str) -> CBackend:
     return CBackend(stand, real)
 
 
-class InterpreterMachine:
-    """Runs the steps by the interpreter of the program: needs no compiler, and is a thousand times slower."""
-
-    def __init__(self, stand: Stand, real: str) -> None:
-        self.generated = generate_all(stand, real)
-        self.source = source_hash(self.generated.files, stand.name)
-        self._interpreter = Interpreter(self.generated.program)
-        self._x: Any = None
-        self._table: Any = None
-        self._carry: Any = None
-
-    def begin(self, state: Mapping[str, Reals], table: Mapping[str, Any] | None) -> None:
-        """Set a state and a table; None: the default."""
-        given = self.default_table() if table is None else table
-        layout = self.generated.layout
-        self._table = self._interpreter.fill_storage(layout.table, plain(given))
-        self._x = self._interpreter.fill_storage(layout.state, {name: list(v) for name, v in state.items()})
-        self._carry = self._interpreter.fill_storage(layout.carry, {"rounding": [0.0] * sum(map(len, state.values()))})
-
-    def write(self, written: Mapping[str, Reals], stream: Reals | None, carry: Reals | None = None) -> None:
-        """Write members of the state, the table's stream, and the carry."""
-        for name, values in written.items():
-            setattr(self._x, name, list(values))
-        if stream is not None:
-            self._table.stream = list(stream)
-        if carry is not None:
-            self._carry.rounding = list(carry)
-
-    def carry(self) -> Reals:
-        """Copy of the carry."""
-        return np.array(plain(self._carry)["rounding"], dtype=self.generated.program.precision.scalar)
-
-    def state(self) -> Members:
-        """Copy of the state."""
-        dtype = np.dtype(self.generated.program.precision.scalar)
-        return {name: np.array(values, dtype=dtype) for name, values in plain(self._x).items()}
-
-    def step(self, step: Step) -> int:
-        """Run one step; return its status."""
-        name, inputs = step_inputs(self.generated, step)
-        known: dict[str, Any] = {"table": self._table, "x": self._x, "next": self._x}
-        known["carry"] = self._carry if step.carried else None
-        known |= {key: list(value) if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
-        known["dt"] = self.generated.program.precision.scalar(step.dt)
-        arguments = self.generated.program.function(name).arguments
-        return int(self._interpreter.call(name, *(known[a.name] for a in arguments)))
-
-    def default_table(self) -> Mapping[str, Any]:
-        """The default table as plain data."""
-        return self.generated.values.table
+def c_machine(stand: Stand, real: str, folder: Path | None = None) -> Machine:
+    """By the C of a stand, freshly generated or in `folder`. Raises as CBackend."""
+    backend = _compiled_backend(stand, real) if folder is None else CBackend(stand, real, folder)
+    files = backend.generated.files if folder is None else _texts(folder, stand.name)
+    return Machine(backend, source_hash(files, stand.name))
 
 
-Machine = CMachine | InterpreterMachine
-
-
-def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
-    """The function that made the step, and its inputs by argument name."""
-    name = step.function
-    drive = "phi_ddot" if step.driven else "tau"
-    locked = np.array(step.locked, dtype=np.intc)
-    given = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
-    taken = {a.name for a in generated.program.function(name).arguments}
-    return name, {key: value for key, value in given.items() if key in taken}
+def interpreter_machine(stand: Stand, real: str) -> Machine:
+    """By the interpreter of the program: it needs no compiler, and is a thousand times slower."""
+    generated = generate_all(stand, real)
+    return Machine(InterpreterBackend(generated), source_hash(generated.files, stand.name))
 
 
 def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterator[Outcome | Damage]:
@@ -203,14 +127,16 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
             table = _table(machine, record)
             machine.begin(record.state, table)
             continue
-        machine.write(record.written, record.stream, record.carry)
+        machine.state = machine.state | record.written
+        if record.carry is not None:
+            machine.carry = record.carry
         if record.stream is not None:
             table = {**(table or machine.default_table()), "stream": record.stream.tolist()}
-        before, carry = machine.state(), machine.carry()
+            machine.set_table(table)
+        before, carry = machine.state, machine.carry
         status = machine.step(record)
-        after, carry_after = machine.state(), machine.carry()
-        equal = status == record.status and _hash(after, carry_after, record) == record.hash
-        yield Outcome(record, before, after, status, equal, table, carry, carry_after)
+        equal = status == record.status and _hash(machine.state, machine.carry, record) == record.hash
+        yield Outcome(record, before, machine.state, status, equal, table, carry, machine.carry)
         if not equal:
             return
 
@@ -273,10 +199,10 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machi
         there = None if folder is None else read_header(folder, stand.name)
         if there is not None and there.real is not None and there.real != real:
             raise UsageError(f"--against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
-        return CMachine(stand, real, folder)
+        return c_machine(stand, real, folder)
     if folder is not None:
         raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
-    return InterpreterMachine(stand, real)
+    return interpreter_machine(stand, real)
 
 
 FORMATS = (".csv", ".jsonl")
