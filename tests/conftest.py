@@ -12,11 +12,10 @@ import signal
 import sys
 from pathlib import Path
 
-import pytest
 from hypothesis import settings
 
 from mahovik.__main__ import ALLOCATIONS, ONE_THREAD
-from toolchain import build_cache, generated_once
+from toolchain import generated_once, unoptimised
 
 CACHE = Path(__file__).resolve().parents[1] / ".pytest_cache"
 TOOLS = Path(__file__).resolve().parents[1] / "tools"
@@ -29,8 +28,8 @@ gc.set_threshold(ALLOCATIONS)
 for name in ONE_THREAD:  # before NumPy is loaded
     os.environ.setdefault(name, "1")
 os.environ["MAHOVIK_CACHE"] = str(CACHE / "mahovik")
-build_cache.install(CACHE / "libraries")
 generated_once.install()
+unoptimised.install()
 
 sys.path.append(str(TOOLS))  # tools import one another, and tests import them; last, as names of tests go first
 
@@ -40,9 +39,3 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 settings.register_profile("daily", deadline=None)
 settings.register_profile("ci", derandomize=True, deadline=None)
 settings.load_profile("ci" if os.environ.get("CI") else "daily")
-
-
-def pytest_sessionfinish(session: pytest.Session) -> None:
-    """The process that the user started, no worker of it, tidies up."""
-    if not hasattr(session.config, "workerinput"):
-        build_cache.tidy(CACHE / "libraries")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping
-from functools import cache, cached_property, partial
+from functools import cache, cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -18,7 +18,7 @@ from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain import library as library_module
-from mahovik.core.toolchain.compiler import build_shared
+from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.library import Library
 from mahovik.proof.verify.backends import ProgramBackend
 
@@ -40,15 +40,14 @@ class Compiled:
         compiler: str = "gcc",
     ) -> None:
         self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
-        build = partial(build_shared, optimisation=optimisation)
         with (
             TemporaryDirectory() as name,  # a loaded library stays loaded
             patch.dict("os.environ", {"CC": compiler}),
-            patch.object(library_module, "build_shared", build),
+            patch.object(library_module, "FLAGS", (*BITS, optimisation)),
         ):
             folder = Path(name)
             source = write(files, folder)
-            self.library = Library(folder / f"{self.name}.h", source, folder, self.name)
+            self.library = Library(source, self.name)
         self.default = self.library.default("default")
 
     @cached_property

@@ -16,7 +16,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain import library
-from mahovik.core.toolchain.compiler import build_shared
+from mahovik.core.toolchain.compiler import BITS
 from mahovik.proof.verify.c_backend import CBackend
 
 STANDS = Path(__file__).parents[2] / "generator" / "mahovik" / "stands"
@@ -25,7 +25,7 @@ COARSE, RANGE = STATUS_VALUES["COARSE"], STATUS_VALUES["RANGE"]
 
 @cache
 def compiled(name: str, real: str = "double") -> CBackend:
-    with patch.object(library, "build_shared", build_shared):  # optimised: many steps are made
+    with patch.object(library, "FLAGS", (*BITS, "-O2")):  # optimised: many steps are made
         return CBackend(load(STANDS / f"{name}.toml"), real)
 
 

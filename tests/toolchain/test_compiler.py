@@ -9,12 +9,10 @@ import pytest
 from emit.stands import generated, write
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.toolchain import compiler
-from mahovik.core.toolchain.compiler import CANDIDATES, build_shared, find_compiler, preprocess
-from mahovik.core.toolchain.library import Library
+from mahovik.core.toolchain.compiler import CANDIDATES, find_compiler, preprocess
+from mahovik.core.toolchain.library import Library, load_compiled
 from mahovik.errors import ToolchainError
 from mahovik.proof.verify.backends import public_names
-from toolchain import build_cache
 
 GOOD = "int answer(void);\nint answer(void) { return 42; }\n"
 WARNINGS = {
@@ -27,7 +25,7 @@ WARNINGS = {
 @pytest.fixture(autouse=True)
 def uncached(monkeypatch: pytest.MonkeyPatch) -> None:
     """The compiler itself runs in these tests."""
-    monkeypatch.setattr(compiler, "_build", build_cache.PLAIN)
+    monkeypatch.setenv("MAHOVIK_CACHE", "")
 
 
 def one_line(error: pytest.ExceptionInfo[ToolchainError]) -> str:
@@ -56,10 +54,9 @@ def test_no_compiler(chosen: str | None, message: str, monkeypatch: pytest.Monke
     source = tmp_path / "x.c"
     source.write_text(GOOD)
     with pytest.raises(ToolchainError) as error:
-        build_shared(source, tmp_path / "x.so")
+        load_compiled(source, (), str)
     assert one_line(error).startswith(message)
     assert ("apt-get install gcc" in str(error.value)) == (chosen is None)
-    assert not (tmp_path / "x.so").exists()
 
 
 def test_cc_that_cannot_be_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -70,7 +67,7 @@ def test_cc_that_cannot_be_run(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) 
     source = tmp_path / "x.c"
     source.write_text(GOOD)
     with pytest.raises(ToolchainError) as error:
-        build_shared(source, tmp_path / "x.so")
+        load_compiled(source, (), str)
     assert one_line(error) == f"{broken} cannot be run: Exec format error"
 
 
@@ -92,10 +89,9 @@ def test_a_warning_is_refused(text: str, tmp_path: Path) -> None:
     source = tmp_path / "warned.c"
     source.write_text(text)
     with pytest.raises(ToolchainError) as error:
-        build_shared(source, tmp_path / "warned.so")
+        load_compiled(source, (), str)
     assert "refused warned.c: " in one_line(error)
     assert "error" in one_line(error)
-    assert not (tmp_path / "warned.so").exists()
 
 
 def test_headers_lose_their_directives(tmp_path: Path) -> None:
@@ -110,7 +106,7 @@ def test_headers_lose_their_directives(tmp_path: Path) -> None:
 def test_arguments_and_members_that_differ_are_named(tmp_path: Path) -> None:
     made = generated("demo3")
     source = write(made.files, tmp_path)
-    library = Library(source.with_suffix(".h"), source, tmp_path, "demo3")
+    library = Library(source, "demo3")
     public = [made.program.function(name) for name in public_names(made.program)]
     assert library.difference(public) is None
     step: Function = made.program.function("step")

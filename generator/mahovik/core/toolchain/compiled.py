@@ -27,7 +27,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain import store
-from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler, run_compiler
+from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, find_compiler, run_compiler
 from mahovik.errors import ToolchainError
 
 if TYPE_CHECKING:
@@ -44,7 +44,6 @@ BATCH = (*BITS, "-O3", "-march=native")
 """Flags for batches: with the registers of this processor, and the same bits."""
 
 _PARALLEL = "-fopenmp"
-_PLACE = ["-shared", "-fPIC"]
 
 
 _PROCESS = {"forked": False}
@@ -283,7 +282,7 @@ def build(parts: Iterable[Mapping[str, str]], name: str, folder: Path, compiler:
         objects = [each.result() for each in under_way]
     library = folder / f"{name}.so"
     try:
-        run_compiler([*objects, *_PLACE, *openmp, "-o", str(library)], "to link", compiler)
+        run_compiler([*objects, *SHARED, *openmp, "-o", str(library)], "to link", compiler)
     except ToolchainError as error:
         hint = "; more than one thread needs its OpenMP library (clang on Debian: apt-get install libomp-dev)"
         raise ToolchainError(f"{error}{hint if parallel else ''}") from None

@@ -1,4 +1,4 @@
-"""The host's C compiler: finding it, and building a shared library of emitted C."""
+"""The host's C compiler: finding it, running it, and what it is."""
 
 from __future__ import annotations
 
@@ -17,6 +17,9 @@ WARNINGS = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werr
 
 BITS = ("-ffp-contract=off",)
 """No fused multiply-add: the same bits on every processor."""
+
+SHARED = ("-shared", "-fPIC")
+"""Flags of a library that is loaded."""
 
 CANDIDATES = ("cc", "gcc", "clang")
 
@@ -56,16 +59,6 @@ def run_compiler(arguments: Sequence[str], what: str, compiler: Sequence[str] = 
         first = next((line for line in lines if "error" in line), lines[0] if lines else "no message")
         raise ToolchainError(f"{command[0]} refused {what}: {first}")
     return done.stdout
-
-
-def build_shared(source: Path, library: Path, *more: str, optimisation: str = "-O2") -> None:
-    """Compiles one C file to a shared library, with `more` flags. Raises ToolchainError."""
-    _build(source, library, (*BITS, optimisation, *more))
-
-
-def _build(source: Path, library: Path, how: Sequence[str]) -> None:
-    flags = [*WARNINGS, *how, "-shared", "-fPIC"]
-    run_compiler([*flags, f"-I{source.parent}", str(source), "-o", str(library)], source.name)
 
 
 def preprocess(header: Path, *more: str) -> str:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+import tempfile
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import cffi
 
@@ -14,7 +15,8 @@ from mahovik.core.emit.names import member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.toolchain.compiler import build_shared, preprocess
+from mahovik.core.toolchain import store
+from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, preprocess, run_compiler
 from mahovik.errors import ToolchainError
 
 _SIZE_CHECK = re.compile(r"typedef char \w+\[\(sizeof[^;]*;")
@@ -24,26 +26,51 @@ _PATTERN = b"\xa5"
 """What results hold before a call that must not write them; no number that a stand has is made of it."""
 
 
+FLAGS = (*BITS, "-O2")
+
+Loaded = TypeVar("Loaded")
+
+
+def load_compiled(source: Path, flags: Sequence[str], load: Callable[[str], Loaded]) -> Loaded:
+    """Loads the library of one C file and the headers beside it, which is kept for others. Raises ToolchainError."""
+    key = store.source_key(source, flags)
+    if (kept := store.find(key)) is not None:
+        return load(str(kept[0]))
+    # once loaded, the library needs its file no more
+    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
+        library = Path(scratch) / f"{source.stem}.so"
+        command = [*WARNINGS, *flags, *SHARED, f"-I{source.parent}", str(source), "-o", str(library)]
+        run_compiler(command, source.name)
+        store.keep(key, library, {})
+        return load(str(library))
+
+
 class Library:
-    """One stand's C, built into `scratch` from a header and a source that lie side by side.
+    """One stand's C, built of a source that lies beside its header, or taken from the store.
 
     The declarations come from the header itself, through the compiler's preprocessor. Public names begin with the
     stand's name, and with that of the programme where the C is of one that has a name.
     """
 
-    def __init__(self, header: Path, source: Path, scratch: Path, stand: str, programme: str = "") -> None:
-        target = scratch / f"{source.stem}.so"
-        plain = f"-D{stand.upper()}_PLAIN_NAMES"
-        build_shared(source, target, plain)
+    def __init__(self, source: Path, stand: str, programme: str = "") -> None:
+        header, plain = source.with_suffix(".h"), f"-D{stand.upper()}_PLAIN_NAMES"
         self._prefix = f"{stand}_{programme}" if programme else stand
         self._ffi = cffi.FFI()
         try:
             # cffi reaches variables only: it takes a `const` object for a constant of the compiler.
             text = _SIZE_CHECK.sub("", preprocess(header, plain))
             self._ffi.cdef(text.replace("extern const ", "extern "))
-            self._library = self._ffi.dlopen(str(target))
+            self._library = load_compiled(source, (*FLAGS, plain), self._ffi.dlopen)
         except (cffi.CDefError, OSError) as error:
             raise ToolchainError(f"{header.name} cannot be read as declarations: {error}") from error
+
+    @classmethod
+    def of_texts(cls, files: Mapping[str, str], source: str, stand: str) -> Library:
+        """The library of a source among texts by file name."""
+        with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
+            for file, text in files.items():
+                Path(folder, file).write_text(text, encoding="ascii", newline="\n")
+            return cls(Path(folder, source), stand)
 
     def has(self, function: str) -> bool:
         """Is there a public function of that name (without prefix)?"""

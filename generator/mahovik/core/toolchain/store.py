@@ -22,7 +22,7 @@ from mahovik import __version__
 from mahovik.core.emit.templates import folders
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.core.toolchain.compiler import machine, program_file
+from mahovik.core.toolchain.compiler import find_compiler, machine, program_file
 from mahovik.errors import UsageError
 from mahovik.writing import write_all
 
@@ -51,6 +51,16 @@ def library_key(
     """Structure, element type, compiler, with batches this processor, generator. Raises ToolchainError, OSError."""
     target = program_file(tuple(compiler)) if kind == "states" else machine(tuple(compiler))
     return _key(repr(of), real, repr(list(compiler)), target, str(parallel), kind, *only)
+
+
+def source_key(source: Path, flags: Sequence[str]) -> str:
+    """Compiler, flags, one C file, the headers beside it. Raises ToolchainError, OSError."""
+    compiler = find_compiler()
+    found = hashlib.sha256(repr((compiler, program_file(tuple(compiler)), tuple(flags))).encode())
+    for file in (source, *sorted(source.parent.glob("*.h"))):
+        content = file.read_bytes()
+        found.update(f"{file.name} {len(content)}\n".encode() + content)
+    return found.hexdigest()[:32]
 
 
 def numbers_key(stand: Stand, real: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
@@ -74,14 +73,12 @@ class CBackend(ProgramBackend):
         self.complete = self.generated = generated or generate_all(stand, precision_name, chosen=chosen)
         if folder is not None and (only := _part(folder, stand, self.complete.program)) != ALL:
             self.generated = generate_all(stand, precision_name, only)
-        # once loaded, the library needs its file no more
-        with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
-            place = folder or Path(scratch)
-            if folder is None:
-                for name, text in self.generated.files.items():
-                    (place / name).write_text(text, encoding="ascii", newline="\n")
-            paths = place / f"{stand.name}.h", place / f"{stand.name}.c"
-            self.library = Library(*paths, Path(scratch), stand.name)
+        source = f"{stand.name}.c"
+        self.library = (
+            Library.of_texts(self.generated.files, source, stand.name)
+            if folder is None
+            else Library(folder / source, stand.name)
+        )
         program = self.generated.program
         if folder is not None:
             public = [program.function(name) for name in public_names(program)]

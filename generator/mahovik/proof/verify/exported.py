@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from pathlib import Path
 
 from mahovik.contract.limits import LIMITS
@@ -25,9 +24,7 @@ def verify_compiled(stand: Stand, case: ProgrammeCase, folder: Path, name: str =
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
-    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
-        made = load_part(stand, folder, "programme", name, Path(scratch))
-        rows = tuple(function_checks(CompiledProgramme(case, made)))
+    rows = tuple(function_checks(CompiledProgramme(case, load_part(stand, folder, "programme", name))))
     for row in rows:
         row.quantity = f"C {row.judged} {row.quantity}" if row.judged else f"C {row.quantity}"
     return rows
@@ -61,8 +58,7 @@ def verify_servo(
         for item in (stand_check(stand, programme), motion_check(motion, programme)):
             if item.failed:
                 raise UsageError(f"{item.words}: give the programme that the servos follow")
-    with tempfile.TemporaryDirectory(prefix="mahovik-") as scratch:
-        made = load_part(stand, folder, "servo", name, Path(scratch))
-        case = ServoCase(stand, servo, made, seed, count, motion, programme)
-        rows = (*table_checks(case), *function_checks(case))
+    made = load_part(stand, folder, "servo", name)
+    case = ServoCase(stand, servo, made, seed, count, motion, programme)
+    rows = (*table_checks(case), *function_checks(case))
     return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

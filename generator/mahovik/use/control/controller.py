@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
 from functools import lru_cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -130,12 +128,8 @@ def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> L
     form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim, held=stand.hold is not None))
     tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
     files = servo_code(stand, lower_servo(made.layout, form), form, tables)
-    name = f"{stand.name}_servo"
-    with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as folder:
-        place = Path(folder)
-        for file, text in {**files, f"{stand.name}.h": made.files[f"{stand.name}.h"]}.items():
-            (place / file).write_text(text, encoding="ascii", newline="\n")
-        return Library(place / f"{name}.h", place / f"{name}.c", place, stand.name)
+    header = f"{stand.name}.h"
+    return Library.of_texts({**files, header: made.files[header]}, f"{stand.name}_servo.c", stand.name)
 
 
 def _zeros(struct: Any) -> dict[str, Any]:

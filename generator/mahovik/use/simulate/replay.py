@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import status_words
-from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
 from mahovik.core.emit.reading import read_header
 from mahovik.core.emit.recorder import source_hash
@@ -77,14 +77,13 @@ class Machine:
 
     def step(self, step: Step) -> int:
         """Run one step; return its status. A refused one leaves the state."""
-        drive = "phi_ddot" if step.driven else "tau"
-        given = {drive: step.drive, "locked": step.locked, "wrench": step.wrench}
-        inputs: dict[str, Any] = {name: np.array(values).tolist() for name, values in given.items()}
-        inputs |= {"table": self._table, "dt": self._dtype.type(step.dt).item(), "order": step.order}
+        name, given = step_inputs(self.generated, step)
+        inputs = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in given.items()}
+        inputs["table"], inputs["dt"] = self._table, self._dtype.type(step.dt).item()
         inputs["x"] = {name: values.tolist() for name, values in self.state.items()}
         if step.carried:
             inputs["carry"] = {"rounding": self.carry.tolist()}
-        status, outputs = self._backend.call(step.function, inputs)
+        status, outputs = self._backend.call(name, inputs)
         if status >= 0:
             self.state = {name: np.array(values, dtype=self._dtype) for name, values in outputs["next"].items()}
         if status >= 0 and step.carried:
@@ -116,6 +115,15 @@ def interpreter_machine(stand: Stand, real: str) -> Machine:
     return Machine(InterpreterBackend(generated), source_hash(generated.files, stand.name))
 
 
+def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
+    """The function that made the step, and its inputs by argument name."""
+    drive = "phi_ddot" if step.driven else "tau"
+    locked = np.array(step.locked, dtype=np.intc)
+    given = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
+    taken = {a.name for a in generated.program.function(step.function).arguments}
+    return step.function, {key: value for key, value in given.items() if key in taken}
+
+
 def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterator[Outcome | Damage]:
     """Every step that can be replayed, up to the first that differs, and the damage between steps."""
     table: Mapping[str, Any] | None = None
@@ -127,7 +135,7 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
             table = _table(machine, record)
             machine.begin(record.state, table)
             continue
-        machine.state = machine.state | record.written
+        machine.state = machine.state | dict(record.written)
         if record.carry is not None:
             machine.carry = record.carry
         if record.stream is not None:

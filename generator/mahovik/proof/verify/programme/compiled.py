@@ -95,10 +95,8 @@ class Part:
         return np.array([self.read(x) for x in value])
 
 
-def load_part(
-    stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str, scratch: FilePath
-) -> Part:
-    """Compiles the programme `name` of a folder, or its servo, in `scratch`.
+def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str) -> Part:
+    """Compiles the programme `name` of a folder, or its servo.
 
     Raises UsageError: no such files, or of another stand; ToolchainError: no compiler, or it refuses the C.
     """
@@ -122,7 +120,7 @@ def load_part(
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: export the {kind} again")
-    return Part(Library(header, source, scratch, stand.name, programme), real, limit)
+    return Part(Library(source, stand.name, programme), real, limit)
 
 
 def compare_with_law(
