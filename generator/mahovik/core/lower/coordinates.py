@@ -37,7 +37,7 @@ def sines_and_cosines(lib: Library, angles: list[Any]) -> dict[str, Expr]:
     numbers: dict[str, Expr] = {}
     for name, angle in zip(ANGLES, angles, strict=True):
         s, c = numbers[f"s_{name}"], numbers[f"c_{name}"] = body().local(f"s_{name}"), body().local(f"c_{name}")
-        body().call(lib["sincos"], angle, s, c)
+        body().do(lib["sincos"](angle, s, c))
     return numbers
 
 

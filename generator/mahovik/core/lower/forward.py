@@ -9,7 +9,7 @@ from mahovik.core.lower import flywheels, hold
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.library import Library
 from mahovik.core.program.expression import Given, Status
-from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, body, inline, local, reals, record, result
+from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, inline, local, reals, record, result
 from mahovik.core.program.vector import cross
 
 STATE_STATUSES = ("OK", "NOT_FINITE", "RANGE")
@@ -165,13 +165,13 @@ def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, ph
         F = reals(6)  # wrench (7)
         sums = hold.sum_up_along(lib, table, x, seen.turns, phi_ddot, seen.sums)
         external_wrench(lib, table, x, seen, wrench, F)
-        freedoms = hold.Freedoms(lib, body(), table, sums.P, y)
+        freedoms = hold.Freedoms(lib, table, sums.P, y)
         lib["right_side"](table, sums, x.V, F, freedoms.y)
         return freedoms, None
     F = reals(6)  # wrench (7); then what is to be projected
     sum_up(lib, table, x, seen, phi_ddot)
     external_wrench(lib, table, x, seen, wrench, F)
-    freedoms = hold.Freedoms(lib, body(), table, None, y)
+    freedoms = hold.Freedoms(lib, table, None, y)
     if not freedoms.count:
         return freedoms, None if seen.stream is None else drift_of(x, seen.stream)
     lib["subtract_rates"](table, seen.sums, seen.V, F)

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from mahovik.core.lower.thresholds import Thresholds, thresholds
-from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Operand
 from mahovik.core.program.function import Function
@@ -105,7 +104,3 @@ class FunctionSet:
     def taken(self, function: str) -> list[str]:
         """Names of the arguments of a function."""
         return [a.name for a in self[function].arguments]
-
-    def check(self, body: Body, function: str, *arguments: Operand) -> None:
-        """Calls a function that returns a status, and returns that status where it is not OK."""
-        body.check(self[function](*arguments))

@@ -18,7 +18,6 @@ from mahovik.core.lower.flywheels import weights
 from mahovik.core.lower.freedoms import columns, element, momenta_needed, place_of, speeds, turning_force
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import mass_times
-from mahovik.core.program.build import Body
 from mahovik.core.program.expression import Expr, Not, Place, Status, real
 from mahovik.core.program.kernel import (
     NOT_POSITIVE_DEFINITE,
@@ -30,6 +29,7 @@ from mahovik.core.program.kernel import (
     inline,
     kernel,
     let,
+    local,
     reals,
     record,
     refuse,
@@ -346,25 +346,25 @@ def sum_up_along(lib: Library, table: Any, x: Any, turns: Any, phi_ddot: Any, wh
 class Freedoms:
     """The equations along the freedoms while they are set up: P = S^T K S, y = S^T b, less what flywheels take."""
 
-    def __init__(self, lib: Library, body: Body, table: Place, P: Place | None = None, y: Place | None = None) -> None:
-        self._lib, self._body, self._table = lib, body, table
+    def __init__(self, lib: Library, table: Place, P: Place | None = None, y: Place | None = None) -> None:
+        self._lib, self._table = lib, table
         self.count = lib.layout.freedoms
         self._columns = columns(lib.layout.ways, table)
         if self.count:
-            shape = (place_of(self.count, 0),)
-            self.P = body.local("P", shape, comment="mass matrix along the freedoms") if P is None else P
-            self.y = body.local("y", (self.count,), comment="wrench along the freedoms; then u_dot") if y is None else y
+            size = place_of(self.count, 0)
+            self.P = local("P", size, comment="mass matrix along the freedoms") if P is None else P
+            self.y = local("y", self.count, comment="wrench along the freedoms; then u_dot") if y is None else y
 
     def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
         """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
         if projected is None:
             return
-        self._body.set(projected, [dot(column, coupling) for column in self._columns])
+        body().set(projected, [dot(column, coupling) for column in self._columns])
         for i in range(self.count):
-            self._body.add(self.y[i], projected[i] * rate, subtract=True)
-            scaled = self._body.let(f"scaled{i + 1}", projected[i] * inverse)
+            body().add(self.y[i], projected[i] * rate, subtract=True)
+            scaled = let(f"scaled{i + 1}", projected[i] * inverse)
             for j in range(i + 1):
-                self._body.add(self.P[place_of(i, j)], scaled * projected[j], subtract=True)
+                body().add(self.P[place_of(i, j)], scaled * projected[j], subtract=True)
 
     def back(self, projected: Place | None) -> Any:
         """I_s . V_dot of a flywheel by S^T I_s."""
@@ -373,10 +373,10 @@ class Freedoms:
     def solve(self) -> None:
         """u_dot into y; the caller returns where the mass along the freedoms is not positive."""
         if self.count:
-            self._body.check(self._lib["solve_freedoms"](self.P, self.y))
+            body().check(self._lib["solve_freedoms"](self.P, self.y))
 
     def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
         """V_dot and u_dot."""
         if self.count:
-            self._body.set(rates[0], self.y)
-        write_twist.put_into(self._body, self._lib, self._table, rates, V_dot)
+            body().set(rates[0], self.y)
+        write_twist(self._lib, self._table, rates, V_dot)

@@ -178,7 +178,7 @@ class System:
 
     def call(self, lib: Library, function: str, **named: Any) -> None:
         """Calls a function with what it takes."""
-        body().call(lib[function], *lib.arguments_of(function, **(self.named | named)))
+        body().do(lib[function](*lib.arguments_of(function, **(self.named | named))))
 
 
 @inline
@@ -471,7 +471,7 @@ def add_coupled_jacobian(lib: Library) -> None:
             drive = at.drives[s]
             spins[s] = without(with_own(tau[s] - drive.bias, at.seen.own, s), drive.I, at.drift) * inverse[s]
             if layout.held:
-                Freedoms(lib, body(), table, at.K, at.side).eliminate(drive.I, spins[s], inverse[s], at.shares[s])
+                Freedoms(lib, table, at.K, at.side).eliminate(drive.I, spins[s], inverse[s], at.shares[s])
             else:
                 lib["eliminate"](drive.I, inverse[s], spins[s], at.K, at.R)
         factor(lib, table, at)

@@ -8,9 +8,8 @@ from typing import Any
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
-from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, Not, Operand, Status, and_, real
+from mahovik.core.program.expression import Expr, and_, real
 from mahovik.core.program.types import Kind
 
 
@@ -113,26 +112,6 @@ class Library(FunctionSet):
         """Run-time wrenches where a flywheel takes one, for functions on which no other body's has an effect."""
         taken = self.wrench_arguments() if self.layout.flywheel_input else ()
         return tuple(replace(a, purpose=a.purpose + "; those of flywheels alone act") for a in taken)
-
-    def guard(self, body: Body, condition: Expr, status: str) -> None:
-        """return status where the condition holds."""
-        with body.when(condition):
-            body.ret(Status(status))
-
-    def check_number(self, body: Body, value: Expr, limit: Expr) -> None:
-        """Returns NOT_FINITE or RANGE where a number is not within a limit."""
-        largest = self.limits["LARGEST"].expression
-        with body.when(Not(and_(value >= -limit, value <= limit))):
-            self.guard(body, and_(value >= -largest, value <= largest), "RANGE")
-            body.ret(Status("NOT_FINITE"))
-
-    def check_unit(self, body: Body, square: Expr) -> None:
-        """Returns RANGE where a length, given as its square, is not within 1e-3 of 1."""
-        self.guard(body, Not(unit_square(square)), "RANGE")
-
-    def check_as(self, body: Body, status: str, function: str, *arguments: Operand) -> None:
-        """Calls a function that returns a status, and returns `status` in its place where it is not OK."""
-        body.check(self[function](*arguments), status)
 
 
 def unit_square(square: Expr) -> Expr:

@@ -229,7 +229,7 @@ def add_prepare(lib: Library) -> None:
             prepare_flywheels(lib, work, parameters, table)
         if layout.added_mass:
             added = parameters.added_mass
-            body().call(lib["translation_block"], parameters, mass, table.A, table.A_inv)
+            body().do(lib["translation_block"](parameters, mass, table.A, table.A_inv))
             table.G[:] = [added[i + 3][j] for i in range(3) for j in range(3)]
             inertia += [added[i + 3][j + 3] for i, j in SYMMETRIC]
         table.mass = mass

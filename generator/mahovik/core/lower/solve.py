@@ -17,12 +17,6 @@ from mahovik.core.program.vector import Vector, cross, skew, symmetric
 POSITIVE = ("OK", "NOT_POSITIVE_DEFINITE")
 
 
-def parts_of_twist(V: Place) -> dict[str, list[Place]]:
-    """v and omega of a twist, by the names of the derivation."""
-    six = list(V)
-    return {"v": six[:3], "omega": six[3:]}
-
-
 def mass_times(lib: Library, table: Any, sums: Any, six: Any, p: Any = (0, 0, 0), h: Any = (0, 0, 0)) -> Any:
     """K times a twist or its rate (6), with p added to the force and h to the moment."""
     v, omega, mu = six[0:3], six[3:6], sums.mu

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from mahovik.core.formula.derived import Matrix
-from mahovik.core.program.build import Body
-from mahovik.core.program.expression import Expr, Negate, Place, real
+from mahovik.core.program.expression import Expr, Negate, real
 from mahovik.core.program.vector import Vector
 
 Binding = Mapping[str, Any]
@@ -47,15 +46,3 @@ def formula(values: Any, **binding: Any) -> Any:
     if not isinstance(values, Matrix):
         return translate(values, binding)
     return Vector(translate(value, binding) for value in values)
-
-
-def assign(body: Body, targets: Sequence[Place], values: Iterable[Any], binding: Binding, add: bool = False) -> None:
-    """targets[i] = (or +=) values[i], one statement each; zeros are not added."""
-    for target, value in zip(targets, list(values), strict=True):
-        if add and value == 0:
-            continue
-        translated = translate(value, binding)
-        if add:
-            body.add(target, translated)
-        else:
-            body.set(target, translated)

@@ -16,55 +16,52 @@ from mahovik.core.formula.derived import carrying
 from mahovik.core.lower import stream_profile
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.symbolic import assign
+from mahovik.core.lower.symbolic import formula
 from mahovik.core.lower.thresholds import thresholds
-from mahovik.core.program.build import Body
-from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.program.types import DOUBLE, Kind
+from mahovik.core.program.kernel import Reals, argument, kernel, local, result
+from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.hold import carried_point, twist_columns
-from mahovik.core.stand.model import Body as StandBody
-from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Point, Stand
+from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Point, Stand
 from mahovik.errors import StandError
 
 
 def conversions() -> Program:
     """What only the generator needs: axes of a mounting by angles, inertia about the origin; double in any case."""
     sincos = routines.sincos(DOUBLE)
-    return Program("conversions", DOUBLE, (), (), (sincos, _axes_of_angles(sincos), _about_origin()))
+    return Program("conversions", DOUBLE, (), (), (sincos, _axes_of_angles(sincos), _about_origin))
 
 
 def _axes_of_angles(sincos: Function) -> Function:
-    """First and second column of C3(psi) C2(theta) C1(phi)."""
-    angles = Argument("angles", Kind.REAL, (3,))
-    axis = Argument("axis", Kind.REAL, (3,), "out")
-    zero = Argument("zero", Kind.REAL, (3,), "out")
-    body = Body()
-    binding: dict[str, Any] = {}
-    for i, angle in enumerate(("psi", "theta", "phi")):
-        s, c = body.local(f"s_{angle}"), body.local(f"c_{angle}")
-        body.call(sincos, angles.place[i], s, c)
-        binding |= {f"s_{angle}": s, f"c_{angle}": c}
     first, second = carrying.mounting_axes()
-    assign(body, list(axis.place), first, binding)
-    assign(body, list(zero.place), second, binding)
-    return Function("axes_of_angles", "Axes of C3 C2 C1.", (angles, axis, zero), body.statements)
+
+    @kernel()
+    def axes_of_angles(
+        angles: Reals = argument("", 3), axis: Reals = result("", 3), zero: Reals = result("", 3)
+    ) -> None:
+        """First and second column of C3(psi) C2(theta) C1(phi)."""
+        known = dict[str, Any]()
+        for i, name in enumerate(("psi", "theta", "phi")):
+            known.update({part: local(part) for part in (f"s_{name}", f"c_{name}")})
+            sincos(angles[i], known[f"s_{name}"], known[f"c_{name}"])
+        axis[:] = formula(first, **known)
+        zero[:] = formula(second, **known)
+
+    return axes_of_angles
 
 
-def _about_origin() -> Function:
+@kernel("about_origin")
+def _about_origin(
+    mass: float = argument(),
+    rc: Reals = argument("", 3),
+    central: Reals = argument("", 6),
+    J: Reals = result("", 6),
+) -> None:
     """J about the frame's origin from that about the centre of mass."""
-    mass = Argument("mass", Kind.REAL)
-    rc = Argument("rc", Kind.REAL, (3,))
-    central = Argument("central", Kind.REAL, (6,))
-    J = Argument("J", Kind.REAL, (6,), "out")
-    body = Body()
-    b = body.local("b", (3,))
-    for i in range(3):
-        body.set(b[i], mass.place * rc.place[i])
-    assign(body, list(J.place), carrying.central_to_origin(), {"J": central.place, "b": b, "rc": rc.place})
-    return Function("about_origin", "Parallel axes.", (mass, rc, central, J), body.statements)
+    b: Reals = mass * rc
+    J[:] = formula(carrying.central_to_origin(), J=central, b=b, rc=rc)
 
 
 class _Parameters:
@@ -92,7 +89,7 @@ class _Parameters:
             found["point"] = [self._point(p) for p in stand.points]
         return found
 
-    def _body(self, b: StandBody) -> dict[str, Any]:
+    def _body(self, b: Body) -> dict[str, Any]:
         inertia = [b.inertia[i][j] for i, j in SYMMETRIC]
         if b.inertia_about == "center_of_mass":
             given = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
@@ -201,7 +198,7 @@ class _Laws:
             setattr(table, name, self._program.fill_storage(field.type, value, field.shape))
         return table
 
-    def _damper(self, body: StandBody, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def _damper(self, body: Body, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
         found: dict[str, Any] = {}
         for law in parts("program", BodyProgram, BODY_LAWS):

@@ -1,4 +1,4 @@
-"""A builder of function bodies: lowering code reads like the C that comes out."""
+"""A builder of function bodies: what the compiler of kernels puts statements into."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from mahovik.core.program.call import Argument, Call
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import OPERANDS, Expr, Operand, Place, Status, Variable, as_expr, unequal
-from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Block,
     Copy,
@@ -108,40 +107,9 @@ class Body:
         with self.when(unequal(self._status.place, Status("OK"))):
             self.ret(Status(status) if status else self._status.place)
 
-    def call(self, function: Function, *arguments: Operand, comment: str = "") -> None:
-        """A call whose results are its output arguments."""
-        self.do(function(*arguments), comment)
-
     def do(self, call: Call, comment: str = "") -> None:
         """A call as a statement."""
         self._add(Do(call, comment))
-
-    def function(
-        self,
-        name: str,
-        purpose: str,
-        arguments: tuple[Argument, ...],
-        equation: str = "",
-        returns: Kind | None = None,
-        notes: tuple[str, ...] = (),
-        public: bool = False,
-    ) -> Function:
-        """The function of this body, without a status."""
-        return Function(name, purpose, arguments, self.statements, equation, returns, (), notes, public)
-
-    def checked_function(
-        self,
-        name: str,
-        purpose: str,
-        arguments: tuple[Argument, ...],
-        statuses: tuple[str, ...] = CHECKED,
-        equation: str = "",
-        notes: tuple[str, ...] = (),
-        public: bool = False,
-    ) -> Function:
-        """The function of this body, which returns OK where it has not returned another status before."""
-        self.ret(Status("OK"))
-        return Function(name, purpose, arguments, self.statements, equation, Kind.STATUS, statuses, notes, public)
 
     def ret(self, value: Expr) -> None:
         """return value"""

@@ -189,9 +189,9 @@ class _Open(threading.local):
 _open = _Open()
 
 
-def let(name: str, value: float, comment: str = "") -> float:
+def let(name: str, value: Any, comment: str = "") -> Any:
     """A named temporary whose name is computed."""
-    return cast(float, _body("let").let(name, as_expr(cast(Operand, value), Kind.REAL), comment))
+    return _body("let").let(name, as_expr(value, Kind.REAL), comment)
 
 
 def local(name: str, *shape: int | NamedCount, comment: str = "") -> Any:
@@ -307,19 +307,14 @@ class inline:  # noqa: N801  # a decorator
         self.signature = inspect.signature(function)
 
     def __call__(self, *arguments: Any, **named: Any) -> Any:
-        """Its statements where it is called; outside of a text one of the arguments is the body."""
-        bodies = [a for a in arguments if isinstance(a, Body)] or [_body(self.text.name)]
-        return self.put_into(bodies[0], *(a for a in arguments if not isinstance(a, Body)), **named)
-
-    def put_into(self, body: Body, *arguments: Any, **named: Any) -> Any:
-        """Its statements in a body; what it returns."""
+        """Its statements where it is called; what it returns."""
         bound = self.signature.bind(*arguments, **named)
         bound.apply_defaults()
         scope = bound.arguments
         for name, value in scope.items():
             if self.text.annotations.get(name) == "Result" and isinstance(value, Place):
                 scope[name] = _Pointed(value)
-        compilation = _Compilation(self.text, body, scope, inlined=True)
+        compilation = _Compilation(self.text, _body(self.text.name), scope, inlined=True)
         compilation.block(self.text.statements)
         return compilation.result
 
