@@ -42,10 +42,12 @@ INDENT = "    "
 
 
 class Code:
-    """A program with the names and literals that it has in C; `word`: the name of its type of bits."""
+    """A program with the names and literals that it has in C; `word`, `types`: as of Names."""
 
-    def __init__(self, program: Program, identities: Identities, word: str = "word") -> None:
-        self.program, self.precision, self.names = program, program.precision, Names(program.name, word)
+    def __init__(
+        self, program: Program, identities: Identities, word: str = "word", types: Mapping[Kind, str] | None = None
+    ) -> None:
+        self.program, self.precision, self.names = program, program.precision, Names(program.name, word, types or {})
         self.public = [f for f in program.functions if f.public]
         self._statements = Statements(self.names, Expressions(self.names, self.precision))
         self._facts = {

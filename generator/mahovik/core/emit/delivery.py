@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.code import Code
+from mahovik.core.emit.declaration import struct_lines
 from mahovik.core.emit.eva import eva_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import with_manifest
@@ -13,8 +15,10 @@ from mahovik.core.emit.readme import readme
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.selftest import selftest
 from mahovik.core.emit.templates import template
+from mahovik.core.lower.encoder import ENCODER, MOST, lower_encoder
 from mahovik.core.lower.golden import golden
-from mahovik.core.stand.identity import identities
+from mahovik.core.program.types import DOUBLE, FLOAT, Kind
+from mahovik.core.stand.identity import Identities, identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
@@ -27,9 +31,24 @@ def selftest_files(stand: Stand, generated: Generated) -> dict[str, str]:
     return {f"{VERIFICATION}{stand.name}_selftest.c": text}
 
 
+NO_STAND = Identities("", "")
+"""What text that is the same for every stand depends on."""
+
+
 def encoder_files(stand: Stand, generated: Generated) -> dict[str, str]:
     """Phases and speeds from encoder counts: the same text for every stand, linked once."""
-    return {f"mahovik_encoder.{kind}": template(f"mahovik_encoder.{kind}.j2").render() for kind in "hc"}
+    codes = []
+    for precision in (FLOAT, DOUBLE):
+        types = {Kind.REAL: precision.name, Kind.STATUS: "int", Kind.WORD: f"uint{precision.width}_t"}
+        codes.append(Code(lower_encoder(precision), NO_STAND, types=types))
+    functions = {f["prototype"]: f for code in codes for f in code.functions}
+    known = {
+        "most": MOST,
+        "struct": struct_lines(ENCODER, codes[0].names),
+        "declarations": [found for code in codes for found in code.public_declarations(code.public)],
+        "functions": list(functions.values()),
+    }
+    return {f"mahovik_encoder.{kind}": template(f"mahovik_encoder.{kind}.j2").render(**known) for kind in "hc"}
 
 
 ADDITIONS: Mapping[str, Callable[[Stand, Generated], dict[str, str]]] = {

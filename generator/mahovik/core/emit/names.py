@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.types import Kind, NamedCount, Shape, Struct
@@ -42,10 +42,14 @@ def member(name: str) -> str:
 
 @dataclass(frozen=True)
 class Names:
-    """C names of a stand: `bench8_forward`, `bench8_state`, `BENCH8_N`; `word`: of the type of bits."""
+    """C names of a stand: `bench8_forward`, `bench8_state`, `BENCH8_N`; `word`: of the type of bits.
+
+    `types`: kinds that have a type of C itself.
+    """
 
     prefix: str
     word: str = "word"
+    types: Mapping[Kind, str] = field(default_factory=dict)
 
     def function(self, name: str) -> str:
         return f"{self.prefix}_{name}"
@@ -57,13 +61,16 @@ class Names:
         """C type of a scalar kind or a struct."""
         if isinstance(type_, Struct):
             return f"{self.prefix}_{type_.name}"
-        return {
-            Kind.REAL: f"{self.prefix}_real",
-            Kind.WORD: f"{self.prefix}_{self.word}",
-            Kind.STATUS: f"{self.prefix}_status",
-            Kind.INT: "int",
-            Kind.BOOL: "int",
-        }[type_]
+        return (
+            self.types.get(type_)
+            or {
+                Kind.REAL: f"{self.prefix}_real",
+                Kind.WORD: f"{self.prefix}_{self.word}",
+                Kind.STATUS: f"{self.prefix}_status",
+                Kind.INT: "int",
+                Kind.BOOL: "int",
+            }[type_]
+        )
 
     def length(self, count: int | NamedCount) -> str:
         """A length: a named count by its name; of 0, which is any, nothing."""
