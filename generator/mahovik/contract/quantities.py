@@ -266,6 +266,7 @@ FLOORS = {
     "tau": "spin",
     "mount_wrench": "turning",
     "sigma": "largest",
+    "K_dot": "own",
     "J0": "largest",
     "center_of_mass": "own",
 }

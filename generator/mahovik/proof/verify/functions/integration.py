@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
+from itertools import pairwise
 from typing import Any, cast
 
 import numpy as np
@@ -35,8 +36,8 @@ SHORTER = tuple(4.0**-k for k in range(9))
 LONGER = (16.0, 4.0, *SHORTER[:3])
 """Likewise where the order is looked for: of a slow motion rounding hides it on a short way."""
 
-STEPS, ORDER_STEPS = 32, {4: (2, 4, 8), 2: (8, 16, 32)}
-"""Steps (order 4) of the compared motion, and those from which each order is seen."""
+STEPS, ORDER_STEPS = 32, {4: (2, 4, 8, 16), 2: (8, 16, 32, 64)}
+"""Steps (order 4) of the compared motion, and those from whose differences each order is seen."""
 
 TINY, TINY_STEPS = {"double": 2.0**-45, "float": 2.0**-16}, 64
 """Part of the time in which a state changes by some last places, and steps on this way: a carry keeps what they add."""
@@ -45,8 +46,8 @@ MIDPOINTS = (2, 4, 6, 8, 10)
 """Numbers of steps of the modified midpoint rule that are extrapolated: order 10."""
 
 LARGE, STEADY = 1e-3, 0.3
-"""Relative error above which the steps are too long to show their order; and by how much it differs between pairs of
-them at most: more where a kink of a law is on the way."""
+"""Relative difference above which the steps are too long to show their order; and by how much it differs between pairs
+of them at most: more where a kink of a law is on the way."""
 
 COARSE_EDGE, COARSE_ANSWERS = 1e-3, 2
 """Relative distance of a step from the bound of COARSE; answers that are judged on each side of it, for each order."""
@@ -136,13 +137,13 @@ class Motion:
         What rounding takes from the state in each step may be lost; with a carry nothing, but O1 of a held carrier is
         where its rounded attitude puts it.
         """
-        expected, time = self._reference_change(part)[0], part * self.time
+        expected, time = self._reference_change(part), part * self.time
         lost = 0.0 if self.carried else steps * self._case.unit
         return self._relative(self._change(time / steps, steps, order) - expected, part, lost)
 
     def _relative(self, off: Array, part: float, lost: float = 0.0) -> float:
         """Difference of a change from that of the reference, as `error`."""
-        expected, N, worst = self._reference_change(part)[0], self._case.count, 0.0
+        expected, N, worst = self._reference_change(part), self._case.count, 0.0
         off[12 : 12 + N] -= 2 * math.pi * np.round(off[12 : 12 + N] / (2 * math.pi))
         hung = self._case.unit if self._case.stand.hold is not None else 0.0
         kinds = [("position", 0, 3), ("attitude", 3, 6), ("V_dot", 6, 9), ("V_dot", 9, 12)]
@@ -156,13 +157,13 @@ class Motion:
         return worst
 
     def off_order(self, order: int, part: float) -> float:
-        """How far the power of the step with which errors fall is from the order; inf where it cannot be seen."""
-        errors = [self.error(part, steps, order) for steps in ORDER_STEPS[order]]
-        better, worse = self._reference_change(part)
-        hidden = 10.0 * max(self._relative(worse - better, part), self._case.limits.integration)
-        if errors[-1] < hidden or errors[0] > LARGE:
+        """How far the power of the step with which differences fall is from the order; inf where it cannot be seen."""
+        time = part * self.time
+        changes = [self._change(time / steps, steps, order) for steps in ORDER_STEPS[order]]
+        first, second, third = (self._relative(finer - coarser, part) for coarser, finer in pairwise(changes))
+        if third < 10.0 * self._case.limits.integration or first > LARGE:
             return math.inf
-        seen, again = (math.log2(errors[k] / errors[k + 1]) for k in (0, 1))
+        seen, again = math.log2(first / second), math.log2(second / third)
         return abs(again - order) if abs(again - seen) < STEADY else math.inf
 
     def _change(self, dt: float, steps: int, order: int) -> Array:
@@ -185,8 +186,8 @@ class Motion:
         return np.concatenate(list(change.values()))
 
     @lru_cache(maxsize=16)  # noqa: B019 - a motion lives as long as its checks are made
-    def _reference_change(self, part: float) -> tuple[Array, Array]:
-        """Change of the state by the reference, by Gragg's extrapolation of the midpoint rule; and the one before.
+    def _reference_change(self, part: float) -> Array:
+        """Change of the state by the reference, by Gragg's extrapolation of the midpoint rule.
 
         Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9.
         """
@@ -202,10 +203,8 @@ class Motion:
                     ratio = (count / MIDPOINTS[row - 1 - k]) ** 2
                     columns.append(columns[k] + (columns[k] - table[k]) / (ratio - 1.0))
                 table = columns
-            first, last = (
-                np.concatenate([z[:3], skew_part(self._C.T @ z[3:12].reshape(3, 3)) / 2.0, z[12:]]) for z in table[-2:]
-            )
-        return last, first
+            z = table[-1]
+            return np.concatenate([z[:3], skew_part(self._C.T @ z[3:12].reshape(3, 3)) / 2.0, z[12:]])
 
     def _rates(self, change: Array) -> Array:
         """d/dt of O1 in E0 (3), C (9), V (6), phi, phi' (N each), so far from the start: O1' = C v, C' = C <omega>."""
