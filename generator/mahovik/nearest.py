@@ -1,14 +1,30 @@
-"""Suggestions for an unknown name: the most similar known name, or a list of the known ones."""
+"""Names that a user gives: between commas; of an unknown one the most similar known name, or a list of those."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
+
+from mahovik.errors import UsageError
 
 ALIKE = 0.5
 """Minimum similarity (0 to 1) for a suggestion; below it the known names are listed."""
 
 LISTED = 24
 """Most names in that list; dots stand for the rest."""
+
+
+def names_in(argument: str, given: str | Iterable[str], alone: Collection[str] = ()) -> tuple[str, ...]:
+    """Names, each once: those between the commas of a text. `alone`: words that stand for names, without others.
+
+    Raises UsageError, which begins with the name of the argument.
+    """
+    names = tuple(dict.fromkeys(name.strip() for name in (given.split(",") if isinstance(given, str) else given)))
+    if "" in names:
+        raise UsageError(f'{argument} "{",".join(names)}": a name is empty, expected names with commas between them')
+    for word in alone:
+        if word in names and len(names) > 1:
+            raise UsageError(f"{argument} {','.join(names)}: expected {word} alone, or names without it")
+    return names
 
 
 def nearest(name: str, known: Iterable[str]) -> str:

@@ -8,12 +8,15 @@ from pathlib import Path
 
 import pytest
 
+import mahovik
 from cli.run import refused
 from cli.run import run as cli
 from emit.stands import generated, stand, write
+from mahovik.contract.functions import CHOSEN, FUNCTIONS
 from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
+from mahovik.errors import UsageError
 from mahovik.proof.cost import require_place
 from mahovik.proof.verify.delivery import delivered_options
 from mahovik.stands import path
@@ -66,9 +69,22 @@ def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
     assert not re.search(r"\bprepare\b", text)
 
 
+def test_names_are_a_list_or_a_text_and_all_means_all() -> None:
+    assert mahovik.generate(mahovik.example("demo3"), only="torque, forward").files == delivery(
+        stand("demo3"), only=("forward", "torque")
+    )
+    header = mahovik.generate(mahovik.example("demo3"), only="all").files["demo3.h"]
+    assert all(f"demo3_status demo3_{name}(" in header for name, row in (FUNCTIONS | CHOSEN).items() if not row.needs)
+
+
 def test_an_unknown_function_is_refused() -> None:
     message = refused("generate", str(path("sat4")), "--only", "forward,torqe")
     assert '--only torqe: the C of sat4 has no such function, did you mean "torque"?' in message
+    for names in ("list,forward", "all,forward", "", "forward,"):
+        assert refused("generate", str(path("sat4")), "--only", names).startswith("error: --only ")
+    for only in ("list", "", ["all", "forward"]):
+        with pytest.raises(UsageError, match=r"^(--)?only "):
+            mahovik.generate(mahovik.example("demo3"), only=only)
     assert "no function of --only wrap has a batch, expected one of " in refused(
         "generate", str(path("sat4")), "--only", "wrap", "--batch"
     )

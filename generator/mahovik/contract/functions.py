@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mahovik.contract.chosen import CHOSEN
 from mahovik.contract.public_function import ANY, BITS, JUDGES, NORMAL, REFEREES, SECTIONS, PublicFunction
 
 __all__ = [
@@ -226,6 +225,28 @@ _ROWS = tuple(replace(row, equation=row.equation or SECTIONS[row.name]) for row 
 where this is no alarm. Intervals grow over the stages of a step, too wide to show more for most stands."""
 
 
+_CHOSEN = (
+    PublicFunction(
+        "regressor",
+        "Regressor",
+        ("table", "mounting", "x", "V_dot", "phi_ddot"),
+        ("Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"),
+        ("reference",),
+    ),
+    PublicFunction(
+        "identify_step",
+        "Regressor",
+        ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench", "noise", "forget", "estimate"),
+        ("estimate",),
+        ("reference",),
+        needs="flywheels",
+        python=False,
+    ),
+)
+
+CHOSEN = {row.name: row for row in _CHOSEN}
+"""Rows of the functions that are in the C only where they are named, or with ALL, so that other stands do not pay."""
+
 FUNCTIONS = {row.name: row for row in _ROWS if row.needs != "tasks"}
 """Rows by name; a program contains those that its stand needs."""
 
@@ -326,7 +347,7 @@ DEFAULT = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum"
 """Functions that `generate` writes unless others are asked for."""
 
 ALL = ("all",)
-"""In place of names: every public function but those of CHOSEN."""
+"""In place of names: every public function that a stand has."""
 
 
 def is_default(function: str) -> bool:

@@ -13,7 +13,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.functions import ALL
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.recorder import recorder_files
@@ -138,7 +137,7 @@ def measure(
     stand: Stand,
     pairs: Sequence[tuple[Target, str]],
     progress: Callable[[int, int], None] = lambda done, count: None,
-    only: tuple[str, ...] = ALL,
+    only: tuple[str, ...] | None = None,
     recorder: bool = False,
 ) -> Costs:
     """Builds and runs the measuring program on each target; `only`: of C that has these public functions alone.

@@ -17,6 +17,7 @@ from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.limits import limits
+from mahovik.core.program.call import Call
 from mahovik.core.program.expression import BitCast, Choice, Const
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
@@ -156,7 +157,7 @@ class Code:
     @property
     def words(self) -> bool:
         """Whether the type of bits is used."""
-        every = (e for f in self.program.functions for e in expressions(f.body))
+        every = (e for f in self.program.functions for e in expressions(f.body) if not isinstance(e, Call))
         return bool(self.casts) or any(getattr(e, "kind", None) is Kind.WORD for e in every)
 
     @cached_property

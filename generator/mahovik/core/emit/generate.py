@@ -57,20 +57,21 @@ def generate(stand: Stand, precision_name: str = "double") -> dict[str, str]:
 def generate_all(
     stand: Stand,
     precision_name: str = "double",
-    only: tuple[str, ...] = ALL,
+    only: tuple[str, ...] | None = None,
     chosen: tuple[str, ...] = (),
 ) -> Generated:
     """Return the files of `generate`, with the program and its numbers.
 
-    `only`: public functions to emit, with what they need; empty: those that `is_default` names; ALL: all, and those of
-    CHOSEN that `chosen` names.
+    `only`: public functions to emit, with what they need; empty: those that `is_default` names; ALL: all; None: all but
+    those of CHOSEN that `chosen` does not name, which is what the judges and Python need.
     """
     if precision_name not in PRECISIONS:
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name])
-    program = lower_layout(layout, tuple(name for name in CHOSEN if name in (*only, *chosen)))
+    named = (*CHOSEN,) if only == ALL else (*(only or ()), *chosen)
+    program = lower_layout(layout, tuple(name for name in CHOSEN if name in named))
     values = Values(stand, layout, program)
-    only = ALL if set(ALL) <= {*only} else _public_names(program, only, stand.name)
+    only = ALL if only in (None, ALL) else _public_names(program, only or (), stand.name)
     if only != ALL:
         program = restrict_program(program, only, _CONSTANTS)
     printer = _Printer(stand, layout, values, Code(program, identities(stand)), only != ALL)
@@ -82,6 +83,10 @@ def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[s
     """The names, or those of the default, in the order of the program. Raises UsageError for one that is not there."""
     public = [f.name for f in program.functions if f.public]
     for wanted in only:
+        if wanted == "list":
+            raise UsageError(
+                "--only list: `mahovik generate STAND.toml --only list` prints names, expected names or all"
+            )
         if wanted not in public:
             near = suggestion(wanted, [*public, *CHOSEN, *ALL])
             raise UsageError(f"--only {wanted}: the C of {name} has no such function{near}")

@@ -20,7 +20,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
-from mahovik.contract.functions import ALL
 from mahovik.core.program.arrays import ArrayFunction, Member, fill_record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
@@ -122,14 +121,14 @@ class CompiledLibrary:
 class Source:
     """Origin of a library: a stand, an element type, the command of a compiler; `parallel`: with OpenMP.
 
-    `only`: functions that it has; ALL: all but those that are chosen by name.
+    `only`: functions that it has; None: all but those of CHOSEN.
     """
 
     stand: Stand
     real: str
     command: tuple[str, ...]
     parallel: bool
-    only: tuple[str, ...] = ALL
+    only: tuple[str, ...] | None = None
 
 
 def compile_library(
@@ -138,11 +137,11 @@ def compile_library(
     compiler: str | None = None,
     parallel: bool = False,
     kind: Literal["states", "batches"] = "batches",
-    only: tuple[str, ...] = ALL,
+    only: tuple[str, ...] | None = None,
 ) -> CompiledLibrary:
     """The library of a stand with its numbers; with "states" it takes state by state, and is compiled sooner.
 
-    `only`: functions that it has; ALL: all but those that are chosen by name.
+    `only`: functions that it has; None: all but those of CHOSEN.
 
     Raises ToolchainError, UsageError, StandError.
     """
@@ -156,7 +155,7 @@ def compile_library(
 
 def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
     """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
-    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind, source.only)
+    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind, source.only or ())
     found = store.find(key)
     if found is not None:
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
@@ -207,7 +206,7 @@ def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, di
 
     stand = source.stand
     generated = generate_all(stand, source.real, only=source.only)
-    if source.only == ALL:
+    if source.only is None:
         _remember(structure(stand), source.real, (generated.layout, generated.program))
 
     def parts() -> Iterator[dict[str, str]]:

@@ -10,7 +10,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.contract.functions import ALL, inverse_fault, row_of, task_of
+from mahovik.contract.functions import inverse_fault, row_of, task_of
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, record
@@ -49,13 +49,13 @@ class Built(MakesStates):
     """A stand with its compiled C: its states, and calls by the names of arguments."""
 
     def __init__(
-        self, stand: Stand, real: Real, compiler: str | None, threads: int, only: tuple[str, ...] = ALL
+        self, stand: Stand, real: Real, compiler: str | None, threads: int, only: tuple[str, ...] | None = None
     ) -> None:
         """`only`: functions that it has, state by state. Raises ToolchainError, UsageError, StandError."""
         self._stand = stand
         self._real = real
         self._given = (compiler, threads)
-        kind: Literal["states", "batches"] = "batches" if only == ALL else "states"
+        kind: Literal["states", "batches"] = "batches" if only is None else "states"
         self._made = compile_library(stand, real, compiler, threads > 1, kind, only)
         self._element = self._made.element
         self._call = Caller(stand, self._made, self._element, threads)

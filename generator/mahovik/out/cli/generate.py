@@ -39,12 +39,13 @@ def generate(
 ) -> None:
     """Write the C of a stand.
 
-    A complete folder: header, source, README, what --with adds, and a manifest with the hash of every file; beside it,
-    unlisted, provenance.json: what made it, package, Python, NumPy and stand file. It writes all or nothing, never
-    overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or would lose what
-    short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of that name, and so
-    is its physics hash; commands that read the folder, or a log of its C, find the name there. --check compares with
-    the options that the folder was made with, unless others are given. --only list prints the functions of the stand.
+    A complete folder: header, source, README, what --with adds, and a manifest with the hash of every file; beside
+    these provenance.json, which the manifest does not list: package, Python, NumPy and stand file. It writes all or
+    nothing, never overwrites files of others, and needs no compiler. Warns if float would not resolve an unbalance or
+    would lose what short steps add, and where (12) is singular in practice. With --prefix the C is that of a stand of
+    that name, and so is its physics hash; commands that read the folder, or a log of its C, find the name there.
+    --check compares with the options that the folder was made with, unless others are given. --only list prints the
+    functions of the stand.
     """
     if only == ("list",):
         _print_functions(load_stand(stand_file))
@@ -81,13 +82,11 @@ def generate(
 
 def _print_functions(stand: Stand) -> None:
     """The public functions of a stand, what each gives, and with which options it is written."""
-    from mahovik.contract.functions import CHOSEN, is_default
+    from mahovik.contract.functions import ALL, is_default
     from mahovik.core.emit.generate import generate_all
 
-    functions = [f for f in generate_all(stand, chosen=tuple(CHOSEN)).program.functions if f.public]
-    written = {
-        f.name: "its name" if f.name in CHOSEN else "default" if is_default(f.name) else "all" for f in functions
-    }
+    functions = [f for f in generate_all(stand, only=ALL).program.functions if f.public]
+    written = {f.name: "default" if is_default(f.name) else "all" for f in functions}
     rows = [(f.name, written[f.name], f.purpose.partition(". ")[0].partition(": ")[0].rstrip(".")) for f in functions]
-    rows.sort(key=lambda row: ("default", "all", "its name").index(row[1]))
+    rows.sort(key=lambda row: row[1] != "default")
     print_table(("function", "written by", "gives"), rows)

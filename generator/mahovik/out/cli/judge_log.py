@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from mahovik.errors import UsageError
-from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, comma_list, command, load_stand, option
+from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, command, load_stand, names_of_functions, option
 from mahovik.out.cli.output import print_json
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
 
@@ -21,7 +21,7 @@ def judge_log(
         "--only",
         "Judge the log of these functions, or all, as `generate --only` was given; default: those of its default.",
         metavar="NAME,NAME|all",
-        parse=comma_list,
+        parse=names_of_functions,
     ),
     as_json: bool = JSON,
 ) -> None:

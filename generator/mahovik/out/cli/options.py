@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mahovik.contract.functions import DEFAULT
+from mahovik.contract.functions import ALL, DEFAULT
 from mahovik.errors import UsageError
+from mahovik.nearest import names_in
 from mahovik.out.cli import quantities
 from mahovik.out.cli.output import note_json
 
@@ -150,9 +151,9 @@ def whole_number(_context: click.Context, _option: click.Parameter, value: str |
     return None if value is None else int(value)
 
 
-def comma_list(_name: str, text: str) -> tuple[str, ...]:
-    """Names between commas, each once."""
-    return tuple(dict.fromkeys(word.strip() for word in text.split(",")))
+def names_of_functions(name: str, text: str) -> tuple[str, ...]:
+    """Names of functions between commas, each once, or `all` or `list` alone. Raises UsageError."""
+    return names_in(name, text, (*ALL, "list"))
 
 
 STAND_FILE = argument("STAND.toml")
@@ -162,13 +163,14 @@ ONLY = option(
     "--only",
     f"Write these public functions alone, and what they need, or all; default {', '.join(DEFAULT)}.",
     metavar="NAME,NAME|all",
-    parse=comma_list,
+    parse=names_of_functions,
 )
 WITH = option(
     "--with",
-    "Add selftest, golden vectors; recorder, a log of flights; eva, proofs; encoder, phases of counts.",
+    "Add selftest, golden vectors; recorder, a log of flights; eva, proofs; batch, many states at once; encoder, "
+    "phases of counts.",
     metavar="NAME,NAME",
-    parse=comma_list,
+    parse=names_in,
 )
 PREFIX = option(
     "--prefix", "Use this name in C instead of the one of the stand: two element types in one image.", metavar="NAME"

@@ -87,19 +87,19 @@ def verify(
 
     folder = None if against is None else Path(against)
     if rigorous or targets is not None:
-        from mahovik.contract.functions import ALL
-        from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
+        from mahovik.proof.verify.delivery import delivered_options, stand_in
 
-        stand, delivered = load_stand(stand_file), Options(real, ALL)
+        stand, only = load_stand(stand_file), None
         if folder is not None:
-            stand, delivered = stand_in(folder, stand), delivered_options(folder) or delivered
-            real = real if is_given("real") else delivered.real
+            stand = stand_in(folder, stand)
+            if (delivered := delivered_options(folder)) is not None:
+                real, only = real if is_given("real") else delivered.real, delivered.only
         if targets is not None:
             if judges or worst is not None:
                 raise UsageError("--targets runs the self-test of a fresh copy: not with --judges, -o")
             reals = (real,) if is_given("real") or folder is not None else None
             sweep = states if is_given("states") else None
-            _verify_on_targets(stand, targets, reals, sweep, delivered.only, as_json, junit)
+            _verify_on_targets(stand, targets, reals, sweep, only, as_json, junit)
             return
         finish(_verify_rigorously(stand, seed, states, folder, real), as_json, junit, worst)
         return
@@ -169,7 +169,7 @@ def _verify_on_targets(
     names: str,
     reals: tuple[str, ...] | None,
     states: int | None,
-    only: tuple[str, ...],
+    only: tuple[str, ...] | None,
     as_json: bool,
     junit: str | None,
 ) -> None:

@@ -14,6 +14,7 @@ from mahovik.core.stand import load as load_file
 from mahovik.core.stand.content import content
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
+from mahovik.nearest import names_in
 from mahovik.out.api.stands import Stand
 from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
@@ -169,16 +170,16 @@ def generate(
     *,
     real: str = "double",
     batch: bool = False,
-    only: Sequence[str] = (),
-    additions: Sequence[str] = (),
+    only: str | Sequence[str] = (),
+    additions: str | Sequence[str] = (),
     prefix: str | None = None,
     progress: OnProgress | None = None,
 ) -> Generated:
     """Derive and write the C of a stand, a complete folder; `folder` None: nothing is written.
 
     real       "double" or "float"; batch: also functions for many states
-    only       these public functions and what they need; empty: the default ones; ["all"]
-    additions  "selftest", "recorder", "eva": files that test, log or prove it
+    only       these public functions and what they need, names or a text with commas; (): the default ones; "all"
+    additions  "selftest", "recorder", "eva", "batch", "encoder": likewise, what `--with` adds
     prefix     the first word of every name in C, in place of the stand's name
 
     Raises StandError, UsageError; nothing is written over files of others.
@@ -189,8 +190,8 @@ def generate(
     own = load_file(stand) if isinstance(stand, str | Path) else stand  # of a held carrier too
     own = with_prefix(own, prefix)
     tell(progress, Progress(f"generate {own.name}"))
-    chosen = tuple(dict.fromkeys(only))
-    files = delivery(own, real, chosen, tuple(dict.fromkeys((*additions, *(["batch"] if batch else [])))))
+    chosen, added = names_in("only", only, ALL), names_in("additions", additions)
+    files = delivery(own, real, chosen, tuple(dict.fromkeys((*added, *(["batch"] if batch else [])))))
     if folder is None:
         return Generated(own, files, None, ())
     if real == "float":

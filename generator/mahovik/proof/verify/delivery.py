@@ -56,7 +56,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Delivery:
-    """Paths that were written, manifest last, and a line on each file that was removed."""
+    """Paths that were written, the manifest after what it lists, and a line on each file that was removed."""
 
     paths: tuple[Path, ...]
     notes: tuple[str, ...]
@@ -189,7 +189,7 @@ def deliver(
         stale[folder / COST_PAGE] = "was measured on other C: measure again with `mahovik cost`"
     paths = write_all(folder, written)
     if made_by:
-        write_all(folder, {PROVENANCE: made_by})
+        paths += write_all(folder, {PROVENANCE: made_by})
     notes = [f"{folder / name} is yours and stays as it is" for name in yours]
     for path, why in stale.items():
         path.unlink(missing_ok=True)

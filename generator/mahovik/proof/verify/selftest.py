@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from mahovik import __version__
-from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.golden import CASES, tested_functions
@@ -63,7 +62,7 @@ def verify_targets(
     pairs: Sequence[tuple[Target, str]],
     sweep: int = SWEEP,
     progress: Callable[[int, int], None] = lambda done, count: None,
-    only: tuple[str, ...] = ALL,
+    only: tuple[str, ...] | None = None,
 ) -> Report:
     """Builds and runs the self-test for each target and element type; compares the text with the host's.
 
@@ -86,7 +85,7 @@ def verify_targets(
     return report(stand, "self-test", 0, sweep, 0.0, rows)
 
 
-def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...]) -> dict[str, str]:
+def selftest_sources(stand: Stand, real: str, sweep: int, only: tuple[str, ...] | None) -> dict[str, str]:
     """A stand's C with its self-test and a `main` for boards, by file name; `only`: with these functions alone."""
     made = generate_all(stand, real, only)
     return {**made.files, **selftest_files(stand, made), "main.c": selftest_main(stand.name, sweep)}

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from mahovik.contract.functions import ALL
 from mahovik.contract.status import status_words
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
@@ -186,9 +187,9 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
 
 
 def explain(machine: Machine, stand: Stand, start: Start) -> str:
-    """A possible reason for a difference: the C that flew is neither that of the machine nor that of the default."""
-    default = source_hash(generate_all(stand, start.real, ()).files, stand.name)
-    if start.source not in (machine.source, default):
+    """A possible reason for a difference: the C that flew is neither that of the machine nor the default nor all."""
+    delivered = {source_hash(generate_all(stand, start.real, only).files, stand.name) for only in ((), ALL)}
+    if start.source not in {machine.source, *delivered}:
         return (
             f"the C that flew was another source text (source {start.source:08x}, here {machine.source:08x}): "
             "give its folder with --against DIR"
