@@ -50,7 +50,7 @@ def replaced(text: str, old: str, new: str) -> str:
 
 def in_function(source: str, name: str, function: str, pattern: str, new: str) -> str:
     """The source with the first match of a pattern in the body of one function replaced."""
-    body = re.search(rf"^\w+ {name}_{function}\(.*?\n}}\n", source, re.DOTALL | re.MULTILINE)
+    body = re.search(rf"^(?:\w+_CODE )?\w+ {name}_{function}\(.*?\n}}\n", source, re.DOTALL | re.MULTILINE)
     assert body is not None
     edited, count = re.subn(pattern, new, body[0], count=1)
     assert count == 1, body[0]

@@ -17,7 +17,7 @@ STANDS = Path(__file__).parent / "stands"
 FEW = ("forward", "momentum")
 """Functions of the random stands that are generated with `--only`."""
 
-DEFINITION = re.compile(r"^(?:static )?[a-z]\w* \*?(\w+)\([^;{]*\)\n?\{\n.*?^\}$", re.M | re.S)
+DEFINITION = re.compile(r"^(?:[A-Z]\w* )*(?:static )?[a-z]\w* \*?(\w+)\([^;{]*\)\n?\{\n.*?^\}$", re.M | re.S)
 NAME = re.compile(r"\b[a-z]\w+\b")
 
 

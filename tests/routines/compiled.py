@@ -58,7 +58,7 @@ def source(precision: Precision) -> str:
     parts = [HEAD.format(**kinds)]
     for make in (sincos, square_root, atan2, exponential):
         function = make(precision)
-        body = "\n".join(statements.block(function.body, "    "))
+        body = "\n".join(statements.function(function))
         parts.append(f"{prototype(function, names)}\n{{\n{body}\n}}")
     return "\n".join([*parts, DECLARATIONS.format(**kinds), LOOPS])
 

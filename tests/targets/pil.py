@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import partial
 
 from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.servo import servo_program_text
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -43,7 +45,9 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
         made.program,
         made.form,
         made.tables,
-        parameters=initialiser(generated.layout.parameters, other.values.parameters, precision, {}),
+        parameters=initialiser(
+            generated.layout.parameters, other.values.parameters, partial(real_literal, precision=precision), {}
+        ),
         other=words,
         hex_digits=precision.width // 4,
         pil_samples=samples,

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from mahovik.core.emit.constant import initialiser
-from mahovik.core.emit.declaration import contract, null_check, prototype, struct_lines, summary, zeros
+from mahovik.core.emit.declaration import contract, definition, null_check, prototype, struct_lines, summary, zeros
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import comment_lines
 from mahovik.core.emit.literal import hex_literal, real_literal
@@ -16,7 +16,7 @@ from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.lower.limits import limits
+from mahovik.core.lower.limits import constants, limits
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import BitCast, Choice, Const
 from mahovik.core.program.function import Function, Program
@@ -93,18 +93,31 @@ class Code:
         """A decimal literal."""
         return real_literal(value, self.precision)
 
+    def number(self, value: float) -> str:
+        """A decimal literal; the largest number by its name."""
+        return self.names.constant("LARGEST") if value == self.precision.largest else self.real(value)
+
     def hex(self, value: Any) -> str:
         """A hexadecimal literal."""
         return hex_literal(float(value), self.precision)
 
     def limits(self, more: Collection[str] = ()) -> list[tuple[str, str, str]]:
         """Macro, value and meaning of the bounds that the program uses, and of `more`."""
-        used = {e.name for f in self.program.functions for e in expressions(f.body) if isinstance(e, Const)}
         return [
             (self.names.constant(x.name), self.real(x.value), f"{x.unit}; {x.comment}" if x.unit else x.comment)
             for x in limits(self.precision).values()
-            if x.name in used or x.name in more
+            if x.name in self._named or x.name in more
         ]
+
+    @property
+    def constants(self) -> list[tuple[str, str, str]]:
+        """Macro, value and meaning of the other constants with names that the program uses."""
+        known = (x for x in constants(self.precision) if x.name in self._named)
+        return [(self.names.constant(x.name), self.real(x), x.comment) for x in known]
+
+    @cached_property
+    def _named(self) -> set[str]:
+        return {e.name for f in self.program.functions for e in expressions(f.body) if isinstance(e, Const)}
 
     # -- what a program consists of ------------------------------------------------------------------------------------
 
@@ -125,9 +138,10 @@ class Code:
 
     def function(self, f: Function) -> dict[str, Any]:
         """Comment, prototype and body of one function, for the templates."""
-        body = [*null_check(f, self.names), *self._statements.block(f.body, INDENT)]
+        body = [*null_check(f, self.names), *self._statements.function(f)]
         return {
             "comment": summary(f),
+            "definition": definition(f, self.names, self._restrictable),
             "prototype": prototype(f, self.names, self._restrictable),
             "body": body,
             "apart": f.apart,
@@ -140,7 +154,7 @@ class Code:
         """Definition of a constant; `labels`: names of the rows of array members, for a comment at their end."""
         return {
             "declaration": f"const {self.names.declaration(self.names.function(name), struct)}",
-            "lines": initialiser(struct, value, self.precision, labels or {}),
+            "lines": initialiser(struct, value, self.number, labels or {}),
         }
 
     @cached_property

@@ -2,56 +2,59 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from mahovik.core.emit.layout import wrap_statement
-from mahovik.core.emit.literal import real_literal
-from mahovik.core.program.types import Field, Kind, Precision, Struct
+from mahovik.core.program.types import Field, Kind, Struct
 
 _STEP = "    "
 
 
 def initialiser(
-    struct: Struct, value: Mapping[str, Any], precision: Precision, labels: Mapping[str, list[str]]
+    struct: Struct, value: Mapping[str, Any], literal: Callable[[float], str], labels: Mapping[str, list[str]]
 ) -> list[str]:
     """Lines of `{ ... }` for a struct. `labels`: names of the elements of array members, for a comment before each."""
-    return ["{", *_members(struct, value, precision, labels, _STEP), "}"]
+    return ["{", *_members(struct, value, literal, labels, _STEP), "}"]
 
 
 def _members(
-    struct: Struct, value: Mapping[str, Any], precision: Precision, labels: Mapping[str, list[str]], indent: str
+    struct: Struct,
+    value: Mapping[str, Any],
+    literal: Callable[[float], str],
+    labels: Mapping[str, list[str]],
+    indent: str,
 ) -> Iterator[str]:
     for f in struct.fields:
         if not isinstance(f.type, Struct) and len(f.shape) < 2:
-            yield from wrap_statement(f".{f.name} = {_numbers(f, value[f.name], precision)},", indent)
+            yield from wrap_statement(f".{f.name} = {_numbers(f, value[f.name], literal)},", indent)
             continue
         yield f"{indent}.{f.name} = {{"
         if not isinstance(f.type, Struct):
-            yield from _matrix(value[f.name], f, precision, indent + _STEP)
+            yield from _matrix(value[f.name], f, literal, indent + _STEP)
         elif f.shape:
             for number, element in enumerate(value[f.name]):
                 label = f"  /* {labels[f.name][number]} */" if f.name in labels else ""
                 yield f"{indent}{_STEP}{{{label}"
-                yield from _members(f.type, element, precision, {}, indent + 2 * _STEP)
+                yield from _members(f.type, element, literal, {}, indent + 2 * _STEP)
                 yield f"{indent}{_STEP}}},"
         else:
-            yield from _members(f.type, value[f.name], precision, labels, indent + _STEP)
+            yield from _members(f.type, value[f.name], literal, labels, indent + _STEP)
         yield f"{indent}}},"
 
 
-def _matrix(rows: list[list[Any]], f: Field, precision: Precision, indent: str) -> Iterator[str]:
-    texts = [[_number(x, f.type, precision) for x in row] for row in rows]
+def _matrix(rows: list[list[Any]], f: Field, literal: Callable[[float], str], indent: str) -> Iterator[str]:
+    texts = [[_number(x, f.type, literal) for x in row] for row in rows]
     width = max(len(t) for row in texts for t in row)
     for row in texts:
         yield from wrap_statement(f"{{ {', '.join(f'{t:>{width}}' for t in row)} }},", indent)
 
 
-def _numbers(f: Field, value: Any, precision: Precision) -> str:
+def _numbers(f: Field, value: Any, literal: Callable[[float], str]) -> str:
     if f.shape:
-        return "{ " + ", ".join(_number(x, f.type, precision) for x in value) + " }"
-    return _number(value, f.type, precision)
+        return "{ " + ", ".join(_number(x, f.type, literal) for x in value) + " }"
+    return _number(value, f.type, literal)
 
 
-def _number(value: Any, type_: Kind | Struct, precision: Precision) -> str:
-    return real_literal(float(value), precision) if type_ is Kind.REAL else str(int(value))
+def _number(value: Any, type_: Kind | Struct, literal: Callable[[float], str]) -> str:
+    return literal(float(value)) if type_ is Kind.REAL else str(int(value))

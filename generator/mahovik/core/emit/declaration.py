@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mahovik.core.emit.layout import hanging, paragraph, wrap_statement
+from mahovik.core.emit.layout import WIDTH, filled, hanging, paragraph, wrap_statement
 from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost
@@ -16,13 +16,16 @@ from mahovik.core.program.types import Struct
 def struct_lines(struct: Struct, names: Names) -> list[str]:
     """A struct definition with one comment per member."""
     head = [f"/* {struct.purpose} */", f"typedef struct {names.type(struct)} {{"]
+    comments = ["; ".join(part for part in (f.unit, f.comment) if part) for f in struct.fields]
     declarations = [f"{names.declaration(member(f.name), f.type, f.shape)};" for f in struct.fields]
     width = max(len(d) for d in declarations)
-    lines = []
-    for declaration, f in zip(declarations, struct.fields, strict=True):
-        comment = "; ".join(part for part in (f.unit, f.comment) if part)
+    lines: list[str] = []
+    for number, (declaration, comment, f) in enumerate(zip(declarations, comments, struct.fields, strict=True)):
         if not comment:
-            lines.append(f"    {declaration}")
+            if number and not comments[number - 1] and struct.fields[number - 1].type == f.type:
+                lines[-1] = f"{lines[-1][:-1]}, {member(f.name)}{names.lengths(f.shape)};"
+            else:
+                lines.append(f"    {declaration}")
             continue
         lead = f"    {declaration:<{width}}  "
         lines += paragraph(comment, f"{lead}/* ", " " * len(lead) + " * ")
@@ -35,15 +38,28 @@ def prototype(function: Function, names: Names, restrictable: frozenset[tuple[st
 
     `restrictable`: (function, argument) of results that overlap no other argument; C calls them `restrict`.
     """
+    head, arguments = _head(function, names, restrictable)
+    return "\n".join(hanging(head, arguments))
+
+
+def definition(function: Function, names: Names, restrictable: frozenset[tuple[str, str]]) -> str:
+    """The same where a function is defined: after its attributes for sections, arguments on lines of their own."""
+    head, arguments = _head(function, names, restrictable)
+    head = f"{names.constant('CODE')} {names.constant('APART') + ' ' if function.apart else ''}{head}"
+    whole = f"{head}{', '.join(arguments)})"
+    return whole if len(whole) <= WIDTH else "\n".join([head, *filled(arguments, "    ", ")")])
+
+
+def _head(function: Function, names: Names, restrictable: frozenset[tuple[str, str]]) -> tuple[str, list[str]]:
+    """A function up to the parenthesis, and its arguments."""
     storage = "" if function.public else "static "
     if not function.public and function.short:
         storage += "inline "
     elif function.copied:
         storage += f"{names.constant('COPIED')} "
     returns = names.type(function.returns) if function.returns is not None else "void"
-    head = f"{storage}{returns} {names.function(function.name)}("
     arguments = [_argument(a, names, (function.name, a.name) in restrictable) for a in function.arguments] or ["void"]
-    return "\n".join(hanging(head, arguments))
+    return f"{storage}{returns} {names.function(function.name)}(", arguments
 
 
 def _argument(a: Argument, names: Names, restrictable: bool) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mahovik.core.emit.literal import real_literal, word_literal
 from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Call
@@ -24,7 +26,11 @@ from mahovik.core.program.expression import (
 )
 from mahovik.core.program.types import Kind, Precision, Struct
 
+Element = tuple[int, str, int]
+"""An element of an array of structs: `id` of the variable, the member that is the array, `id` of the index."""
+
 _LEVEL = {"*": 80, "/": 80, "%": 80, "+": 70, "-": 70, "<<": 60, ">>": 60}
+_NONE: Element = (0, "", 0)
 _LEVEL |= {"&": 40, "^": 39, "|": 38, "&&": 30, "||": 29}
 _UNARY, _PRIMARY, _COMPARE, _SELECT = 90, 100, 50, 20
 _ARITHMETIC = {"+", "-", "*", "/", "%"}
@@ -36,6 +42,7 @@ class Expressions:
     def __init__(self, names: Names, precision: Precision) -> None:
         self._names = names
         self._precision = precision
+        self._named: dict[Element, str] = {}
 
     def text(self, e: Expr) -> str:
         """C text of a scalar expression."""
@@ -56,17 +63,37 @@ class Expressions:
         if e.shape:
             return self._path(e)
         if isinstance(e.type, Struct):
-            return root.name if root.pointer and not e.path else f"&{self._path(e)}"
+            named = self._named.get(self.element(e) or _NONE) if len(e.path) == 2 else None
+            return named or (root.name if root.pointer and not e.path else f"&{self._path(e)}")
         return self.text(e)
 
     def address(self, place: Place) -> str:
         """C text of the address of a scalar that a call writes."""
         return place.root.name if place.root.pointer else f"&{self._path(place)}"
 
+    def element(self, e: Expr) -> Element | None:
+        """The element of an array of structs, by an index that is a variable, that a place is or is in."""
+        match e:
+            case Place(root=root, path=(str() as array, Place(root=index, path=()), *inner)):
+                if (inner[:1] and isinstance(inner[0], str)) or (isinstance(e.type, Struct) and not e.shape):
+                    return id(root), array, id(index)
+        return None
+
+    def name_element(self, element: Element, pointer: str) -> None:
+        """From now on places in an element begin with the name of a pointer to it."""
+        self._named[element] = pointer
+
+    def forget(self, elements: Iterable[Element]) -> None:
+        """End of the names of elements."""
+        for element in elements:
+            del self._named[element]
+
     def _path(self, place: Place) -> str:
-        text = place.root.name
+        text, path = place.root.name, place.path
         pointer = place.root.pointer
-        for step in place.path:
+        if self._named and (named := self._named.get(self.element(place) or _NONE)):
+            text, path, pointer = named, path[2:], True
+        for step in path:
             if isinstance(step, str):
                 text += f"->{member(step)}" if pointer else f".{member(step)}"
             else:

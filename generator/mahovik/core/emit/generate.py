@@ -13,7 +13,7 @@ from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
 from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.limits import limits
+from mahovik.core.lower.limits import constants, limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
@@ -118,6 +118,7 @@ class _Printer:
             "stand.h.j2",
             **self._known,
             limits=self._code.limits(() if self._part else limits(self._code.precision)),
+            constants=self._code.constants,
             statuses=statuses(self._names, self._layout, self._program if self._part else None),
             prepares=any(f.name == "prepare" for f in self._code.public),
             takes_root=any(f.name == "sqrt" for f in self._program.functions),
@@ -147,6 +148,7 @@ class _Printer:
         """Enumerators of flywheels, of run-time wrenches and other inputs, and of sensors."""
         layout = self._layout
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
+        taken |= {x.name for x in constants(self._program.precision)}
         taken |= OF_STANDS | RESERVED | OF_PROGRAMMES
         found = []
         if layout.flywheels:

@@ -43,14 +43,20 @@ def _break(text: str, room: int) -> int:
 
 def hanging(head: str, arguments: Sequence[str], end: str = "") -> list[str]:
     """`head(` and its arguments, which continue under the opening parenthesis; after the last `)` and `end`."""
-    lines, line = [], head
-    for number, argument in enumerate(arguments):
-        text = argument + (f"){end}" if number == len(arguments) - 1 else ",")
-        if line != head and len(line) + 1 + len(text) >= WIDTH:  # room for a semicolon
+    lines = filled(arguments, " " * len(head), f"){end}")
+    return [head + lines[0][len(head) :], *lines[1:]]
+
+
+def filled(items: Sequence[str], indent: str, end: str) -> list[str]:
+    """Lines of what stands between commas, and `end` after the last."""
+    lines, line = [], indent
+    for number, item in enumerate(items):
+        text = item + (end if number == len(items) - 1 else ",")
+        if line != indent and len(line) + 1 + len(text) >= WIDTH:  # room for a semicolon
             lines.append(line)
-            line = " " * len(head) + text
+            line = indent + text
         else:
-            line += text if line == head else f" {text}"
+            line += text if line == indent else f" {text}"
     return [*lines, line]
 
 

@@ -38,9 +38,9 @@ def read_header(folder: Path, stand_name: str) -> Header | None:
 def spans(source: str, name: str) -> dict[str, tuple[int, int]]:
     """First and last line of every function defined in a stand's C, by its name without prefix."""
     found = {}
-    definition = re.compile(
-        rf"^(?:static )?(?:inline |\w+_COPIED )?\w+ {name}_(\w+)\([^;{{]*\)\n{{\n.*?^}}\n", re.DOTALL | re.MULTILINE
-    )
+    attributes = r"^(?:\w+_CODE )?(?:\w+_APART )?(?:static )?(?:inline |\w+_COPIED )?"
+    head = rf"\w+ {name}_(\w+)\([^;{{]*\)\n"
+    definition = re.compile(attributes + head + r"\{\n.*?^\}\n", re.DOTALL | re.MULTILINE)
     for match in definition.finditer(source):
         first = source.count("\n", 0, match.start()) + 1
         found[match[1]] = (first, first + match[0].count("\n") - 1)

@@ -71,7 +71,7 @@ def replay_test(
         file=file,
         count=count,
         special=not all(map(math.isfinite, numbers)),
-        table=initialiser(layout.table, dict(table), code.precision, {}) if table is not None else [],
+        table=initialiser(layout.table, dict(table), code.real, {}) if table is not None else [],
         variables=variables,
         function=function,
         passed=[passed.get(a, "NULL") for a in arguments],

@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import WIDTH, comment_lines, wrap_statement
 from mahovik.core.emit.names import Names
-from mahovik.core.program.expression import Negate, Place, Variable
-from mahovik.core.program.statement import (
-    Block,
-    Copy,
-    Declare,
-    Do,
-    Let,
-    Loop,
-    Note,
-    Return,
-    Set,
-    Statement,
-    When,
-)
+from mahovik.core.program import statement as of
+from mahovik.core.program.call import Call
+from mahovik.core.program.expression import Compare, Expr, Negate, Place, Status, Variable
+from mahovik.core.program.function import Function
+from mahovik.core.program.rewrite import FreshNames
+from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.types import Struct
+from mahovik.core.program.walk import expressions, inside, statements, used_variables
 
 _STEP = "    "
 
 _SHORT = 34
 """Length, characters, up to which assignments to elements of an array are printed several on a line."""
+
+_OFTEN = 3
+"""Uses of an element of an array of structs in a loop over it, from which on it has a name there."""
 
 
 class Statements:
@@ -32,41 +31,51 @@ class Statements:
     def __init__(self, names: Names, expressions: Expressions) -> None:
         self._names = names
         self._expressions = expressions
+        self._constant: dict[int, bool] = {}
+        self._twice: set[str] = set()
+        self._fresh = FreshNames(())
 
-    def block(self, body: tuple[Statement, ...], indent: str) -> list[str]:
-        """Lines of a block. Declarations of like scalars that follow one another share a line."""
+    def function(self, function: Function) -> list[str]:
+        """Lines of a function's body."""
+        structs = [a for a in function.arguments if a.variable.pointer and isinstance(a.type, Struct)]
+        self._constant = {id(a.variable): a.direction == "in" for a in structs}
+        local = [s for s in statements(function.body) if isinstance(s, Let | Declare)]
+        loops = [s.index for s in statements(function.body) if isinstance(s, Loop)]
+        counted = Counter(each.name for each in (*(a.variable for a in function.arguments), *loops))
+        counted.update(s.variable.name for s in local)
+        self._twice = {name for name, count in counted.items() if count > 1}
+        self._fresh = FreshNames(counted)
+        return self._block(function.body, _STEP)
+
+    def _block(self, body: of.Statements, indent: str) -> list[str]:
+        """Lines of a block. Declarations of like variables that follow one another share a line."""
         lines: list[str] = []
+        body, first_values = _arranged(body)
         position = 0
         while position < len(body):
-            run = self._plain_declarations(body, position)
+            s = body[position]
+            run = self._plain_declarations(body[position:], indent)
+            pack = [] if position in first_values else self._element_run(body[position:])
             if len(run) > 1:
-                names = ", ".join(v.name for v in run)
-                lines.append(f"{indent}{self._names.type(run[0].type)} {names};")
+                lines.append(f"{indent}{self._names.type(run[0].type)} {', '.join(map(self._with_lengths, run))};")
                 position += len(run)
-                continue
-            pack = self._element_run(body, position)
-            if len(pack) > 1:
+            elif len(pack) > 1:
                 lines += self._pack_assignments(pack, indent)
                 position += len(pack)
-                continue
-            if self._can_initialise(body, position):
-                lines += self._initialisation(body[position], body[position + 1], indent)
-                position += 2
-                continue
-            lines += self._statement(body[position], indent)
-            position += 1
+            else:
+                lines += self._statement(s, indent, first_values.get(position))
+                position += 1
         return lines
 
-    def _element_run(self, body: tuple[Statement, ...], start: int) -> list[str]:
+    def _element_run(self, body: of.Statements) -> list[str]:
         """Short assignments to elements of one array that follow one another, as text."""
         found: list[str] = []
         first: Set | None = None
-        for statement in body[start:]:
+        for statement in body:
             if not isinstance(statement, Set) or statement.comment or not statement.place.path:
                 break
             place = statement.place
-            if first is None:
-                first = statement
+            first = first or statement
             same = place.root is first.place.root and len(place.path) == len(first.place.path)
             text = self._assignment(statement)
             array = not isinstance(place.path[-1], str)
@@ -93,54 +102,49 @@ class Statements:
             return f"{target} -= {text(s.value.operand)};"
         return f"{target} {'+=' if s.add else '='} {text(s.value)};"
 
-    def _can_initialise(self, body: tuple[Statement, ...], position: int) -> bool:
-        """A scalar is declared, and the next statement gives it its first value."""
-        first, second = body[position], body[position + 1] if position + 1 < len(body) else None
-        if not isinstance(first, Declare) or not isinstance(second, Set) or first.variable.shape:
-            return False
-        return second.place.root is first.variable and not second.place.path and not second.add
-
-    def _initialisation(self, first: Statement, second: Statement, indent: str) -> list[str]:
-        assert isinstance(first, Declare) and isinstance(second, Set)
-        value = self._expressions.text(second.value)
-        return self._line(
-            f"{self._local_declaration(first.variable)} = {value};", indent, first.comment or second.comment
-        )
-
-    def _plain_declarations(self, body: tuple[Statement, ...], start: int) -> list[Variable]:
+    def _plain_declarations(self, body: of.Statements, indent: str) -> list[Variable]:
+        """Variables of one type that are declared one after the other, without a word, as far as a line has room."""
         found: list[Variable] = []
-        for statement in body[start:]:
-            if not isinstance(statement, Declare) or statement.comment or statement.variable.shape:
+        room = WIDTH - len(indent)
+        for statement in body:
+            if not isinstance(statement, Declare) or statement.comment:
                 break
-            if found and statement.variable.type != found[0].type:
+            variable = statement.variable
+            if found and variable.type != found[0].type:
                 break
-            found.append(statement.variable)
+            room -= len(self._with_lengths(variable)) + 2 + (0 if found else len(self._names.type(variable.type)))
+            if room < 0:
+                break
+            found.append(variable)
         return found
 
-    def _statement(self, s: Statement, indent: str) -> list[str]:
+    def _statement(self, s: Statement, indent: str, declared: Declare | None) -> list[str]:
+        """Lines of a statement; `declared`: the variable to which it gives the first value is declared by it."""
         text = self._expressions.text
         match s:
             case Note(note):
                 return comment_lines(note, indent)
             case Let(variable, value, comment):
-                return self._line(
-                    f"const {self._names.type(variable.type)} {variable.name} = {text(value)};", indent, comment
-                )
+                return self._line(f"const {self._declaration(variable)} = {text(value)};", indent, comment)
             case Declare(variable, comment):
-                return self._line(f"{self._local_declaration(variable)};", indent, comment)
+                return self._line(f"{self._declaration(variable)};", indent, comment)
+            case Set(_, value, comment) | Copy(_, value, comment) if declared is not None:
+                first = f"{self._declaration(declared.variable)} = {text(value)};"
+                return self._line(first, indent, declared.comment or comment)
             case Set():
                 return self._line(self._assignment(s), indent, s.comment)
             case Copy(target, source, comment):
-                return self._line(
-                    f"{self._expressions.place(target)} = {self._expressions.place(source)};", indent, comment
-                )
+                copied = f"{self._expressions.place(target)} = {self._expressions.place(source)};"
+                return self._line(copied, indent, comment)
             case Do(call, comment):
                 ignored = "(void)" if call.signature.returns is not None else ""
                 return self._line(f"{ignored}{self._expressions.call(call)};", indent, comment)
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")
-            case Block(body):
-                return [f"{indent}{{", *self.block(body, indent + _STEP), f"{indent}}}"]
+            case of.Block(body):
+                if any(isinstance(each, Let | Declare) and each.variable.name in self._twice for each in body):
+                    return [f"{indent}{{", *self._block(body, indent + _STEP), f"{indent}}}"]
+                return self._block(body, indent)
             case Loop():
                 return self._loop(s, indent)
             case When():
@@ -157,19 +161,105 @@ class Statements:
 
     def _loop(self, s: Loop, indent: str) -> list[str]:
         i, text = s.index.name, self._expressions.text
-        comment = f"  /* {s.comment} */" if s.comment else ""
         head = f"for (int {i} = {text(s.start)}; {i} < {text(s.stop)}; ++{i}) {{"
-        return [f"{indent}{head}{comment}", *self.block(s.body, indent + _STEP), f"{indent}}}"]
+        named = self._named_elements(s)
+        lines = [f"{indent}{_STEP}{line}" for line in named.values()]
+        lines += self._block(s.body, indent + _STEP)
+        self._expressions.forget(named)
+        return self._braced(head, s.comment, lines, indent)
+
+    def _named_elements(self, s: Loop) -> dict[tuple[int, str, int], str]:
+        """Declarations of pointers to the elements of arrays of structs that the body of a loop uses often."""
+        uses: Counter[tuple[int, str, int]] = Counter()
+        places: dict[tuple[int, str, int], Place] = {}
+        for e in expressions(s.body):
+            key = self._expressions.element(e)
+            if key is not None and key[0] in self._constant and key[2] == id(s.index):
+                assert isinstance(e, Place)
+                uses[key] += 1
+                places[key] = e.root.place.member(key[1])[s.index.place]
+        found = {}
+        for key, count in uses.items():
+            if count >= _OFTEN:
+                place = places[key]
+                assert isinstance(place.type, Struct)
+                name, path = self._fresh(place.type.name), self._expressions.place(place)
+                const = "const " if self._constant[key[0]] else ""
+                found[key] = f"{const}{self._names.type(place.type)} *{name} = &{path};"
+                self._expressions.name_element(key, name)
+        return found
+
+    def _braced(self, head: str, comment: str, lines: list[str], indent: str) -> list[str]:
+        """A statement with its body in braces: on one line where the body is a statement and there is room."""
+        if len(lines) == 1 and not comment and lines[0].count(";") == 1 and lines[0].endswith(";"):
+            whole = f"{indent}{head} {lines[0].strip()} }}"
+            if len(whole) <= WIDTH:
+                return [whole]
+        said = f"  /* {comment} */" if comment else ""
+        return [*wrap_statement(head + said, indent), *lines, f"{indent}}}"]
 
     def _when(self, s: When, indent: str) -> list[str]:
         comment = f"  /* {s.comment} */" if s.comment else ""
         head = f"if ({self._expressions.text(s.condition)}) {{"
         if len(s.body) == 1 and isinstance(s.body[0], Return) and not s.otherwise:
             return wrap_statement(f"{head} return {self._expressions.text(s.body[0].value)}; }}{comment}", indent)
-        lines = [*wrap_statement(head + comment, indent), *self.block(s.body, indent + _STEP)]
-        if s.otherwise:
-            lines += [f"{indent}}} else {{", *self.block(s.otherwise, indent + _STEP)]
-        return [*lines, f"{indent}}}"]
+        lines = self._block(s.body, indent + _STEP)
+        if not s.otherwise:
+            return self._braced(head, s.comment, lines, indent)
+        lines = [*wrap_statement(head + comment, indent), *lines]
+        if len(s.otherwise) == 1 and isinstance(s.otherwise[0], When):
+            first, *rest = self._when(s.otherwise[0], indent)
+            return [*lines, f"{indent}}} else {first.lstrip()}", *rest]
+        return [*lines, f"{indent}}} else {{", *self._block(s.otherwise, indent + _STEP), f"{indent}}}"]
 
-    def _local_declaration(self, variable: Variable) -> str:
+    def _declaration(self, variable: Variable) -> str:
         return self._names.declaration(variable.name, variable.type, variable.shape)
+
+    def _with_lengths(self, variable: Variable) -> str:
+        return variable.name + self._names.lengths(variable.shape)
+
+
+def _arranged(body: of.Statements) -> tuple[of.Statements, dict[int, Declare]]:
+    """A block as C has it, and the declarations of variables that begin with a value, by the place of the statement.
+
+    A last call whose status is returned, whatever it is, is returned at once.
+    """
+    call = _last_call(body)
+    if call is not None:
+        body = (*body[:-3], Return(call))
+    single = [s for s in body if isinstance(s, Declare) and not s.variable.shape]
+    if not single:
+        return body, {}
+    used = [used_variables((s,)) for s in body]
+    gone, begun = set(), {}
+    for s in single:
+        first = next((other for other, known in zip(body, used, strict=True) if id(s.variable) in known), None)
+        if first is None:  # the status of that call
+            gone.add(id(s))
+        elif _begins(first, s.variable):
+            gone.add(id(s))
+            begun[id(first)] = s
+    kept = tuple(s for s in body if id(s) not in gone)
+    return kept, {position: begun[id(s)] for position, s in enumerate(kept) if id(s) in begun}
+
+
+def _last_call(body: of.Statements) -> Call | None:
+    """The call of `status = f(..); if (status != OK) { return status; } return OK;` at the end of a block."""
+    match body[-3:]:
+        case Set(place, Call() as call), When(Compare(left=Place() as looked), (Return(Place() as value),), ()), last:
+            same = looked.root is value.root is place.root
+            return call if same and isinstance(last, Return) and _is_ok(last.value) else None
+    return None
+
+
+def _is_ok(value: Expr) -> bool:
+    return isinstance(value, Status) and value.name == "OK"
+
+
+def _begins(s: Statement, variable: Variable) -> bool:
+    """Does a statement that uses a variable give it a value, made without it?"""
+    match s:
+        case Set(place, value, _, False) | Copy(place, value):
+            whole = place.root is variable and not place.path
+            return whole and not any(isinstance(e, Place) and e.root is variable for e in inside(value))
+    return False

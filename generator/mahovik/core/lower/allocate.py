@@ -72,11 +72,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
     regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
     most_real, largest = layout.precision.largest, lib.limits["LARGEST"].expression
 
-    purpose = (
-        "Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others share."
-    )
-
-    @kernel(name_for_rows("allocate", rows), equation="(12)", purpose=purpose)
+    @kernel(name_for_rows("allocate", rows), equation="(12)")
     def allocate(
         work: Any = argument("orthogonal rows W, their sizes sigma, demand r, scale", struct=layout.inverse_work),
         options: Any = argument("weights and limits", struct=layout.inverse_options),
@@ -84,7 +80,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         phi_ddot: Reals = argument("flywheel accelerations", N, direction="out", unit="rad/s2"),
         limited: Ints = argument("1 where a flywheel is held at its limit", N, direction="out"),
     ) -> None:
-        """Distributes a demand among the flywheels."""
+        """Shares a demand among the flywheels: least weighted norm; others make up for one at its limit."""
         share = reals(N)  # 1/weight
         give = reals(N)  # 1/weight of a free flywheel, 0 for one held at its limit
         step = reals(N)  # increment of the free flywheels
@@ -110,7 +106,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
                     give[s] = 0.0 if limited[s] > 0 else share[s]
                     most = give[s] if give[s] > most else most
                 regular = regularisation * most
-                least = regular if most > 0 else 1.0  # lower bound that keeps the diagonal positive
+                least = regular if most > 0 else 1.0  # keeps the diagonal positive
                 for i in range(rows):
                     row[i] = 0
                     if i < rank:
@@ -135,7 +131,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
                     weighted = 0
                     for s in range(N):
                         share[s] = 1
-        # the product may round an answer that just reaches its limit beyond it; what overflows is refused later
+        # rounding may take an answer that just reaches its limit beyond it; what overflows is refused later
         for s in range(N):
             found = phi_ddot[s] * work.scale[s]
             phi_ddot[s] = found

@@ -82,14 +82,14 @@ def look_at_sums(lib: Library, x: Any, values: Any = None, limit: Any = None) ->
         if turning:
             phase2 = reals()
             if values is not None:
-                given2 = reals()
+                value2 = reals()
         position2 = dot(x.position, x.position) if held else 0
         velocity2 = dot(x.V[0:3], x.V[0:3]) if held else 0
         speed2 = dot(x.V[3:6], x.V[3:6]) if held else 0
         if turning:
             phase2 = 0
             if values is not None:
-                given2 = 0
+                value2 = 0
         if not held:  # beside few freedoms a loop of three turns counts
             for i in range(3):
                 position = x.position[i]
@@ -103,8 +103,8 @@ def look_at_sums(lib: Library, x: Any, values: Any = None, limit: Any = None) ->
                 phase = x.phi[s]
                 phase2 += phase * phase
                 if values is not None:
-                    given = values[s]
-                    given2 += given * given
+                    value = values[s]
+                    value2 += value * value
                 speed = x.phi_dot[s]
                 speed2 += speed * speed
         norm2 = dot(x.attitude, x.attitude)
@@ -114,20 +114,9 @@ def look_at_sums(lib: Library, x: Any, values: Any = None, limit: Any = None) ->
             and velocity2 < lib.limit("MAX_VELOCITY") * lib.limit("MAX_VELOCITY")
             and speed2 < lib.limit("MAX_SPEED") * lib.limit("MAX_SPEED")
             and (not turning or phase2 < lib.limit("MAX_PHASE") * lib.limit("MAX_PHASE"))
-            and (values is None or given2 < limit * limit)
+            and (values is None or value2 < limit * limit)
         ):
             return OK
-    return None
-
-
-@inline
-def look_at_each(lib: Library, x: Any) -> Any:
-    """The state number by number."""
-    for name, count, limit in state_limits(lib.layout.state, lib.layout.precision):
-        lib["within"](x.member(name), count, limit)
-    norm2 = dot(x.attitude, x.attitude)
-    if not unit_square(norm2):
-        return RANGE
     return None
 
 
@@ -136,20 +125,29 @@ def add_checks(lib: Library) -> None:
     N = lib.layout.count
     lib.add(within(lib))
 
+    @lib.kernel(apart=True)
+    def check_each(x: Any = lib.x) -> Status:
+        """Looks at a state number by number, where sums of squares do not show that it is within its limits."""
+        for name, count, limit in state_limits(lib.layout.state, lib.layout.precision):
+            lib["within"](x.member(name), count, limit)
+        norm2 = dot(x.attitude, x.attitude)
+        if not unit_square(norm2):
+            return RANGE
+        return OK
+
     @lib.kernel()
     def check_state(x: Any = lib.x) -> Status:
         """Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?"""
         look_at_sums(lib, x)
-        look_at_each(lib, x)
-        return OK
+        return check_each(x)
 
     if lib.layout.flywheels:
 
         @lib.kernel()
         def check_motion(x: Any = lib.x, values: Reals = argument("", N), limit: float = argument()) -> Status:
-            """The same of a state, and then: are values of the flywheels within a limit?"""
+            """Is the state as check_state demands, and are values of the flywheels within a limit?"""
             look_at_sums(lib, x, values, limit)
-            look_at_each(lib, x)
+            check_each(x)
             lib["within"](values, N, limit)
             return OK
 

@@ -119,7 +119,7 @@ def add_coupled(lib: Library) -> None:
         phi_ddot: Reals = spins,
         u_dot: Any = lib.u_dot,
     ) -> Status:
-        """V_dot, phi_ddot for given drive torques, from checked inputs; results are written where the status is OK."""
+        """V_dot, phi_ddot for given drive torques, from checked inputs; written where the status is OK."""
         seen = scene(lib, table, x, turns=(sine, cosine))
         if layout.held:
             freedoms, drift = equations_along(lib, table, x, seen, wrench, None)

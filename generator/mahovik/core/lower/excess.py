@@ -38,7 +38,7 @@ def add_excessive(lib: Library) -> None:
         wrench: Any = lib.wrench,
         flags: Any = Argument("flags", Kind.INT, (), "out", purpose="EXCESSIVE, or 0"),
     ) -> None:
-        """Does a motion need more than a motor's torque, speed, or a larger phi_ddot than `most`? Of checked inputs."""
+        """Does a motion need more than a motor's torque or speed, or a larger phi_ddot than `most`?"""
         motors = ints()  # flywheels whose motor has a limit
         found = ints()
         motors = 0
@@ -94,10 +94,11 @@ def spin_up_excess(lib: Any, table: Any, x: Any, options: Any, phi_ddot: Reals) 
             spin = table.flywheel[s].spin
             size = abs(phi_ddot[s])
             needed = spin * size + options.motor_viscous[s] * abs(v) + options.motor_coulomb[s]  # at most
-            has = options.motor_torque[s] * (1 - abs(v) / options.motor_speed[s])  # at least: when driving
-            if not (size <= options.most[s] and needed <= has):
-                if size > options.most[s] or lib["motor_lacks"](options, s, spin * phi_ddot[s], v) != 0:
-                    flags = bit("EXCESSIVE")
+            available = options.motor_torque[s] * (1 - abs(v) / options.motor_speed[s])  # at least: when driving
+            if not (size <= options.most[s] and needed <= available) and (
+                size > options.most[s] or lib["motor_lacks"](options, s, spin * phi_ddot[s], v) != 0
+            ):
+                flags = bit("EXCESSIVE")
     return flags
 
 

@@ -9,7 +9,7 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, and_, real
+from mahovik.core.program.expression import Expr, and_
 from mahovik.core.program.types import Kind
 
 
@@ -116,4 +116,4 @@ class Library(FunctionSet):
 
 def unit_square(square: Expr) -> Expr:
     """Is a length, given as its square, within 1e-3 of 1?"""
-    return and_(square >= real(UNIT_SQUARE_MIN), square <= real(UNIT_SQUARE_MAX))
+    return and_(square >= UNIT_SQUARE_MIN, square <= UNIT_SQUARE_MAX)

@@ -67,7 +67,7 @@ def add_check_inertia(lib: Library) -> None:
         c: Reals = argument("centre of mass", 3, unit="m"),
         J: Reals = argument("about the origin: 11 22 33 12 13 23", 6, unit="kg m2"),
     ) -> Status:
-        """Are the second moments about the centre of mass positive semidefinite? Then a body can have this inertia."""
+        """Can a body have this inertia? Its second moments about the centre of mass are positive semidefinite."""
         size: float = 0.0  # largest element of J
         for k in range(6):
             size = abs(J[k]) if abs(J[k]) > size else size
@@ -155,7 +155,7 @@ def add_check_parameters(lib: Library) -> None:
         """Are the parameters finite and in range, the axes nonzero, and the bodies physically possible?"""
         p = parameters
         mass = reals()
-        size = reals()  # largest moment of inertia that products in the equations can reach; it must not overflow
+        size = reals()  # largest moment of inertia in the equations: it must not overflow
         if layout.flywheels or points:
             O = reals(3)
         if layout.instruments or layout.flywheels or points:

@@ -6,61 +6,45 @@ double, 1.2e-7 in float) and well below what a caller would want to know of.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from mahovik.core.program.types import Precision
+from mahovik.core.program.types import NamedNumber, Precision
 
 
-@dataclass(frozen=True)
 class Thresholds:
-    """Thresholds of comparisons; values are those of double."""
+    """Thresholds of comparisons in an element type, "double" or "float": named constants of the program."""
 
-    rank: float = 1e-9
-    """inverse: singular value over the largest, below which it counts as zero"""
-    unreachable: float = 1e-9
-    """inverse: scaled residual over scaled demand, above which the target is out of reach"""
-    near_singular: float = 1e-6
-    """inverse: default of the option `near_singular`; above `rank`, or no kept value could ever be below it"""
-    weight: float = 1e-6
-    """inverse: smallest weight of a flywheel; MAX_WEIGHT is its inverse"""
-    regular: float = 1e-12
-    """inverse: put on the diagonal of normal equations that limits may have left singular; some thousand times what
-    rounding leaves of a zero there"""
-    bounded: float = 1e-12
-    """torque_for: put on the diagonal of normal equations, some ten times what rounding leaves of a zero there; what it
-    takes from an answer is given back by refinement"""
-    share_pivot: float = 4e-12
-    """torque_for: coefficient of a row of largest element 1, below which it is what rounding left of a zero"""
-    gram_pivot: float = 1e-13
-    """inverse_fast: pivot over the diagonal element that it came from, below which rounding has eaten it"""
-    zero_length: float = 1e-9
-    """legs: m, a shorter leg has no direction; a float at 1 m has a spacing of 1.2e-7 m"""
-    parallel: float = 5e-10
-    """axes: sine of the angle between `axis` and `zero`, below which `zero` does not say where the second axis is; in
-    double half of what the stand file takes"""
-    least: float = 1e-30
-    """prepare: mass of all bodies (kg), spin inertia of a flywheel (kg m2), below which they count as none: their
-    inverses and what is made of them stay numbers"""
-    unphysical: float = 1e-9
-    """prepare: how far below zero an eigenvalue may be, relative to the largest element, of what no body has negative;
-    twice what the stand file takes, and what rounding the parameters to float costs"""
-    inertia: float = 1e60
-    """prepare: kg m2, largest sum of all moments of inertia about O1; times the squares of the largest speeds, 1e10,
-    and the number of terms it is still far from the largest float, 3.4e38"""
-    table: float = 1e300
-    """generator: largest magnitude of any number of a table, for the same reason"""
-    small_square: float = 1e-30
-    """square of a length or of half an angle, below which its direction is taken from a series, or refused; a float
-    still has all its digits there (the smallest with all digits is 1.2e-38)"""
+    def __init__(self, real: str) -> None:
+        def threshold(double: float, single: float, name: str, comment: str) -> NamedNumber:
+            return NamedNumber(single if real == "float" else double, name, comment)
+
+        self.rank = threshold(1e-9, 1e-5, "EPS_RANK", "of singular values over the largest: below, one is zero")
+        self.unreachable = threshold(1e-9, 1e-4, "EPS_REACHED", "of residual over demand: above, UNREACHABLE")
+        self.near_singular = threshold(1e-6, 1e-3, "EPS_SINGULAR", "default of `near_singular`")
+        """above `rank`, or no kept value could ever be below it"""
+        self.weight = threshold(1e-6, 1e-6, "MIN_WEIGHT", "the weight of a flywheel in inverse; 1/MAX_WEIGHT")
+        self.regular = threshold(1e-12, 1e-4, "EPS_REGULAR", "on diagonals that limits may have left singular")
+        """some thousand times what rounding leaves of a zero there"""
+        self.bounded = threshold(1e-12, 4e-6, "EPS_BOUNDED", "on diagonals of torque_for; refinement gives it back")
+        """some ten times what rounding leaves of a zero there"""
+        self.share_pivot = threshold(4e-12, 2e-5, "EPS_SHARE", "of a row of largest element 1: below, zero")
+        self.gram_pivot = threshold(1e-13, 1e-5, "EPS_PIVOT", "of a pivot over its diagonal: below, rounding")
+        self.zero_length = threshold(1e-9, 1e-6, "EPS_LENGTH", "m; a shorter leg has no direction")
+        """a float at 1 m has a spacing of 1.2e-7 m"""
+        self.parallel = threshold(5e-10, 1e-4, "EPS_PARALLEL", "sine between `axis` and `zero`: below, parallel")
+        """in double half of what the stand file takes"""
+        self.least = threshold(1e-30, 1e-15, "EPS_MASS", "kg, kg m2; masses and spin inertias: below, none")
+        """their inverses and what is made of them stay numbers"""
+        self.unphysical = threshold(1e-9, 1e-5, "EPS_INERTIA", "how far below 0 rounding may take an eigenvalue")
+        """relative to the largest element, of what no body has negative; twice what the stand file takes, and what
+        rounding the parameters to float costs"""
+        self.inertia = threshold(1e60, 1e20, "MAX_INERTIA", "kg m2; sum of all moments of inertia about O1")
+        """times the squares of the largest speeds, 1e10, and the number of terms still far from the largest float"""
+        self.table = threshold(1e300, 1e20, "MAX_TABLE", "any number of a table")
+        """for the same reason; the generator refuses it"""
+        self.small_square = threshold(1e-30, 1e-30, "EPS_SQUARE", "square of a length: below, it has no direction")
+        """or half an angle is so small that a series serves; a float still has all its digits there"""
 
 
-THRESHOLDS = {
-    "double": Thresholds(),
-    "float": Thresholds(
-        rank=1e-5, unreachable=1e-4, near_singular=1e-3, regular=1e-4, bounded=4e-6, share_pivot=2e-5, gram_pivot=1e-5,
-        zero_length=1e-6, parallel=1e-4, least=1e-15, unphysical=1e-5, inertia=1e20, table=1e20,
-    ),
-}  # fmt: skip
+THRESHOLDS = {real: Thresholds(real) for real in ("double", "float")}
 
 
 def thresholds(precision: Precision) -> Thresholds:

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any, ClassVar, TypeAlias, cast
 
-from mahovik.core.program.types import Field, Kind, NamedCount, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, NamedNumber, Struct
 
 Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
@@ -356,7 +356,7 @@ def as_expr(value: Operand, kind: Kind) -> Expr:
         return Const(value.value, kind, value.name)
     if kind is not Kind.REAL and not isinstance(value, int):
         raise TypeError(f"{value!r} is no {kind.value}")
-    return Const(value, kind)
+    return Const(value, kind, value.name if isinstance(value, NamedNumber) else "")
 
 
 def _pair(left: Operand, right: Operand) -> tuple[Expr, Expr]:
@@ -425,7 +425,7 @@ def select(condition: Expr, yes: Operand, no: Operand) -> Expr:
 
 def real(value: Number) -> Expr:
     """A real literal."""
-    return Const(value, Kind.REAL)
+    return as_expr(value, Kind.REAL)
 
 
 def word(value: int) -> Expr:

@@ -23,6 +23,21 @@ class Kind(Enum):
     STATUS = "status"
 
 
+class NamedNumber(float):
+    """A real constant with a name in the emitted code; what is computed with it is a number without a name."""
+
+    def __new__(cls, value: float, name: str, comment: str) -> NamedNumber:
+        made = super().__new__(cls, value)
+        made.name, made.comment = name, comment
+        return made
+
+    name: str
+    comment: str
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return NamedNumber, (float(self), self.name, self.comment)
+
+
 @dataclass(frozen=True)
 class Precision:
     """An element type: C name, IEEE width, significand (with the hidden bit), exponent bias, NumPy scalar."""
@@ -41,14 +56,14 @@ class Precision:
         return float(2.0 ** (1 - self.significand))
 
     @property
-    def largest(self) -> float:
+    def largest(self) -> NamedNumber:
         """Largest finite number."""
-        return float(np.finfo(self.scalar).max)
+        return NamedNumber(float(np.finfo(self.scalar).max), "LARGEST", "largest finite number")
 
     @property
-    def smallest(self) -> float:
+    def smallest(self) -> NamedNumber:
         """Smallest positive number with all its digits; its reciprocal is finite."""
-        return float(np.finfo(self.scalar).smallest_normal)
+        return NamedNumber(float(np.finfo(self.scalar).smallest_normal), "SMALLEST", "smallest number with all digits")
 
 
 DOUBLE = Precision("double", 64, 53, 1023, np.float64, np.uint64, BOUNDS["MAX_PHASE"].at("double"))

@@ -46,7 +46,7 @@ class Widener:
         key = (narrow.name, names)
         if key not in self._done:
             made = _Widening(self, narrow, names).function()
-            self._done[key] = replace(made, name=self._name(narrow.name), body=prune(made).body)
+            self._done[key] = replace(made, name=self._name(narrow.name), body=prune(made).body, apart=False)
         return self._done[key]
 
     def _name(self, name: str) -> str:

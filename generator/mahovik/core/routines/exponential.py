@@ -99,7 +99,7 @@ def exponential(precision: Precision) -> Function:
         vanishes = x < lowest  # exp(x) is 0 there by definition: no result is subnormal
         given = 0.0 if vanishes else x
 
-        # k = x/ln 2, rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        # k = x/ln 2, rounded: adding the large constant leaves the integer k in the last bits.
         shifted = given * per_ln_2 + to_integer
         k = shifted - to_integer
 

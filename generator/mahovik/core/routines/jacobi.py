@@ -37,7 +37,7 @@ def orthogonalise(struct: Struct, count: NamedCount, sqrt: Function, precision_n
             "in: W, r; out: rows of W orthogonal, r = U^T r, U, sigma = |rows|", struct=struct, direction="inout"
         ),
     ) -> None:
-        """One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the condition."""
+        """Makes the rows of W orthogonal by one-sided Jacobi rotations: the condition is not squared."""
         W, U, r = work.W, work.U, work.r
         for i in range(rows):
             for j in range(rows):

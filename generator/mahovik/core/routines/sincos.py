@@ -141,7 +141,7 @@ def _sincos(precision: Precision) -> inline:
 
     @inline
     def compute(x: float) -> tuple[float, float]:
-        # k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        # k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits.
         shifted = x * per_quarter + to_integer
         quadrant = bits_of(shifted)  # mod 4: its last two bits
         k = shifted - to_integer

@@ -66,7 +66,7 @@ def square_root(precision: Precision) -> Function:
         s = m * y
         close = s + (m - s * s) * (y * 0.5)  # within 1.5 units in the last place
 
-        # The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last place.
+        # The last bit, exactly, in integers modulo 2^width: d = m - s^2 against s, in last places.
         root = bits_of(close) - word(one - hidden)  # s as an integer
         d = (((fraction + hidden) << odd) << fraction_bits) - root * root
         up = (root - d) >> (precision.width - 1)  # 1 if d > s: the next larger number is nearer

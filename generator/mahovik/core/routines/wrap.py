@@ -52,7 +52,7 @@ def wrap(precision: Precision, unwound: Function) -> Function:
     @kernel(notes=[f"|phi| <= {precision.max_phase:g}: beyond this the result is meaningless, but the call is safe."])
     def wrapped(phi: float = argument(unit="rad")) -> float:
         """The angle wrapped to within half a turn of zero."""
-        # k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the sum.
+        # k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits.
         k = turns_of_angle(precision, phi)  # turns
         return unwound(phi, k)
 

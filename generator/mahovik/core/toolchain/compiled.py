@@ -155,7 +155,8 @@ def compile_library(
 
 def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
     """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
-    key = store.library_key(structure(source.stand), source.real, source.command, source.parallel, kind, source.only or ())
+    of, only = structure(source.stand), source.only or ()
+    key = store.library_key(of, source.real, source.command, source.parallel, kind, only)
     found = store.find(key)
     if found is not None:
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt

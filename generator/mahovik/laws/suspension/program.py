@@ -81,7 +81,7 @@ class SuspensionProgram(CarrierProgram):
             ratio = ratio / divisor
             r[:] = side * ratio * u
 
-        words = "-(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C)"
+        words = "-(stiffness x + damping V), x: C^T (O1 - position), rotation vector of C_eq^T C"
 
         @lib.kernel(equation="(7)", purpose=f"Adds the suspension: {words}.")
         def suspend(
