@@ -18,9 +18,8 @@
 #include <float.h>
 #include <limits.h>
 
-/* Other numbers than those of IEEE 754, and fast math, which leaves out roundings that the code relies on,
- * give wrong results with status OK. What the compiler shows of them is refused here; clang does not show
- * -funsafe-math-optimizations. */
+/* Other numbers than those of IEEE 754, and fast math, give wrong results with status OK. Refused here is what
+ * the compiler shows of them; clang does not show -funsafe-math-optimizations. */
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53
 #error "wrong results: bench8 needs a double of 64 bits, 53 of them significant"
 #endif
@@ -74,11 +73,9 @@ typedef struct bench8_sums {
 /* A symmetric 3x3 matrix factored, L D L^T. */
 typedef struct bench8_factors3 {
     bench8_real r1;   /* 1 / D, of the last D itself */
-    bench8_real r2;
-    bench8_real d3;
+    bench8_real r2, d3;
     bench8_real l21;  /* L below its diagonal */
-    bench8_real l31;
-    bench8_real l32;
+    bench8_real l31, l32;
 } bench8_factors3;
 
 /* One flywheel's drive torque by the motion: I . V_dot + Theta_ff phi_ddot + bias. */
@@ -115,16 +112,14 @@ typedef struct bench8_inverse_work {
 
 typedef uint64_t bench8_word;  /* the bits of a real */
 
-BENCH8_CODE
-static bench8_word bench8_bits_of(bench8_real value)
+BENCH8_CODE static bench8_word bench8_bits_of(bench8_real value)
 {
     union { bench8_real real; bench8_word word; } both;
     both.real = value;
     return both.word;
 }
 
-BENCH8_CODE
-static bench8_real bench8_real_of(bench8_word word)
+BENCH8_CODE static bench8_real bench8_real_of(bench8_word word)
 {
     union { bench8_real real; bench8_word word; } both;
     both.word = word;
@@ -132,13 +127,11 @@ static bench8_real bench8_real_of(bench8_word word)
 }
 
 /* What null stands for. */
-BENCH8_CONST
-static const int bench8_none_locked[BENCH8_N] = { 0 };
+BENCH8_CONST static const int bench8_none_locked[BENCH8_N] = { 0 };
 
 /* Square root, correctly rounded.
  * x >= 0 and finite, which the caller checks; subnormals are exact too, sqrt(0) = 0. */
-BENCH8_CODE
-static bench8_real bench8_sqrt(bench8_real x)
+BENCH8_CODE static bench8_real bench8_sqrt(bench8_real x)
 {
 #ifdef BENCH8_SQRT
     return BENCH8_SQRT(x);  /* correctly rounded as well, or the bits differ */
@@ -161,8 +154,7 @@ static bench8_real bench8_sqrt(bench8_real x)
     const bench8_real y3 = y2 * (1.5 - half_m * y2 * y2);
     const bench8_real s = m * y3;
     const bench8_real close = s + (m - s * s) * (y3 * 0.5);  /* within 1.5 units in the last place */
-    /* The last bit, exactly, in integers modulo 2^width: compare d = m - s^2 with s, in units of the last
-     * place. */
+    /* The last bit, exactly, in integers modulo 2^width: d = m - s^2 against s, in last places. */
     const bench8_word root = bench8_bits_of(close) - 0x3fe0000000000000u;  /* s as an integer */
     const bench8_word d = ((fraction + 0x10000000000000u) << odd << 52u) - root * root;
     const bench8_word up = (root - d) >> 63u;  /* 1 if d > s: the next larger number is nearer */
@@ -175,8 +167,7 @@ static bench8_real bench8_sqrt(bench8_real x)
 
 /* Angle of the vector (x, y), in [-pi, pi].
  * x and y finite. Error at most 2 units in the last place; signs of zeros as in C, atan2(0, 0) = 0. */
-BENCH8_CODE
-static bench8_real bench8_atan2(bench8_real y, bench8_real x)
+BENCH8_CODE static bench8_real bench8_atan2(bench8_real y, bench8_real x)
 {
     const bench8_real x_size = (x < 0.0) ? -x : x;
     const bench8_real y_size = (y < 0.0) ? -y : y;
@@ -214,26 +205,23 @@ static bench8_real bench8_atan2(bench8_real y, bench8_real x)
 }
 
 /* Removes k turns, phi - k 2 pi, with 2 pi in three parts: the product with the first is exact. */
-BENCH8_CODE
-static bench8_real bench8_unwound(bench8_real phi, bench8_real k)
+BENCH8_CODE static bench8_real bench8_unwound(bench8_real phi, bench8_real k)
 {
     return phi - k * 6.283185303211212 - k * 3.968374318722146e-9 - k * 1.5782216666252822e-23;
 }
 
 /* The angle wrapped to within half a turn of zero.
  * |phi| <= 1e+07: beyond this the result is meaningless, but the call is safe. */
-BENCH8_CODE
-static bench8_real bench8_wrapped(bench8_real phi)
+BENCH8_CODE static bench8_real bench8_wrapped(bench8_real phi)
 {
-    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits of the
-     * sum. */
+    /* k = phi / (2 pi), rounded: adding the large constant leaves the integer k in the last bits. */
     const bench8_real k = phi * 0.15915494309189535 + 6755399441055744.0 - 6755399441055744.0;  /* turns */
     return bench8_unwound(phi, k);
 }
 
 /* Are all values finite, and none larger in magnitude than the limit? A NaN fails every comparison. */
-BENCH8_CODE BENCH8_APART
-static bench8_status bench8_within(const bench8_real values[], int count, bench8_real limit)
+BENCH8_CODE BENCH8_APART static bench8_status bench8_within(
+    const bench8_real values[], int count, bench8_real limit)
 {
     for (int i = 0; i < count; ++i) {
         if (!(values[i] >= -limit && values[i] <= limit)) {
@@ -244,37 +232,9 @@ static bench8_status bench8_within(const bench8_real values[], int count, bench8
     return BENCH8_OK;
 }
 
-/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
-BENCH8_CODE
-static bench8_status bench8_check_state(const bench8_state *x)
+/* Looks at a state number by number, where sums of squares do not show that it is within its limits. */
+BENCH8_CODE BENCH8_APART static bench8_status bench8_check_each(const bench8_state *x)
 {
-    {
-        bench8_real position2, velocity2, speed2, phase2;
-        position2 = 0.0;
-        velocity2 = 0.0;
-        speed2 = 0.0;
-        phase2 = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            const bench8_real position = x->position[i];
-            position2 += position * position;
-            const bench8_real velocity = x->V[i];
-            velocity2 += velocity * velocity;
-            const bench8_real speed = x->V[i + 3];
-            speed2 += speed * speed;
-        }
-        for (int s = 0; s < BENCH8_N; ++s) {
-            const bench8_real phase = x->phi[s];
-            phase2 += phase * phase;
-            const bench8_real speed = x->phi_dot[s];
-            speed2 += speed * speed;
-        }
-        const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < BENCH8_MAX_POSITION * BENCH8_MAX_POSITION
-            && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
-            && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED
-            && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE) { return BENCH8_OK; }
-    }
     bench8_status status = bench8_within(x->position, 3, BENCH8_MAX_POSITION);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(x->attitude, 4, 2.0);
@@ -289,68 +249,80 @@ static bench8_status bench8_check_state(const bench8_state *x)
     if (status != BENCH8_OK) { return status; }
     const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return BENCH8_RANGE; }
+    if (!(norm2 >= BENCH8_MIN_NORM2 && norm2 <= BENCH8_MAX_NORM2)) { return BENCH8_RANGE; }
     return BENCH8_OK;
 }
 
-/* The same of a state, and then: are values of the flywheels within a limit? */
-BENCH8_CODE
-static bench8_status bench8_check_motion(const bench8_state *x, const bench8_real values[BENCH8_N],
-                                         bench8_real limit)
+/* Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length? */
+BENCH8_CODE static bench8_status bench8_check_state(const bench8_state *x)
 {
-    {
-        bench8_real position2, velocity2, speed2, phase2, given2;
-        position2 = 0.0;
-        velocity2 = 0.0;
-        speed2 = 0.0;
-        phase2 = 0.0;
-        given2 = 0.0;
-        for (int i = 0; i < 3; ++i) {
-            const bench8_real position = x->position[i];
-            position2 += position * position;
-            const bench8_real velocity = x->V[i];
-            velocity2 += velocity * velocity;
-            const bench8_real speed = x->V[i + 3];
-            speed2 += speed * speed;
-        }
-        for (int s = 0; s < BENCH8_N; ++s) {
-            const bench8_real phase = x->phi[s];
-            phase2 += phase * phase;
-            const bench8_real given = values[s];
-            given2 += given * given;
-            const bench8_real speed = x->phi_dot[s];
-            speed2 += speed * speed;
-        }
-        const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
-            + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-        if (norm2 >= 0.998001 && norm2 <= 1.002001 && position2 < BENCH8_MAX_POSITION * BENCH8_MAX_POSITION
-            && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
-            && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE
-            && given2 < limit * limit) { return BENCH8_OK; }
+    bench8_real position2 = 0.0;
+    bench8_real velocity2 = 0.0;
+    bench8_real speed2 = 0.0;
+    bench8_real phase2 = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const bench8_real position = x->position[i];
+        position2 += position * position;
+        const bench8_real velocity = x->V[i];
+        velocity2 += velocity * velocity;
+        const bench8_real speed = x->V[i + 3];
+        speed2 += speed * speed;
     }
-    bench8_status status = bench8_within(x->position, 3, BENCH8_MAX_POSITION);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(x->attitude, 4, 2.0);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(x->V, 6, BENCH8_MAX_SPEED);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(x->V, 3, BENCH8_MAX_VELOCITY);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(x->phi, BENCH8_N, BENCH8_MAX_PHASE);
-    if (status != BENCH8_OK) { return status; }
-    status = bench8_within(x->phi_dot, BENCH8_N, BENCH8_MAX_SPEED);
-    if (status != BENCH8_OK) { return status; }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real phase = x->phi[s];
+        phase2 += phase * phase;
+        const bench8_real speed = x->phi_dot[s];
+        speed2 += speed * speed;
+    }
     const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
-    if (!(norm2 >= 0.998001 && norm2 <= 1.002001)) { return BENCH8_RANGE; }
-    status = bench8_within(values, BENCH8_N, limit);
+    if (norm2 >= BENCH8_MIN_NORM2 && norm2 <= BENCH8_MAX_NORM2
+        && position2 < BENCH8_MAX_POSITION * BENCH8_MAX_POSITION
+        && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
+        && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED
+        && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE) { return BENCH8_OK; }
+    return bench8_check_each(x);
+}
+
+/* Is the state as check_state demands, and are values of the flywheels within a limit? */
+BENCH8_CODE static bench8_status bench8_check_motion(
+    const bench8_state *x, const bench8_real values[BENCH8_N], bench8_real limit)
+{
+    bench8_real position2 = 0.0;
+    bench8_real velocity2 = 0.0;
+    bench8_real speed2 = 0.0;
+    bench8_real phase2 = 0.0;
+    bench8_real value2 = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        const bench8_real position = x->position[i];
+        position2 += position * position;
+        const bench8_real velocity = x->V[i];
+        velocity2 += velocity * velocity;
+        const bench8_real speed = x->V[i + 3];
+        speed2 += speed * speed;
+    }
+    for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_real phase = x->phi[s];
+        phase2 += phase * phase;
+        const bench8_real value = values[s];
+        value2 += value * value;
+        const bench8_real speed = x->phi_dot[s];
+        speed2 += speed * speed;
+    }
+    const bench8_real norm2 = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
+        + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
+    if (norm2 >= BENCH8_MIN_NORM2 && norm2 <= BENCH8_MAX_NORM2
+        && position2 < BENCH8_MAX_POSITION * BENCH8_MAX_POSITION
+        && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
+        && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE
+        && value2 < limit * limit) { return BENCH8_OK; }
+    bench8_status status = bench8_check_each(x);
     if (status != BENCH8_OK) { return status; }
-    return BENCH8_OK;
+    return bench8_within(values, BENCH8_N, limit);
 }
 
 /* Rotation matrix of a quaternion of any length: no square root is needed. */
-BENCH8_CODE
-static void bench8_rotation(const bench8_real q[4], bench8_real *restrict C /* [9] */)
+BENCH8_CODE static void bench8_rotation(const bench8_real q[4], bench8_real *restrict C /* [9] */)
 {
     const bench8_real k = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     C[0] = 1.0 + k * (-(q[2] * q[2]) - q[3] * q[3]);
@@ -365,9 +337,8 @@ static void bench8_rotation(const bench8_real q[4], bench8_real *restrict C /* [
 }
 
 /* C^T a: components from the outer axes to the rotated axes. */
-BENCH8_CODE
-static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3],
-                               bench8_real *restrict out /* [3] */)
+BENCH8_CODE static void bench8_rotate_back(
+    const bench8_real C[9], const bench8_real a[3], bench8_real *restrict out /* [3] */)
 {
     out[0] = C[0] * a[0] + C[3] * a[1] + C[6] * a[2];
     out[1] = C[1] * a[0] + C[4] * a[1] + C[7] * a[2];
@@ -377,13 +348,12 @@ static void bench8_rotate_back(const bench8_real C[9], const bench8_real a[3],
 /* Sines and cosines of all phases.
  * |x| <= 1e+07, which the caller checks. Error at most 1 unit in the last place
  * for |x| <= 8 pi, and 1e-16 absolute beyond. Other x give meaningless results, but the call is safe. */
-BENCH8_CODE
-static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real *restrict sine /* [BENCH8_N] */,
-                               bench8_real *restrict cosine /* [BENCH8_N] */)
+BENCH8_CODE static void bench8_sincos_each(
+    const bench8_real x[BENCH8_N], bench8_real *restrict sine /* [BENCH8_N] */,
+    bench8_real *restrict cosine /* [BENCH8_N] */)
 {
     for (int s = 0; s < BENCH8_N; ++s) {
-        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits of the
-         * sum. */
+        /* k = x/(pi/2), rounded: adding the large constant leaves the integer k in the last bits. */
         const bench8_real shifted = x[s] * 0.6366197723675814 + 6755399441055744.0;
         const bench8_word quadrant = bench8_bits_of(shifted);  /* mod 4: its last two bits */
         const bench8_real k = shifted - 6755399441055744.0;
@@ -419,10 +389,9 @@ static void bench8_sincos_each(const bench8_real x[BENCH8_N], bench8_real *restr
 }
 
 /* First moment and inertia of all bodies, and their rates in E1; w = phi_dot, (2), (6). */
-BENCH8_CODE
-static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BENCH8_N],
-                            const bench8_real cosine[BENCH8_N], const bench8_real phi_dot[BENCH8_N],
-                            bench8_sums *restrict sum)
+BENCH8_CODE static void bench8_sum_mass(
+    const bench8_table *table, const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
+    const bench8_real phi_dot[BENCH8_N], bench8_sums *restrict sum)
 {
     sum->J[0] = table->inertia[0];  sum->J[1] = table->inertia[1];  sum->J[2] = table->inertia[2];
     sum->J[3] = table->inertia[3];  sum->J[4] = table->inertia[4];  sum->J[5] = table->inertia[5];
@@ -433,6 +402,7 @@ static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BE
     sum->mu[2] = table->first_moment[2];
     sum->mu_dot[0] = 0.0;  sum->mu_dot[1] = 0.0;  sum->mu_dot[2] = 0.0;
     for (int k = 0; k < BENCH8_N; ++k) {
+        const bench8_row *row = &table->flywheel[k];
         const bench8_real s = sine[k];
         const bench8_real c = cosine[k];
         const bench8_real w = phi_dot[k];
@@ -443,52 +413,39 @@ static void bench8_sum_mass(const bench8_table *table, const bench8_real sine[BE
         const bench8_real dc2 = -2.0 * w * s2;
         const bench8_real ds2 = 2.0 * w * c2;
         /* inertia */
-        sum->J[0] += table->flywheel[k].J_2c[0] * c2 + table->flywheel[k].J_2s[0] * s2
-            + table->flywheel[k].J_c[0] * c + table->flywheel[k].J_s[0] * s;
-        sum->J[1] += table->flywheel[k].J_2c[1] * c2 + table->flywheel[k].J_2s[1] * s2
-            + table->flywheel[k].J_c[1] * c + table->flywheel[k].J_s[1] * s;
-        sum->J[2] += table->flywheel[k].J_2c[2] * c2 + table->flywheel[k].J_2s[2] * s2
-            + table->flywheel[k].J_c[2] * c + table->flywheel[k].J_s[2] * s;
-        sum->J[3] += table->flywheel[k].J_2c[3] * c2 + table->flywheel[k].J_2s[3] * s2
-            + table->flywheel[k].J_c[3] * c + table->flywheel[k].J_s[3] * s;
-        sum->J[4] += table->flywheel[k].J_2c[4] * c2 + table->flywheel[k].J_2s[4] * s2
-            + table->flywheel[k].J_c[4] * c + table->flywheel[k].J_s[4] * s;
-        sum->J[5] += table->flywheel[k].J_2c[5] * c2 + table->flywheel[k].J_2s[5] * s2
-            + table->flywheel[k].J_c[5] * c + table->flywheel[k].J_s[5] * s;
+        sum->J[0] += row->J_2c[0] * c2 + row->J_2s[0] * s2 + row->J_c[0] * c + row->J_s[0] * s;
+        sum->J[1] += row->J_2c[1] * c2 + row->J_2s[1] * s2 + row->J_c[1] * c + row->J_s[1] * s;
+        sum->J[2] += row->J_2c[2] * c2 + row->J_2s[2] * s2 + row->J_c[2] * c + row->J_s[2] * s;
+        sum->J[3] += row->J_2c[3] * c2 + row->J_2s[3] * s2 + row->J_c[3] * c + row->J_s[3] * s;
+        sum->J[4] += row->J_2c[4] * c2 + row->J_2s[4] * s2 + row->J_c[4] * c + row->J_s[4] * s;
+        sum->J[5] += row->J_2c[5] * c2 + row->J_2s[5] * s2 + row->J_c[5] * c + row->J_s[5] * s;
         /* its rate: K_dot of (6) */
-        sum->J_dot[0] += table->flywheel[k].J_2c[0] * dc2 + table->flywheel[k].J_2s[0] * ds2
-            + table->flywheel[k].J_c[0] * dc + table->flywheel[k].J_s[0] * ds;
-        sum->J_dot[1] += table->flywheel[k].J_2c[1] * dc2 + table->flywheel[k].J_2s[1] * ds2
-            + table->flywheel[k].J_c[1] * dc + table->flywheel[k].J_s[1] * ds;
-        sum->J_dot[2] += table->flywheel[k].J_2c[2] * dc2 + table->flywheel[k].J_2s[2] * ds2
-            + table->flywheel[k].J_c[2] * dc + table->flywheel[k].J_s[2] * ds;
-        sum->J_dot[3] += table->flywheel[k].J_2c[3] * dc2 + table->flywheel[k].J_2s[3] * ds2
-            + table->flywheel[k].J_c[3] * dc + table->flywheel[k].J_s[3] * ds;
-        sum->J_dot[4] += table->flywheel[k].J_2c[4] * dc2 + table->flywheel[k].J_2s[4] * ds2
-            + table->flywheel[k].J_c[4] * dc + table->flywheel[k].J_s[4] * ds;
-        sum->J_dot[5] += table->flywheel[k].J_2c[5] * dc2 + table->flywheel[k].J_2s[5] * ds2
-            + table->flywheel[k].J_c[5] * dc + table->flywheel[k].J_s[5] * ds;
+        sum->J_dot[0] += row->J_2c[0] * dc2 + row->J_2s[0] * ds2 + row->J_c[0] * dc + row->J_s[0] * ds;
+        sum->J_dot[1] += row->J_2c[1] * dc2 + row->J_2s[1] * ds2 + row->J_c[1] * dc + row->J_s[1] * ds;
+        sum->J_dot[2] += row->J_2c[2] * dc2 + row->J_2s[2] * ds2 + row->J_c[2] * dc + row->J_s[2] * ds;
+        sum->J_dot[3] += row->J_2c[3] * dc2 + row->J_2s[3] * ds2 + row->J_c[3] * dc + row->J_s[3] * ds;
+        sum->J_dot[4] += row->J_2c[4] * dc2 + row->J_2s[4] * ds2 + row->J_c[4] * dc + row->J_s[4] * ds;
+        sum->J_dot[5] += row->J_2c[5] * dc2 + row->J_2s[5] * ds2 + row->J_c[5] * dc + row->J_s[5] * ds;
         /* first moment and its rate */
-        sum->mu[0] += table->flywheel[k].mu_c[0] * c + table->flywheel[k].mu_s[0] * s;
-        sum->mu[1] += table->flywheel[k].mu_c[1] * c + table->flywheel[k].mu_s[1] * s;
-        sum->mu[2] += table->flywheel[k].mu_c[2] * c + table->flywheel[k].mu_s[2] * s;
-        sum->mu_dot[0] += table->flywheel[k].mu_c[0] * dc + table->flywheel[k].mu_s[0] * ds;
-        sum->mu_dot[1] += table->flywheel[k].mu_c[1] * dc + table->flywheel[k].mu_s[1] * ds;
-        sum->mu_dot[2] += table->flywheel[k].mu_c[2] * dc + table->flywheel[k].mu_s[2] * ds;
+        sum->mu[0] += row->mu_c[0] * c + row->mu_s[0] * s;
+        sum->mu[1] += row->mu_c[1] * c + row->mu_s[1] * s;
+        sum->mu[2] += row->mu_c[2] * c + row->mu_s[2] * s;
+        sum->mu_dot[0] += row->mu_c[0] * dc + row->mu_s[0] * ds;
+        sum->mu_dot[1] += row->mu_c[1] * dc + row->mu_s[1] * ds;
+        sum->mu_dot[2] += row->mu_c[2] * dc + row->mu_s[2] * ds;
     }
 }
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi_dot is constant, (2), (5). */
-BENCH8_CODE
-static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
-                                                 const bench8_real cosine[BENCH8_N],
-                                                 const bench8_real phi_dot[BENCH8_N],
-                                                 bench8_sums *restrict sum)
+BENCH8_CODE static BENCH8_COPIED void bench8_sum_steady_spin(
+    const bench8_table *table, const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
+    const bench8_real phi_dot[BENCH8_N], bench8_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
     for (int k = 0; k < BENCH8_N; ++k) {
+        const bench8_row *row = &table->flywheel[k];
         const bench8_real s = sine[k];
         const bench8_real c = cosine[k];
         const bench8_real w = phi_dot[k];
@@ -497,33 +454,29 @@ static BENCH8_COPIED void bench8_sum_steady_spin(const bench8_table *table, cons
         const bench8_real ddc = -w * ds;  /* second time derivatives */
         const bench8_real dds = w * dc;
         /* I phi_ddot + Ls [<e>] Theta f phi_dot^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
+        sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
+        sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
         /* moment part of I phi_dot (its force part is mu_dot) */
-        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
-            - table->flywheel[k].t_s[0] * dc;
-        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
-            - table->flywheel[k].t_s[1] * dc;
-        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
-            - table->flywheel[k].t_s[2] * dc;
-        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds - table->flywheel[k].t_s[0] * ddc;
-        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds - table->flywheel[k].t_s[1] * ddc;
-        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds - table->flywheel[k].t_s[2] * ddc;
+        sum->h_rel[0] += row->t_c[0] * ds + w * row->t_0[0] - row->t_s[0] * dc;
+        sum->h_rel[1] += row->t_c[1] * ds + w * row->t_0[1] - row->t_s[1] * dc;
+        sum->h_rel[2] += row->t_c[2] * ds + w * row->t_0[2] - row->t_s[2] * dc;
+        sum->g_rel[0] += row->t_c[0] * dds - row->t_s[0] * ddc;
+        sum->g_rel[1] += row->t_c[1] * dds - row->t_s[1] * ddc;
+        sum->g_rel[2] += row->t_c[2] * dds - row->t_s[2] * ddc;
     }
 }
 
 /* Terms of the flywheels' turning in momentum and forces; w = phi_dot, a = phi_ddot, (2), (5). */
-BENCH8_CODE
-static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench8_real sine[BENCH8_N],
-                                          const bench8_real cosine[BENCH8_N],
-                                          const bench8_real phi_dot[BENCH8_N],
-                                          const bench8_real phi_ddot[BENCH8_N], bench8_sums *restrict sum)
+BENCH8_CODE static BENCH8_COPIED void bench8_sum_spin(
+    const bench8_table *table, const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
+    const bench8_real phi_dot[BENCH8_N], const bench8_real phi_ddot[BENCH8_N], bench8_sums *restrict sum)
 {
     sum->h_rel[0] = 0.0;  sum->h_rel[1] = 0.0;  sum->h_rel[2] = 0.0;
     sum->g_rel[0] = 0.0;  sum->g_rel[1] = 0.0;  sum->g_rel[2] = 0.0;
     sum->a_rel[0] = 0.0;  sum->a_rel[1] = 0.0;  sum->a_rel[2] = 0.0;
     for (int k = 0; k < BENCH8_N; ++k) {
+        const bench8_row *row = &table->flywheel[k];
         const bench8_real s = sine[k];
         const bench8_real c = cosine[k];
         const bench8_real w = phi_dot[k];
@@ -533,35 +486,28 @@ static BENCH8_COPIED void bench8_sum_spin(const bench8_table *table, const bench
         const bench8_real ddc = -w * ds - a * s;  /* second time derivatives */
         const bench8_real dds = a * c + w * dc;
         /* moment part of I phi_dot (its force part is mu_dot) */
-        sum->h_rel[0] += table->flywheel[k].t_c[0] * ds + w * table->flywheel[k].t_0[0]
-            - table->flywheel[k].t_s[0] * dc;
-        sum->h_rel[1] += table->flywheel[k].t_c[1] * ds + w * table->flywheel[k].t_0[1]
-            - table->flywheel[k].t_s[1] * dc;
-        sum->h_rel[2] += table->flywheel[k].t_c[2] * ds + w * table->flywheel[k].t_0[2]
-            - table->flywheel[k].t_s[2] * dc;
-        sum->g_rel[0] += table->flywheel[k].t_c[0] * dds + a * table->flywheel[k].t_0[0]
-            - table->flywheel[k].t_s[0] * ddc;
-        sum->g_rel[1] += table->flywheel[k].t_c[1] * dds + a * table->flywheel[k].t_0[1]
-            - table->flywheel[k].t_s[1] * ddc;
-        sum->g_rel[2] += table->flywheel[k].t_c[2] * dds + a * table->flywheel[k].t_0[2]
-            - table->flywheel[k].t_s[2] * ddc;
+        sum->h_rel[0] += row->t_c[0] * ds + w * row->t_0[0] - row->t_s[0] * dc;
+        sum->h_rel[1] += row->t_c[1] * ds + w * row->t_0[1] - row->t_s[1] * dc;
+        sum->h_rel[2] += row->t_c[2] * ds + w * row->t_0[2] - row->t_s[2] * dc;
+        sum->g_rel[0] += row->t_c[0] * dds + a * row->t_0[0] - row->t_s[0] * ddc;
+        sum->g_rel[1] += row->t_c[1] * dds + a * row->t_0[1] - row->t_s[1] * ddc;
+        sum->g_rel[2] += row->t_c[2] * dds + a * row->t_0[2] - row->t_s[2] * ddc;
         /* I phi_ddot + Ls [<e>] Theta f phi_dot^2, the last two sums of (5) */
-        sum->a_rel[0] += table->flywheel[k].mu_c[0] * ddc + table->flywheel[k].mu_s[0] * dds;
-        sum->a_rel[1] += table->flywheel[k].mu_c[1] * ddc + table->flywheel[k].mu_s[1] * dds;
-        sum->a_rel[2] += table->flywheel[k].mu_c[2] * ddc + table->flywheel[k].mu_s[2] * dds;
+        sum->a_rel[0] += row->mu_c[0] * ddc + row->mu_s[0] * dds;
+        sum->a_rel[1] += row->mu_c[1] * ddc + row->mu_s[1] * dds;
+        sum->a_rel[2] += row->mu_c[2] * ddc + row->mu_s[2] * dds;
     }
 }
 
 /* Rotation vector of a quaternion of about unit length; its length is at most pi. */
-BENCH8_CODE
-static void bench8_rotation_vector(const bench8_real q[4], bench8_real *restrict r /* [3] */)
+BENCH8_CODE static void bench8_rotation_vector(const bench8_real q[4], bench8_real *restrict r /* [3] */)
 {
     /* q and -q are the same rotation: take the one of the smaller angle */
     const bench8_real side = (q[0] < 0.0) ? -1.0 : 1.0;
     const bench8_real square = q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
     bench8_real ratio;  /* rotation angle, then divided by the length of the vector part */
     bench8_real divisor;
-    if (square > 1.0e-30) {
+    if (square > BENCH8_EPS_SQUARE) {
         divisor = bench8_sqrt(square);
         ratio = 2.0 * bench8_atan2(divisor, side * q[0]);
     } else {
@@ -573,11 +519,11 @@ static void bench8_rotation_vector(const bench8_real q[4], bench8_real *restrict
     r[0] = side * ratio * q[1];  r[1] = side * ratio * q[2];  r[2] = side * ratio * q[3];
 }
 
-/* Adds the suspension: -(stiffness x + damping V), x = (C^T (O1 - position), rotation vector of C_eq^T C),
+/* Adds the suspension: -(stiffness x + damping V), x: C^T (O1 - position), rotation vector of C_eq^T C,
  * (7). */
-BENCH8_CODE
-static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, const bench8_real C[9],
-                           bench8_real *restrict F /* [6] */)
+BENCH8_CODE static void bench8_suspend(
+    const bench8_suspension *law, const bench8_state *x, const bench8_real C[9],
+    bench8_real *restrict F /* [6] */)
 {
     bench8_real shift[3];
     bench8_real shift1[3];  /* C^T (O1 - position) */
@@ -606,10 +552,9 @@ static void bench8_suspend(const bench8_suspension *law, const bench8_state *x, 
 }
 
 /* Total external wrench of weight, suspension, from checked inputs, (7). */
-BENCH8_CODE
-static void bench8_external(const bench8_table *table, const bench8_state *x, const bench8_sums *sum,
-                            const bench8_real C[9], const bench8_real g[3],
-                            bench8_real *restrict F /* [6] */)
+BENCH8_CODE static void bench8_external(
+    const bench8_table *table, const bench8_state *x, const bench8_sums *sum, const bench8_real C[9],
+    const bench8_real g[3], bench8_real *restrict F /* [6] */)
 {
     F[0] = 0.0;  F[1] = 0.0;  F[2] = 0.0;
     F[3] = 0.0;  F[4] = 0.0;  F[5] = 0.0;
@@ -622,9 +567,9 @@ static void bench8_external(const bench8_table *table, const bench8_state *x, co
 }
 
 /* Momentum screw Z = K V + sum I phi_dot of the sums, (2). */
-BENCH8_CODE
-static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
-                                  bench8_real *restrict Z /* [6] */)
+BENCH8_CODE static void bench8_momentum_screw(
+    const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
+    bench8_real *restrict Z /* [6] */)
 {
     Z[0] = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
     Z[1] = table->mass * V[1] + sum->mu[0] * V[5] + sum->mu_dot[1] - sum->mu[2] * V[3];
@@ -638,9 +583,9 @@ static void bench8_momentum_screw(const bench8_table *table, const bench8_sums *
 }
 
 /* Turns F into the right-hand side of (8): F - Phi Z - K_dot V - the flywheels' terms, (2), (4), (5). */
-BENCH8_CODE
-static void bench8_subtract_rates(const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
-                                  bench8_real *restrict F /* [6] */)
+BENCH8_CODE static void bench8_subtract_rates(
+    const bench8_table *table, const bench8_sums *sum, const bench8_real V[6],
+    bench8_real *restrict F /* [6] */)
 {
     /* momentum screw Z = K V + sum I phi_dot */
     const bench8_real Z1 = table->mass * V[0] + sum->mu[2] * V[4] + sum->mu_dot[0] - sum->mu[1] * V[5];
@@ -664,20 +609,19 @@ static void bench8_subtract_rates(const bench8_table *table, const bench8_sums *
 }
 
 /* Factors a symmetric positive definite 3x3 matrix: S = L D L^T. */
-BENCH8_CODE
-static inline bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *restrict L)
+BENCH8_CODE static inline bench8_status bench8_factor3(const bench8_real S[6], bench8_factors3 *restrict L)
 {
-    if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(S[0] >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r1 = 1.0 / S[0];
     const bench8_real l21 = S[3] * r1;
     const bench8_real l31 = S[4] * r1;
     const bench8_real d2 = S[1] - l21 * S[3];
-    if (!(d2 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(d2 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r2 = 1.0 / d2;
     const bench8_real p32 = S[5] - l31 * S[3];
     const bench8_real l32 = p32 * r2;
     const bench8_real d3 = S[2] - l31 * S[4] - l32 * p32;
-    if (!(d3 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(d3 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     L->r1 = r1;
     L->r2 = r2;
     L->d3 = d3;
@@ -688,9 +632,8 @@ static inline bench8_status bench8_factor3(const bench8_real S[6], bench8_factor
 }
 
 /* Solves S y = b by S = L D L^T. */
-BENCH8_CODE
-static inline void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3],
-                                 bench8_real *restrict y /* [3] */)
+BENCH8_CODE static inline void bench8_solve3(
+    const bench8_factors3 *L, const bench8_real b[3], bench8_real *restrict y /* [3] */)
 {
     /* L z = b, then L^T y = D^-1 z */
     const bench8_real z2 = b[1] - L->l21 * b[0];
@@ -701,9 +644,8 @@ static inline void bench8_solve3(const bench8_factors3 *L, const bench8_real b[3
 }
 
 /* Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them, (8). */
-BENCH8_CODE
-static bench8_status bench8_solve_carrier_once(const bench8_table *table, const bench8_sums *sum,
-                                               const bench8_real F[6], bench8_real y[6])
+BENCH8_CODE static bench8_status bench8_solve_carrier_once(
+    const bench8_table *table, const bench8_sums *sum, const bench8_real F[6], bench8_real y[6])
 {
     bench8_real rho[3];  /* mass centre from O1, in E1 */
     rho[0] = table->mass_inverse * sum->mu[0];
@@ -716,17 +658,17 @@ static bench8_status bench8_solve_carrier_once(const bench8_table *table, const 
     S[3] = sum->J[3] + sum->mu[1] * rho[0];
     S[4] = sum->J[4] + sum->mu[2] * rho[0];
     S[5] = sum->J[5] + sum->mu[2] * rho[1];
-    if (!(S[0] >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(S[0] >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r1 = 1.0 / S[0];
     const bench8_real l21 = S[3] * r1;
     const bench8_real l31 = S[4] * r1;
     const bench8_real d2 = S[1] - l21 * S[3];
-    if (!(d2 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(d2 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r2 = 1.0 / d2;
     const bench8_real p32 = S[5] - l31 * S[3];
     const bench8_real l32 = p32 * r2;
     const bench8_real d3 = S[2] - l31 * S[4] - l32 * p32;
-    if (!(d3 >= 2.2250738585072014e-308)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(d3 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     bench8_real moment[3];  /* about the mass centre */
     moment[0] = F[1] * rho[2] + F[3] - F[2] * rho[1];
     moment[1] = F[2] * rho[0] + F[4] - F[0] * rho[2];
@@ -745,12 +687,10 @@ static bench8_status bench8_solve_carrier_once(const bench8_table *table, const 
 }
 
 /* K V_dot = F - M V - sum(I phi_ddot + J phi_dot) of checked inputs; written where the status is OK, (8). */
-BENCH8_CODE
-static bench8_status bench8_accelerate(const bench8_table *table, const bench8_state *x,
-                                       const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                                       const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
+BENCH8_CODE static bench8_status bench8_accelerate(
+    const bench8_table *table, const bench8_state *x, const bench8_real sine[BENCH8_N],
+    const bench8_real cosine[BENCH8_N], const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
 {
-    bench8_status status;
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
@@ -761,30 +701,25 @@ static bench8_status bench8_accelerate(const bench8_table *table, const bench8_s
     bench8_real F[6];  /* wrench (7); then the right-hand side of (8) */
     bench8_external(table, x, &sum, C, g, F);
     bench8_subtract_rates(table, &sum, x->V, F);
-    status = bench8_solve_carrier_once(table, &sum, F, V_dot);
-    if (status != BENCH8_OK) { return status; }
-    return BENCH8_OK;
+    return bench8_solve_carrier_once(table, &sum, F, V_dot);
 }
 
 /* (8) */
-BENCH8_CODE
-bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
-                             const bench8_real phi_ddot[BENCH8_N], bench8_real V_dot[6])
+BENCH8_CODE bench8_status bench8_forward(
+    const bench8_table *table, const bench8_state *x, const bench8_real phi_ddot[BENCH8_N],
+    bench8_real V_dot[6])
 {
     if (table == NULL || x == NULL || phi_ddot == NULL || V_dot == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_motion(x, phi_ddot, BENCH8_MAX_ACCELERATION);
     if (status != BENCH8_OK) { return status; }
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
-    if (status != BENCH8_OK) { return status; }
-    return BENCH8_OK;
+    return bench8_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
 }
 
 /* (1), (2) */
-BENCH8_CODE
-bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out)
+BENCH8_CODE bench8_status bench8_momentum(
+    const bench8_table *table, const bench8_state *x, bench8_momentum_result *out)
 {
     if (table == NULL || x == NULL || out == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_state(x);
@@ -792,8 +727,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_sums sum;
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
     bench8_sum_mass(table, sine, cosine, x->phi_dot, &sum);
     bench8_sum_steady_spin(table, sine, cosine, x->phi_dot, &sum);
@@ -801,19 +735,17 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
     bench8_momentum_screw(table, &sum, x->V, Z);
     bench8_real spin = 0.0;  /* sum phi_dot (I^T V + Theta_ff phi_dot) */
     for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_row *row = &table->flywheel[s];
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
         /* I_s . V */
-        const bench8_real along = (table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi)
-            * x->V[0] + (table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi) * x->V[1]
-            + (table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi) * x->V[2]
-            + (table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0]) * x->V[3]
-            + (table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1]) * x->V[4]
-            + (table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2]) * x->V[5];
-        spin += x->phi_dot[s] * (along + table->flywheel[s].spin * x->phi_dot[s]);
+        const bench8_real along = (row->mu_s[0] * c_phi - row->mu_c[0] * s_phi) * x->V[0]
+            + (row->mu_s[1] * c_phi - row->mu_c[1] * s_phi) * x->V[1]
+            + (row->mu_s[2] * c_phi - row->mu_c[2] * s_phi) * x->V[2]
+            + (row->t_c[0] * c_phi + row->t_s[0] * s_phi + row->t_0[0]) * x->V[3]
+            + (row->t_c[1] * c_phi + row->t_s[1] * s_phi + row->t_0[1]) * x->V[4]
+            + (row->t_c[2] * c_phi + row->t_s[2] * s_phi + row->t_0[2]) * x->V[5];
+        spin += x->phi_dot[s] * (along + row->spin * x->phi_dot[s]);
     }
     bench8_real energy = 0.5 * Z[3] * x->V[3] + 0.5 * Z[4] * x->V[4] + 0.5 * Z[5] * x->V[5]
         + 0.5 * Z[0] * x->V[0] + 0.5 * Z[1] * x->V[1] + 0.5 * Z[2] * x->V[2] + 0.5 * spin;
@@ -842,10 +774,9 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
 }
 
 /* Column of I of one flywheel, and its drive torque at V_dot = 0, phi_ddot = 0, (9). */
-BENCH8_CODE
-static BENCH8_COPIED void bench8_couple(const bench8_row *row, bench8_real s, bench8_real c,
-                                        const bench8_real origin_acceleration[3], const bench8_real spun[6],
-                                        bench8_coupling *restrict out)
+BENCH8_CODE static BENCH8_COPIED void bench8_couple(
+    const bench8_row *row, bench8_real s, bench8_real c, const bench8_real origin_acceleration[3],
+    const bench8_real spun[6], bench8_coupling *restrict out)
 {
     const bench8_real two_c2 = 2.0 - 4.0 * (s * s);  /* twice the cosine and sine of the double phase */
     const bench8_real two_s2 = 4.0 * c * s;
@@ -874,9 +805,9 @@ static BENCH8_COPIED void bench8_couple(const bench8_row *row, bench8_real s, be
 }
 
 /* Eliminates one free flywheel: K - I I^T / Theta_ff, F - I rate. */
-BENCH8_CODE
-static void bench8_eliminate(const bench8_real column[6], bench8_real spin_inv, bench8_real rate,
-                             bench8_schur *restrict K, bench8_real *restrict F /* [6] */)
+BENCH8_CODE static void bench8_eliminate(
+    const bench8_real column[6], bench8_real spin_inv, bench8_real rate, bench8_schur *restrict K,
+    bench8_real *restrict F /* [6] */)
 {
     bench8_real scaled[6];  /* I / Theta_ff */
     scaled[0] = column[0] * spin_inv;  scaled[1] = column[1] * spin_inv;  scaled[2] = column[2] * spin_inv;
@@ -893,11 +824,10 @@ static void bench8_eliminate(const bench8_real column[6], bench8_real spin_inv, 
 }
 
 /* Drive torques for a given motion, from checked inputs. */
-BENCH8_CODE
-static void bench8_balance(const bench8_table *table, const bench8_state *x,
-                           const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                           const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
-                           bench8_real *restrict tau /* [BENCH8_N] */)
+BENCH8_CODE static void bench8_balance(
+    const bench8_table *table, const bench8_state *x, const bench8_real sine[BENCH8_N],
+    const bench8_real cosine[BENCH8_N], const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
+    bench8_real *restrict tau /* [BENCH8_N] */)
 {
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
@@ -922,9 +852,9 @@ static void bench8_balance(const bench8_table *table, const bench8_state *x,
 }
 
 /* Drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s). */
-BENCH8_CODE
-bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
-                            const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
+BENCH8_CODE bench8_status bench8_torque(
+    const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
+    const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
 {
     if (table == NULL || x == NULL || V_dot == NULL || phi_ddot == NULL
         || tau == NULL) { return BENCH8_BAD_ARGUMENT; }
@@ -936,8 +866,7 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
     bench8_rotate_back(C, table->gravity, g);
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
     bench8_real origin_acceleration[3];  /* acceleration of O1 at V_dot = 0, minus gravity */
     origin_acceleration[0] = x->V[4] * x->V[2] - g[0] - x->V[5] * x->V[1];
@@ -959,10 +888,9 @@ bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, co
 }
 
 /* Factors [A B^T; B D], symmetric positive definite, by blocks of 3x3. */
-BENCH8_CODE
-static bench8_status bench8_factor_schur(const bench8_schur *K, bench8_schur_factor *restrict factor)
+BENCH8_CODE static bench8_status bench8_factor_schur(
+    const bench8_schur *K, bench8_schur_factor *restrict factor)
 {
-    bench8_status status;
     const bench8_real c11 = K->A[1] * K->A[2] - K->A[5] * K->A[5];
     const bench8_real c22 = K->A[0] * K->A[2] - K->A[4] * K->A[4];
     const bench8_real c33 = K->A[0] * K->A[1] - K->A[3] * K->A[3];
@@ -970,7 +898,7 @@ static bench8_status bench8_factor_schur(const bench8_schur *K, bench8_schur_fac
     const bench8_real c13 = K->A[3] * K->A[5] - K->A[1] * K->A[4];
     const bench8_real c23 = K->A[3] * K->A[4] - K->A[0] * K->A[5];
     const bench8_real det = K->A[0] * c11 + K->A[3] * c12 + K->A[4] * c13;
-    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= 2.2250738585072014e-308
+    if (!(K->A[0] > 0.0 && c33 > 0.0 && (det >= BENCH8_SMALLEST
         && det <= BENCH8_LARGEST))) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     const bench8_real r = 1.0 / det;
     factor->A_inv[0] = c11 * r;  factor->A_inv[1] = c22 * r;  factor->A_inv[2] = c33 * r;
@@ -991,15 +919,12 @@ static bench8_status bench8_factor_schur(const bench8_schur *K, bench8_schur_fac
     S[3] = K->D[3] - K->B[0] * factor->U[1] - K->B[1] * factor->U[4] - K->B[2] * factor->U[7];
     S[4] = K->D[4] - K->B[0] * factor->U[2] - K->B[1] * factor->U[5] - K->B[2] * factor->U[8];
     S[5] = K->D[5] - K->B[3] * factor->U[2] - K->B[4] * factor->U[5] - K->B[5] * factor->U[8];
-    status = bench8_factor3(S, &factor->L);
-    if (status != BENCH8_OK) { return status; }
-    return BENCH8_OK;
+    return bench8_factor3(S, &factor->L);
 }
 
 /* Solves [A B^T; B D] y = F by the factors. */
-BENCH8_CODE
-static void bench8_solve_schur(const bench8_schur_factor *factor, const bench8_real F[6],
-                               bench8_real *restrict y /* [6] */)
+BENCH8_CODE static void bench8_solve_schur(
+    const bench8_schur_factor *factor, const bench8_real F[6], bench8_real *restrict y /* [6] */)
 {
     bench8_real moment[3];  /* n - B A^-1 f */
     bench8_real omega_dot[3];
@@ -1016,17 +941,12 @@ static void bench8_solve_schur(const bench8_schur_factor *factor, const bench8_r
     y[3] = omega_dot[0];  y[4] = omega_dot[1];  y[5] = omega_dot[2];
 }
 
-/* V_dot, phi_ddot for given drive torques, from checked inputs; results are written where the status is
- * OK. */
-BENCH8_CODE
-static bench8_status bench8_solve_coupled(const bench8_table *table, const bench8_state *x,
-                                          const bench8_real sine[BENCH8_N],
-                                          const bench8_real cosine[BENCH8_N],
-                                          const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                          bench8_real *restrict V_dot /* [6] */,
-                                          bench8_real *restrict phi_ddot /* [BENCH8_N] */)
+/* V_dot, phi_ddot for given drive torques, from checked inputs; written where the status is OK. */
+BENCH8_CODE static bench8_status bench8_solve_coupled(
+    const bench8_table *table, const bench8_state *x, const bench8_real sine[BENCH8_N],
+    const bench8_real cosine[BENCH8_N], const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
+    bench8_real *restrict V_dot /* [6] */, bench8_real *restrict phi_ddot /* [BENCH8_N] */)
 {
-    bench8_status status;
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
@@ -1057,10 +977,11 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
     spun[3] = -x->V[3] * x->V[4];  spun[4] = -x->V[3] * x->V[5];  spun[5] = -x->V[4] * x->V[5];
     bench8_real rate[BENCH8_N];  /* accelerations at V_dot = 0 */
     for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_row *row = &table->flywheel[s];
         if (locked[s] == 0) {
-            bench8_couple(&table->flywheel[s], sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
-            rate[s] = (tau[s] - drive[s].bias) * table->flywheel[s].spin_inv;
-            bench8_eliminate(drive[s].I_, table->flywheel[s].spin_inv, rate[s], &K, F);
+            bench8_couple(row, sine[s], cosine[s], origin_acceleration, spun, &drive[s]);
+            rate[s] = (tau[s] - drive[s].bias) * row->spin_inv;
+            bench8_eliminate(drive[s].I_, row->spin_inv, rate[s], &K, F);
         } else {
             drive[s].I_[0] = 0.0;  drive[s].I_[1] = 0.0;  drive[s].I_[2] = 0.0;
             drive[s].I_[3] = 0.0;  drive[s].I_[4] = 0.0;  drive[s].I_[5] = 0.0;
@@ -1068,7 +989,7 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
         }
     }
     bench8_schur_factor factor;
-    status = bench8_factor_schur(&K, &factor);
+    bench8_status status = bench8_factor_schur(&K, &factor);
     if (status != BENCH8_OK) { return status; }
     bench8_solve_schur(&factor, F, V_dot);
     for (int s = 0; s < BENCH8_N; ++s) {
@@ -1083,58 +1004,39 @@ static bench8_status bench8_solve_coupled(const bench8_table *table, const bench
 }
 
 /* Motion of the whole system under drive torques: V_dot, phi_ddot together, flywheels eliminated first. */
-BENCH8_CODE
-bench8_status bench8_coupled(const bench8_table *table, const bench8_state *x,
-                             const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                             bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
+BENCH8_CODE bench8_status bench8_coupled(
+    const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
+    const int locked[BENCH8_N], bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
 {
     if (table == NULL || x == NULL || tau == NULL || V_dot == NULL
         || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
     if (locked == NULL) { locked = bench8_none_locked; }
     bench8_status status = bench8_check_motion(x, tau, BENCH8_MAX_WRENCH);
     if (status != BENCH8_OK) { return status; }
-    bench8_real V_result[6];
-    bench8_real phi_result[BENCH8_N];
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real V_result[6], phi_result[BENCH8_N], sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
     status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, V_result, phi_result);
     if (status != BENCH8_OK) { return status; }
     V_dot[0] = V_result[0];  V_dot[1] = V_result[1];  V_dot[2] = V_result[2];
     V_dot[3] = V_result[3];  V_dot[4] = V_result[4];  V_dot[5] = V_result[5];
-    for (int s = 0; s < BENCH8_N; ++s) {
-        phi_ddot[s] = phi_result[s];
-    }
+    for (int s = 0; s < BENCH8_N; ++s) { phi_ddot[s] = phi_result[s]; }
     return BENCH8_OK;
 }
 
 /* Sets to = x + h rate, after wrapping the phases to within half a turn. */
-BENCH8_CODE
-static void bench8_advance(const bench8_state *x, const bench8_state *rate, bench8_real h,
-                           bench8_state *restrict to)
+BENCH8_CODE static void bench8_advance(
+    const bench8_state *x, const bench8_state *rate, bench8_real h, bench8_state *restrict to)
 {
-    for (int i = 0; i < 3; ++i) {
-        to->position[i] = x->position[i] + h * rate->position[i];
-    }
-    for (int i = 0; i < 4; ++i) {
-        to->attitude[i] = x->attitude[i] + h * rate->attitude[i];
-    }
-    for (int i = 0; i < 6; ++i) {
-        to->V[i] = x->V[i] + h * rate->V[i];
-    }
-    for (int i = 0; i < BENCH8_N; ++i) {
-        to->phi[i] = bench8_wrapped(x->phi[i]) + h * rate->phi[i];
-    }
-    for (int i = 0; i < BENCH8_N; ++i) {
-        to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i];
-    }
+    for (int i = 0; i < 3; ++i) { to->position[i] = x->position[i] + h * rate->position[i]; }
+    for (int i = 0; i < 4; ++i) { to->attitude[i] = x->attitude[i] + h * rate->attitude[i]; }
+    for (int i = 0; i < 6; ++i) { to->V[i] = x->V[i] + h * rate->V[i]; }
+    for (int i = 0; i < BENCH8_N; ++i) { to->phi[i] = bench8_wrapped(x->phi[i]) + h * rate->phi[i]; }
+    for (int i = 0; i < BENCH8_N; ++i) { to->phi_dot[i] = x->phi_dot[i] + h * rate->phi_dot[i]; }
 }
 
 /* Normalizes the quaternion and wraps the phases to [-pi, pi]; RANGE if the state is out of range. */
-BENCH8_CODE
-static bench8_status bench8_finish(bench8_state *restrict x)
+BENCH8_CODE static bench8_status bench8_finish(bench8_state *restrict x)
 {
-    bench8_status status;
     const bench8_real square = x->attitude[0] * x->attitude[0] + x->attitude[1] * x->attitude[1]
         + x->attitude[2] * x->attitude[2] + x->attitude[3] * x->attitude[3];
     if (!(square > 0.5 && square < 2.0)) { return BENCH8_RANGE; }
@@ -1143,23 +1045,19 @@ static bench8_status bench8_finish(bench8_state *restrict x)
     x->attitude[1] = x->attitude[1] * inverse;
     x->attitude[2] = x->attitude[2] * inverse;
     x->attitude[3] = x->attitude[3] * inverse;
-    status = bench8_check_motion(x, x->phi_dot, BENCH8_MAX_SPEED);
+    bench8_status status = bench8_check_motion(x, x->phi_dot, BENCH8_MAX_SPEED);
     if (status != BENCH8_OK) { return status; }
-    for (int s = 0; s < BENCH8_N; ++s) {
-        x->phi[s] = bench8_wrapped(x->phi[s]);
-    }
+    for (int s = 0; s < BENCH8_N; ++s) { x->phi[s] = bench8_wrapped(x->phi[s]); }
     return BENCH8_OK;
 }
 
 /* Sets to = x + h rate with phases in [-pi, pi] and a quaternion of unit length, and keeps in the carry
  * what rounding takes from the sums; RANGE if the state is out of range. */
-BENCH8_CODE
-static bench8_status bench8_carry_over(const bench8_state *x, const bench8_state *rate, bench8_real h,
-                                       bench8_step_carry *restrict carry, bench8_state *restrict to)
+BENCH8_CODE static bench8_status bench8_carry_over(
+    const bench8_state *x, const bench8_state *rate, bench8_real h, bench8_step_carry *restrict carry,
+    bench8_state *restrict to)
 {
-    bench8_status status;
-    bench8_step_carry kept;  /* the new carry */
-    kept = *carry;
+    bench8_step_carry kept = *carry;  /* the new carry */
     for (int i = 0; i < 3; ++i) {
         const bench8_real step = h * rate->position[i] + kept.rounding[i];
         const bench8_real sum = x->position[i] + step;
@@ -1215,24 +1113,21 @@ static bench8_status bench8_carry_over(const bench8_state *x, const bench8_state
         kept.rounding[i + 3] = to->attitude[i] - (sum - sum_b) + (step - sum_b);
         to->attitude[i] = sum;
     }
-    status = bench8_check_motion(to, to->phi_dot, BENCH8_MAX_SPEED);
+    bench8_status status = bench8_check_motion(to, to->phi_dot, BENCH8_MAX_SPEED);
     if (status != BENCH8_OK) { return status; }
     *carry = kept;
     return BENCH8_OK;
 }
 
 /* Time derivatives of the state under drive torques. */
-BENCH8_CODE
-static bench8_status bench8_rate(const bench8_table *table, const bench8_state *x,
-                                 const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                 bench8_state *restrict rate)
+BENCH8_CODE static bench8_status bench8_rate(
+    const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
+    const int locked[BENCH8_N], bench8_state *restrict rate)
 {
-    bench8_status status;
     bench8_real C[9];  /* attitude */
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
-    status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
+    bench8_status status = bench8_solve_coupled(table, x, sine, cosine, tau, locked, rate->V, rate->phi_dot);
     if (status != BENCH8_OK) { return status; }
     bench8_rotation(x->attitude, C);
     rate->position[0] = C[0] * x->V[0] + C[1] * x->V[1] + C[2] * x->V[2];
@@ -1246,22 +1141,18 @@ static bench8_status bench8_rate(const bench8_table *table, const bench8_state *
         - 0.5 * x->V[5] * x->attitude[1];
     rate->attitude[3] = 0.5 * x->V[4] * x->attitude[1] + 0.5 * x->V[5] * x->attitude[0]
         - 0.5 * x->V[3] * x->attitude[2];
-    for (int s = 0; s < BENCH8_N; ++s) {
-        rate->phi[s] = x->phi_dot[s];
-    }
+    for (int s = 0; s < BENCH8_N; ++s) { rate->phi[s] = x->phi_dot[s]; }
     return BENCH8_OK;
 }
 
 /* Evaluations of one step: the sum of the rates at its stages. A stage without an answer is RANGE. */
-BENCH8_CODE
-static bench8_status bench8_stages(const bench8_table *table, const bench8_state *x,
-                                   const bench8_real tau[BENCH8_N], const int locked[BENCH8_N],
-                                   bench8_real h, int order, bench8_state *restrict y,
-                                   bench8_state *restrict total)
+BENCH8_CODE static bench8_status bench8_stages(
+    const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
+    const int locked[BENCH8_N], bench8_real h, int order, bench8_state *restrict y,
+    bench8_state *restrict total)
 {
-    bench8_status status;
     bench8_state k;  /* time derivatives at a stage */
-    status = bench8_rate(table, x, tau, locked, &k);
+    bench8_status status = bench8_rate(table, x, tau, locked, &k);
     if (status != BENCH8_OK) { return status; }
     const bench8_real half = 0.5 * h;
     if (order == 2) {
@@ -1273,66 +1164,35 @@ static bench8_status bench8_stages(const bench8_table *table, const bench8_state
         bench8_advance(x, &k, half, y);
         status = bench8_rate(table, y, tau, locked, &k);
         if (status != BENCH8_OK) { return BENCH8_RANGE; }
-        for (int i = 0; i < 3; ++i) {
-            total->position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total->attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total->V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
+        for (int i = 0; i < 3; ++i) { total->position[i] += 2.0 * k.position[i]; }
+        for (int i = 0; i < 4; ++i) { total->attitude[i] += 2.0 * k.attitude[i]; }
+        for (int i = 0; i < 6; ++i) { total->V[i] += 2.0 * k.V[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi[i] += 2.0 * k.phi[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi_dot[i] += 2.0 * k.phi_dot[i]; }
         bench8_advance(x, &k, half, y);
         status = bench8_rate(table, y, tau, locked, &k);
         if (status != BENCH8_OK) { return BENCH8_RANGE; }
-        for (int i = 0; i < 3; ++i) {
-            total->position[i] += 2.0 * k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total->attitude[i] += 2.0 * k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total->V[i] += 2.0 * k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi[i] += 2.0 * k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi_dot[i] += 2.0 * k.phi_dot[i];
-        }
+        for (int i = 0; i < 3; ++i) { total->position[i] += 2.0 * k.position[i]; }
+        for (int i = 0; i < 4; ++i) { total->attitude[i] += 2.0 * k.attitude[i]; }
+        for (int i = 0; i < 6; ++i) { total->V[i] += 2.0 * k.V[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi[i] += 2.0 * k.phi[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi_dot[i] += 2.0 * k.phi_dot[i]; }
         bench8_advance(x, &k, h, y);
         status = bench8_rate(table, y, tau, locked, &k);
         if (status != BENCH8_OK) { return BENCH8_RANGE; }
-        for (int i = 0; i < 3; ++i) {
-            total->position[i] += k.position[i];
-        }
-        for (int i = 0; i < 4; ++i) {
-            total->attitude[i] += k.attitude[i];
-        }
-        for (int i = 0; i < 6; ++i) {
-            total->V[i] += k.V[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi[i] += k.phi[i];
-        }
-        for (int i = 0; i < BENCH8_N; ++i) {
-            total->phi_dot[i] += k.phi_dot[i];
-        }
+        for (int i = 0; i < 3; ++i) { total->position[i] += k.position[i]; }
+        for (int i = 0; i < 4; ++i) { total->attitude[i] += k.attitude[i]; }
+        for (int i = 0; i < 6; ++i) { total->V[i] += k.V[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi[i] += k.phi[i]; }
+        for (int i = 0; i < BENCH8_N; ++i) { total->phi_dot[i] += k.phi_dot[i]; }
     }
     return BENCH8_OK;
 }
 
 /* State after one time step; drive torques and wrenches are held constant. */
-BENCH8_CODE
-bench8_status bench8_step(const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
-                          const int locked[BENCH8_N], bench8_real dt, int order, bench8_step_carry *carry,
-                          bench8_state *next)
+BENCH8_CODE bench8_status bench8_step(
+    const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
+    const int locked[BENCH8_N], bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next)
 {
     if (table == NULL || x == NULL || tau == NULL || next == NULL) { return BENCH8_BAD_ARGUMENT; }
     if (locked == NULL) { locked = bench8_none_locked; }
@@ -1373,24 +1233,19 @@ bench8_status bench8_step(const bench8_table *table, const bench8_state *x, cons
     return BENCH8_OK;
 }
 
-/* One-sided Jacobi rotations make the rows of W orthogonal: singular values without squaring the
- * condition. */
-BENCH8_CODE
-static void bench8_orthogonalise(bench8_inverse_work *restrict work)
+/* Makes the rows of W orthogonal by one-sided Jacobi rotations: the condition is not squared. */
+BENCH8_CODE static void bench8_orthogonalise(bench8_inverse_work *restrict work)
 {
     for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 6; ++j) {
-            work->U[i][j] = 0.0;
-        }
+        for (int j = 0; j < 6; ++j) { work->U[i][j] = 0.0; }
         work->U[i][i] = 1.0;
     }
     for (int sweep = 0; sweep < 9; ++sweep) {
         for (int p = 0; p < 5; ++p) {
             for (int q = p + 1; q < 6; ++q) {
-                bench8_real a, b, g;
-                a = 0.0;
-                b = 0.0;
-                g = 0.0;
+                bench8_real a = 0.0;
+                bench8_real b = 0.0;
+                bench8_real g = 0.0;
                 for (int j = 0; j < BENCH8_N; ++j) {
                     a += work->W[p][j] * work->W[p][j];
                     b += work->W[q][j] * work->W[q][j];
@@ -1427,30 +1282,23 @@ static void bench8_orthogonalise(bench8_inverse_work *restrict work)
     }
     for (int i = 0; i < 6; ++i) {
         bench8_real total = 0.0;
-        for (int j = 0; j < BENCH8_N; ++j) {
-            total += work->W[i][j] * work->W[i][j];
-        }
+        for (int j = 0; j < BENCH8_N; ++j) { total += work->W[i][j] * work->W[i][j]; }
         work->sigma[i] = bench8_sqrt(total);
     }
 }
 
 /* Cholesky factor of the mass matrix, in place: K = G G^T. */
-BENCH8_CODE
-static bench8_status bench8_factor(bench8_inverse_work *restrict work)
+BENCH8_CODE static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 {
     for (int j = 0; j < 6; ++j) {
         bench8_real pivot = work->G[j][j];
-        for (int k = 0; k < j; ++k) {
-            pivot -= work->G[j][k] * work->G[j][k];
-        }
+        for (int k = 0; k < j; ++k) { pivot -= work->G[j][k] * work->G[j][k]; }
         if (!(pivot > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
         const bench8_real root = bench8_sqrt(pivot);
         work->G[j][j] = root;
         for (int i = j + 1; i < 6; ++i) {
             bench8_real rest = work->G[i][j];
-            for (int k = 0; k < j; ++k) {
-                rest -= work->G[i][k] * work->G[j][k];
-            }
+            for (int k = 0; k < j; ++k) { rest -= work->G[i][k] * work->G[j][k]; }
             work->G[i][j] = rest / root;
         }
     }
@@ -1458,12 +1306,10 @@ static bench8_status bench8_factor(bench8_inverse_work *restrict work)
 }
 
 /* Matrix and right-hand side of (12) at a state: I, b, and both scaled to W, r, (12). */
-BENCH8_CODE
-static bench8_status bench8_demand(const bench8_table *table, const bench8_state *x,
-                                   const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                                   const bench8_real V_dot[6], bench8_inverse_work *restrict work)
+BENCH8_CODE static bench8_status bench8_demand(
+    const bench8_table *table, const bench8_state *x, const bench8_real sine[BENCH8_N],
+    const bench8_real cosine[BENCH8_N], const bench8_real V_dot[6], bench8_inverse_work *restrict work)
 {
-    bench8_status status;
     bench8_real C[9];  /* attitude */
     bench8_rotation(x->attitude, C);
     bench8_real g[3];  /* gravity in E1 */
@@ -1494,25 +1340,21 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
         work->b[i] = demanded;
         work->r[i] = demanded;
     }
-    status = bench8_factor(work);
+    bench8_status status = bench8_factor(work);
     if (status != BENCH8_OK) { return status; }
     for (int s = 0; s < BENCH8_N; ++s) {
+        const bench8_row *row = &table->flywheel[s];
         const bench8_real s_phi = sine[s];
         const bench8_real c_phi = cosine[s];
-        const bench8_real scale = table->flywheel[s].spin_root_inv;
+        const bench8_real scale = row->spin_root_inv;
         work->scale[s] = scale;
-        work->I_[0][s] = table->flywheel[s].mu_s[0] * c_phi - table->flywheel[s].mu_c[0] * s_phi;
-        work->I_[1][s] = table->flywheel[s].mu_s[1] * c_phi - table->flywheel[s].mu_c[1] * s_phi;
-        work->I_[2][s] = table->flywheel[s].mu_s[2] * c_phi - table->flywheel[s].mu_c[2] * s_phi;
-        work->I_[3][s] = table->flywheel[s].t_c[0] * c_phi + table->flywheel[s].t_s[0] * s_phi
-            + table->flywheel[s].t_0[0];
-        work->I_[4][s] = table->flywheel[s].t_c[1] * c_phi + table->flywheel[s].t_s[1] * s_phi
-            + table->flywheel[s].t_0[1];
-        work->I_[5][s] = table->flywheel[s].t_c[2] * c_phi + table->flywheel[s].t_s[2] * s_phi
-            + table->flywheel[s].t_0[2];
-        for (int i = 0; i < 6; ++i) {
-            work->W[i][s] = work->I_[i][s] * scale;
-        }
+        work->I_[0][s] = row->mu_s[0] * c_phi - row->mu_c[0] * s_phi;
+        work->I_[1][s] = row->mu_s[1] * c_phi - row->mu_c[1] * s_phi;
+        work->I_[2][s] = row->mu_s[2] * c_phi - row->mu_c[2] * s_phi;
+        work->I_[3][s] = row->t_c[0] * c_phi + row->t_s[0] * s_phi + row->t_0[0];
+        work->I_[4][s] = row->t_c[1] * c_phi + row->t_s[1] * s_phi + row->t_0[1];
+        work->I_[5][s] = row->t_c[2] * c_phi + row->t_s[2] * s_phi + row->t_0[2];
+        for (int i = 0; i < 6; ++i) { work->W[i][s] = work->I_[i][s] * scale; }
     }
     /* W = G^-1 I D^-1, r = G^-1 b: forward substitution */
     for (int i = 0; i < 6; ++i) {
@@ -1520,70 +1362,52 @@ static bench8_status bench8_demand(const bench8_table *table, const bench8_state
         bench8_real rest;
         for (int s = 0; s < BENCH8_N; ++s) {
             rest = work->W[i][s];
-            for (int k = 0; k < i; ++k) {
-                rest -= work->G[i][k] * work->W[k][s];
-            }
+            for (int k = 0; k < i; ++k) { rest -= work->G[i][k] * work->W[k][s]; }
             work->W[i][s] = rest * inverse;
         }
         rest = work->r[i];
-        for (int k = 0; k < i; ++k) {
-            rest -= work->G[i][k] * work->r[k];
-        }
+        for (int k = 0; k < i; ++k) { rest -= work->G[i][k] * work->r[k]; }
         work->r[i] = rest * inverse;
     }
     return BENCH8_OK;
 }
 
 /* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
-BENCH8_CODE
-static void bench8_solve_gram(bench8_real (*restrict gram)[6] /* [6][6] */,
-                              bench8_real *restrict z /* [6] */, bench8_real least)
+BENCH8_CODE static void bench8_solve_gram(
+    bench8_real (*restrict gram)[6] /* [6][6] */, bench8_real *restrict z /* [6] */, bench8_real least)
 {
     for (int j = 0; j < 6; ++j) {
-        for (int k = 0; k < j; ++k) {
-            gram[j][j] -= gram[j][k] * gram[j][k];
-        }
+        for (int k = 0; k < j; ++k) { gram[j][j] -= gram[j][k] * gram[j][k]; }
         const bench8_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
         gram[j][j] = bench8_sqrt(pivot);
         for (int i = j + 1; i < 6; ++i) {
-            for (int k = 0; k < j; ++k) {
-                gram[i][j] -= gram[i][k] * gram[j][k];
-            }
+            for (int k = 0; k < j; ++k) { gram[i][j] -= gram[i][k] * gram[j][k]; }
             gram[i][j] = gram[i][j] / gram[j][j];
         }
-        for (int k = 0; k < j; ++k) {
-            z[j] -= gram[j][k] * z[k];
-        }
+        for (int k = 0; k < j; ++k) { z[j] -= gram[j][k] * z[k]; }
         z[j] = z[j] / gram[j][j];
     }
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
-        for (int k = i + 1; k < 6; ++k) {
-            z[i] -= gram[k][i] * z[k];
-        }
+        for (int k = i + 1; k < 6; ++k) { z[i] -= gram[k][i] * z[k]; }
         z[i] = z[i] / gram[i][i];
     }
 }
 
-/* Distributes a demand among the flywheels: least weighted norm; what one at its limit lacks, the others
- * share, (12). */
-BENCH8_CODE
-static void bench8_allocate(const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
-                            bench8_real *restrict phi_ddot /* [BENCH8_N] */,
-                            int *restrict limited /* [BENCH8_N] */)
+/* Shares a demand among the flywheels: least weighted norm; others make up for one at its limit, (12). */
+BENCH8_CODE static void bench8_allocate(
+    const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
+    bench8_real *restrict phi_ddot /* [BENCH8_N] */, int *restrict limited /* [BENCH8_N] */)
 {
     bench8_real share[BENCH8_N];  /* 1/weight */
     bench8_real give[BENCH8_N];  /* 1/weight of a free flywheel, 0 for one held at its limit */
     bench8_real step[BENCH8_N];  /* increment of the free flywheels */
     bench8_real row[6];  /* factor of each row; 0: the row is left out */
-    bench8_real gram[6][6];
-    bench8_real z[6];
-    int going, weighted;
+    bench8_real gram[6][6], z[6];
     int settled;  /* 1 after a whole step that gains nothing and frees nobody */
-    bench8_real square_before;  /* square of the residual after the last whole step */
-    going = 1;
-    weighted = 1;
-    square_before = 1.7976931348623157e308;
+    int going = 1;
+    int weighted = 1;
+    bench8_real square_before = BENCH8_LARGEST;  /* square of the residual after the last whole step */
     /* until the end phi_ddot holds y = D phi_ddot */
     for (int s = 0; s < BENCH8_N; ++s) {
         phi_ddot[s] = 0.0;
@@ -1597,45 +1421,32 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                 give[s] = (limited[s] > 0) ? 0.0 : share[s];
                 most = (give[s] > most) ? give[s] : most;
             }
-            const bench8_real regular = 1.0e-12 * most;
-            /* lower bound that keeps the diagonal positive */
-            const bench8_real least = (most > 0.0) ? regular : 1.0;
+            const bench8_real regular = BENCH8_EPS_REGULAR * most;
+            const bench8_real least = (most > 0.0) ? regular : 1.0;  /* keeps the diagonal positive */
             for (int i = 0; i < 6; ++i) {
                 row[i] = 0.0;
-                if (i < rank) {
-                    row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]);
-                }
+                if (i < rank) { row[i] = 1.0 / ((pass < 1) ? work->sigma[i] : work->sigma[0]); }
             }
             for (int i = 0; i < 6; ++i) {
                 bench8_real left = work->r[i];
-                for (int s = 0; s < BENCH8_N; ++s) {
-                    left -= work->W[i][s] * phi_ddot[s];
-                }
+                for (int s = 0; s < BENCH8_N; ++s) { left -= work->W[i][s] * phi_ddot[s]; }
                 z[i] = row[i] * left;
             }
             bench8_real weighed[BENCH8_N];  /* a row of W Omega^-1 */
             for (int i = 0; i < 6; ++i) {
-                for (int s = 0; s < BENCH8_N; ++s) {
-                    weighed[s] = work->W[i][s] * give[s];
-                }
+                for (int s = 0; s < BENCH8_N; ++s) { weighed[s] = work->W[i][s] * give[s]; }
                 for (int j = 0; j < i + 1; ++j) {
                     bench8_real total = 0.0;
-                    for (int s = 0; s < BENCH8_N; ++s) {
-                        total += weighed[s] * work->W[j][s];
-                    }
+                    for (int s = 0; s < BENCH8_N; ++s) { total += weighed[s] * work->W[j][s]; }
                     gram[i][j] = row[i] * row[j] * total;
                 }
                 gram[i][i] += least;
             }
             bench8_solve_gram(gram, z, least);
-            for (int i = 0; i < 6; ++i) {
-                z[i] = row[i] * z[i];
-            }
+            for (int i = 0; i < 6; ++i) { z[i] = row[i] * z[i]; }
             for (int s = 0; s < BENCH8_N; ++s) {
                 bench8_real total = 0.0;
-                for (int i = 0; i < 6; ++i) {
-                    total += work->W[i][s] * z[i];
-                }
+                for (int i = 0; i < 6; ++i) { total += work->W[i][s] * z[i]; }
                 step[s] = give[s] * total;
             }
             settled = 0;
@@ -1676,17 +1487,13 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                 /* after a full step, release the held flywheel that would lower the residual most */
                 if (stopped < 0) {
                     bench8_real left[6];
-                    bench8_real wanted;
-                    bench8_real square;  /* of the residual */
-                    wanted = 0.0;
-                    square = 0.0;
+                    bench8_real wanted = 0.0;
+                    bench8_real square = 0.0;  /* of the residual */
                     for (int i = 0; i < 6; ++i) {
                         wanted += work->r[i] * work->r[i];
                         left[i] = (i < rank) ? work->r[i] : 0.0;
                         if (i < rank) {
-                            for (int s = 0; s < BENCH8_N; ++s) {
-                                left[i] -= work->W[i][s] * phi_ddot[s];
-                            }
+                            for (int s = 0; s < BENCH8_N; ++s) { left[i] -= work->W[i][s] * phi_ddot[s]; }
                         }
                         square += left[i] * left[i];
                     }
@@ -1709,25 +1516,18 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
                     }
                     if (freed >= 0) {
                         limited[freed] = 0;
-                    } else {
-                        if (!(square > best && square < square_before * 0.999999999)) {
-                            settled = 1;
-                        }
-                    }
+                    } else if (!(square > best && square < square_before * 0.999999999)) { settled = 1; }
                     square_before = square;
                 }
             }
             if (pass >= 10 && (settled > 0 || pass == 26)) {
                 going = weighted;
                 weighted = 0;
-                for (int s = 0; s < BENCH8_N; ++s) {
-                    share[s] = 1.0;
-                }
+                for (int s = 0; s < BENCH8_N; ++s) { share[s] = 1.0; }
             }
         }
     }
-    /* the product may round an answer that just reaches its limit beyond it; what overflows is refused
-     * later */
+    /* rounding may take an answer that just reaches its limit beyond it; what overflows is refused later */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real found = phi_ddot[s] * work->scale[s];
         phi_ddot[s] = found;
@@ -1739,9 +1539,8 @@ static void bench8_allocate(const bench8_inverse_work *work, const bench8_invers
 }
 
 /* Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0. */
-BENCH8_CODE
-static int bench8_motor_lacks(const bench8_inverse_options *options, int number, bench8_real tau,
-                              bench8_real speed)
+BENCH8_CODE static int bench8_motor_lacks(
+    const bench8_inverse_options *options, int number, bench8_real tau, bench8_real speed)
 {
     /* of the motor itself, which bears the friction */
     bench8_real own = tau + options->motor_viscous[number] * speed;
@@ -1753,24 +1552,18 @@ static int bench8_motor_lacks(const bench8_inverse_options *options, int number,
     }
     /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
     bench8_real share = 1.0;
-    if (own * speed > 0.0) {
-        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
-    }
+    if (own * speed > 0.0) { share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number]; }
     return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
 }
 
-/* Does a motion need more than a motor's torque, speed, or a larger phi_ddot than `most`? Of checked
- * inputs. */
-BENCH8_CODE
-static void bench8_excessive(const bench8_table *table, const bench8_state *x,
-                             const bench8_real sine[BENCH8_N], const bench8_real cosine[BENCH8_N],
-                             const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
-                             const bench8_inverse_options *options, int *restrict flags)
+/* Does a motion need more than a motor's torque or speed, or a larger phi_ddot than `most`? */
+BENCH8_CODE static void bench8_excessive(
+    const bench8_table *table, const bench8_state *x, const bench8_real sine[BENCH8_N],
+    const bench8_real cosine[BENCH8_N], const bench8_real V_dot[6], const bench8_real phi_ddot[BENCH8_N],
+    const bench8_inverse_options *options, int *restrict flags)
 {
-    int motors;  /* flywheels whose motor has a limit */
-    int found;
-    motors = 0;
-    found = 0;
+    int motors = 0;  /* flywheels whose motor has a limit */
+    int found = 0;
     for (int s = 0; s < BENCH8_N; ++s) {
         if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
             found = BENCH8_EXCESSIVE;
@@ -1783,18 +1576,16 @@ static void bench8_excessive(const bench8_table *table, const bench8_state *x,
         bench8_real tau[BENCH8_N];  /* drive torques */
         bench8_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < BENCH8_N; ++s) {
-            if (bench8_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) {
-                found = BENCH8_EXCESSIVE;
-            }
+            if (bench8_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) { found = BENCH8_EXCESSIVE; }
         }
     }
     *flags = found;
 }
 
 /* (12) */
-BENCH8_CODE
-bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
-                             const bench8_inverse_options *options, bench8_inverse_result *out)
+BENCH8_CODE bench8_status bench8_inverse(
+    const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
+    const bench8_inverse_options *options, bench8_inverse_result *out)
 {
     if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || out == NULL) { return BENCH8_BAD_ARGUMENT; }
@@ -1812,7 +1603,7 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     if (!(shares[1] >= 0.0 && shares[1] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_RANGE; }
+        if (!(options->weight[s] >= BENCH8_MIN_WEIGHT)) { return BENCH8_RANGE; }
     }
     for (int s = 0; s < BENCH8_N; ++s) {
         if (!(options->limit[s] > 0.0 || options->limit[s] <= 0.0)) { return BENCH8_NOT_FINITE; }
@@ -1835,16 +1626,12 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     bench8_inverse_work work;
     bench8_real answer[BENCH8_N];  /* phi_ddot */
     int limited[BENCH8_N];
-    bench8_real residual[6];
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real residual[6], sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
     status = bench8_demand(table, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     bench8_real wanted = 0.0;
-    for (int i = 0; i < 6; ++i) {
-        wanted += work.r[i] * work.r[i];
-    }
+    for (int i = 0; i < 6; ++i) { wanted += work.r[i] * work.r[i]; }
     bench8_orthogonalise(&work);
     /* sort the singular values in descending order, by exchanging neighbours */
     for (int pass = 0; pass < 5; ++pass) {
@@ -1866,13 +1653,11 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
             }
         }
     }
-    int flags, rank;
-    bench8_real damping;
-    flags = 0;
-    rank = 0;
-    damping = 0.0;
+    int flags = 0;
+    int rank = 0;
+    bench8_real damping = 0.0;
     for (int i = 0; i < 6; ++i) {
-        if (work.sigma[i] > 1.0e-9 * work.sigma[0]) {
+        if (work.sigma[i] > BENCH8_EPS_RANK * work.sigma[0]) {
             rank = rank + 1;
             const bench8_real ratio = work.sigma[i] / work.sigma[0];
             if (ratio < options->near_singular) {
@@ -1890,39 +1675,26 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     }
     bench8_allocate(&work, options, rank, answer, limited);
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (limited[s] > 0) {
-            flags = flags | BENCH8_LIMITED;
-        }
+        if (limited[s] > 0) { flags = flags | BENCH8_LIMITED; }
     }
-    if (rank < 6) {
-        flags = flags | BENCH8_RANK_DEFICIENT;
-    }
+    if (rank < 6) { flags = flags | BENCH8_RANK_DEFICIENT; }
     bench8_real moved[6];  /* V_dot that results: V_dot + K^-1 residual */
-    bench8_real left;
     bench8_real z[6];  /* G^-1 residual */
-    left = 0.0;
+    bench8_real left = 0.0;
     for (int i = 0; i < 6; ++i) {
         residual[i] = work.b[i];
-        for (int s = 0; s < BENCH8_N; ++s) {
-            residual[i] -= work.I_[i][s] * answer[s];
-        }
+        for (int s = 0; s < BENCH8_N; ++s) { residual[i] -= work.I_[i][s] * answer[s]; }
     }
     for (int i = 0; i < 6; ++i) {
         z[i] = residual[i];
-        for (int k = 0; k < i; ++k) {
-            z[i] -= work.G[i][k] * z[k];
-        }
+        for (int k = 0; k < i; ++k) { z[i] -= work.G[i][k] * z[k]; }
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
     }
-    if (left > 1.0e-18 * wanted) {
-        flags = flags | BENCH8_UNREACHABLE;
-    }
+    if (left > 1.0e-18 * wanted) { flags = flags | BENCH8_UNREACHABLE; }
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
-        for (int k = i + 1; k < 6; ++k) {
-            z[i] -= work.G[k][i] * z[k];
-        }
+        for (int k = i + 1; k < 6; ++k) { z[i] -= work.G[k][i] * z[k]; }
         z[i] = z[i] / work.G[i][i];
         moved[i] = V_dot[i] + z[i];
     }
@@ -1937,14 +1709,10 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
         out->phi_ddot[s] = answer[s];
         out->limited[s] = limited[s];
     }
-    for (int i = 0; i < 6; ++i) {
-        out->residual[i] = residual[i];
-    }
+    for (int i = 0; i < 6; ++i) { out->residual[i] = residual[i]; }
     /* unreachable: the demand's part in the rows left out; if no row is left out, the last row */
     bench8_real part[6];
-    for (int i = 0; i < 6; ++i) {
-        part[i] = (i < rank) ? 0.0 : work.r[i];
-    }
+    for (int i = 0; i < 6; ++i) { part[i] = (i < rank) ? 0.0 : work.r[i]; }
     bench8_real largest = 0.0;
     for (int i = 0; i < 6; ++i) {
         const bench8_real size = (part[i] < 0.0) ? -part[i] : part[i];
@@ -1963,30 +1731,23 @@ bench8_status bench8_inverse(const bench8_table *table, const bench8_state *x, c
     bench8_real u[6];  /* U part: a unit vector in the norm of K^-1; its wrench is G u */
     for (int k = 0; k < 6; ++k) {
         u[k] = 0.0;
-        for (int i = 0; i < 6; ++i) {
-            u[k] += work.U[k][i] * part[i];
-        }
+        for (int i = 0; i < 6; ++i) { u[k] += work.U[k][i] * part[i]; }
         u[k] = u[k] / length;
     }
     for (int i = 0; i < 6; ++i) {
         out->hardest[i] = 0.0;
-        for (int k = 0; k < i + 1; ++k) {
-            out->hardest[i] += work.G[i][k] * u[k];
-        }
+        for (int k = 0; k < i + 1; ++k) { out->hardest[i] += work.G[i][k] * u[k]; }
     }
     out->rank = rank;
     out->damped_by = damping;
-    for (int i = 0; i < 6; ++i) {
-        out->sigma[i] = work.sigma[i];
-    }
+    for (int i = 0; i < 6; ++i) { out->sigma[i] = work.sigma[i]; }
     return (bench8_status)flags;
 }
 
 /* (12) */
-BENCH8_CODE
-bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state *x,
-                                  const bench8_real V_dot[6], const bench8_inverse_options *options,
-                                  bench8_real phi_ddot[BENCH8_N])
+BENCH8_CODE bench8_status bench8_inverse_fast(
+    const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
+    const bench8_inverse_options *options, bench8_real phi_ddot[BENCH8_N])
 {
     if (table == NULL || x == NULL || V_dot == NULL || options == NULL
         || phi_ddot == NULL) { return BENCH8_BAD_ARGUMENT; }
@@ -2002,11 +1763,10 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     if (status != BENCH8_OK) { return status; }
     if (!(shares[0] >= 0.0 && shares[0] <= 1.0)) { return BENCH8_BAD_ARGUMENT; }
     for (int s = 0; s < BENCH8_N; ++s) {
-        if (!(options->weight[s] >= 1.0e-6)) { return BENCH8_RANGE; }
+        if (!(options->weight[s] >= BENCH8_MIN_WEIGHT)) { return BENCH8_RANGE; }
     }
     bench8_inverse_work work;
-    bench8_real sine[BENCH8_N];
-    bench8_real cosine[BENCH8_N];
+    bench8_real sine[BENCH8_N], cosine[BENCH8_N];
     bench8_sincos_each(x->phi, sine, cosine);
     status = bench8_demand(table, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
@@ -2014,31 +1774,24 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is there */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real give = 1.0 / options->weight[s];
-        for (int i = 0; i < 6; ++i) {
-            work.I_[i][s] = work.W[i][s] * give;
-        }
+        for (int i = 0; i < 6; ++i) { work.I_[i][s] = work.W[i][s] * give; }
     }
-    bench8_real gram[6][6];
-    bench8_real z[6];
+    bench8_real gram[6][6], z[6];
     bench8_real trace = 0.0;
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < i + 1; ++j) {
             bench8_real total = 0.0;
-            for (int s = 0; s < BENCH8_N; ++s) {
-                total += work.I_[i][s] * work.W[j][s];
-            }
+            for (int s = 0; s < BENCH8_N; ++s) { total += work.I_[i][s] * work.W[j][s]; }
             gram[i][j] = total;
         }
         trace += gram[i][i];
         z[i] = work.r[i];
     }
     const bench8_real lambda2 = options->damping * options->damping * trace;  /* square of the damping */
-    for (int i = 0; i < 6; ++i) {
-        gram[i][i] += lambda2;
-    }
+    for (int i = 0; i < 6; ++i) { gram[i][i] += lambda2; }
     for (int j = 0; j < 6; ++j) {
         bench8_real pivot = gram[j][j];
-        const bench8_real least = 1.0e-13 * pivot;  /* a pivot below this is rounding error */
+        const bench8_real least = BENCH8_EPS_PIVOT * pivot;  /* a pivot below this is rounding error */
         bench8_real rest = z[j];
         for (int k = 0; k < j; ++k) {
             pivot -= gram[j][k] * gram[k][j];
@@ -2049,9 +1802,7 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
         gram[j][j] = pivot;
         for (int i = j + 1; i < 6; ++i) {
             bench8_real below = gram[i][j];
-            for (int k = 0; k < j; ++k) {
-                below -= gram[i][k] * gram[k][j];
-            }
+            for (int k = 0; k < j; ++k) { below -= gram[i][k] * gram[k][j]; }
             gram[i][j] = below;
             gram[j][i] = below / pivot;
         }
@@ -2059,16 +1810,12 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
         bench8_real rest = z[i] / gram[i][i];
-        for (int k = i + 1; k < 6; ++k) {
-            rest -= gram[i][k] * z[k];
-        }
+        for (int k = i + 1; k < 6; ++k) { rest -= gram[i][k] * z[k]; }
         z[i] = rest;
     }
     for (int s = 0; s < BENCH8_N; ++s) {
         bench8_real y = 0.0;
-        for (int i = 0; i < 6; ++i) {
-            y += work.I_[i][s] * z[i];
-        }
+        for (int i = 0; i < 6; ++i) { y += work.I_[i][s] * z[i]; }
         answer[s] = y * work.scale[s];
     }
     status = bench8_within(answer, BENCH8_N, BENCH8_LARGEST);
@@ -2083,25 +1830,21 @@ bench8_status bench8_inverse_fast(const bench8_table *table, const bench8_state 
             const bench8_real needed = spin * size + options->motor_viscous[s] * ((v < 0.0) ? -v : v)
                 + options->motor_coulomb[s];
             /* at least: when driving */
-            const bench8_real has = options->motor_torque[s]
+            const bench8_real available = options->motor_torque[s]
                 * (1.0 - ((v < 0.0) ? -v : v) / options->motor_speed[s]);
-            if (!(size <= options->most[s] && needed <= has)) {
-                if (size > options->most[s] || bench8_motor_lacks(options, s, spin * answer[s], v) != 0) {
-                    flags = BENCH8_EXCESSIVE;
-                }
+            if (!(size <= options->most[s] && needed <= available)
+                && (size > options->most[s] || bench8_motor_lacks(options, s, spin * answer[s], v) != 0)) {
+                flags = BENCH8_EXCESSIVE;
             }
         }
     }
-    for (int s = 0; s < BENCH8_N; ++s) {
-        phi_ddot[s] = answer[s];
-    }
+    for (int s = 0; s < BENCH8_N; ++s) { phi_ddot[s] = answer[s]; }
     return (bench8_status)flags;
 }
 
 /* Rotation matrix whose first axis is along `axis`, the second along the part of `zero` across it. */
-BENCH8_CODE
-static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench8_real zero[3],
-                                          bench8_real *restrict R /* [9] */)
+BENCH8_CODE static bench8_status bench8_frame_of_axes(
+    const bench8_real axis[3], const bench8_real zero[3], bench8_real *restrict R /* [9] */)
 {
     bench8_status status;
     if (!(axis[0] * axis[0] + axis[1] * axis[1]
@@ -2114,14 +1857,13 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
         status = bench8_within(zero, 3, BENCH8_MAX_PARAMETER);
         if (status != BENCH8_OK) { return status; }
     }
-    bench8_real e1[3];
-    bench8_real e2[3];
+    bench8_real e1[3], e2[3];
     const bench8_real axis2 = axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2];
-    if (!(axis2 > 1.0e-30)) { return BENCH8_RANGE; }
+    if (!(axis2 > BENCH8_EPS_SQUARE)) { return BENCH8_RANGE; }
     const bench8_real axis2_root = 1.0 / bench8_sqrt(axis2);
     e1[0] = axis[0] * axis2_root;  e1[1] = axis[1] * axis2_root;  e1[2] = axis[2] * axis2_root;
     const bench8_real zero2 = zero[0] * zero[0] + zero[1] * zero[1] + zero[2] * zero[2];
-    if (!(zero2 > 1.0e-30)) { return BENCH8_RANGE; }
+    if (!(zero2 > BENCH8_EPS_SQUARE)) { return BENCH8_RANGE; }
     /* of zero along the axis */
     const bench8_real along = e1[0] * zero[0] + e1[1] * zero[1] + e1[2] * zero[2];
     bench8_real across[3];
@@ -2142,10 +1884,10 @@ static bench8_status bench8_frame_of_axes(const bench8_real axis[3], const bench
 }
 
 /* Carries one harmonic of a spatial inertia from a body's frame to E1 about O1, (2). */
-BENCH8_CODE
-static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_real J[6],
-                         const bench8_real O[3], const bench8_real R[9], bench8_real *restrict mu /* [3] */,
-                         bench8_real *restrict J1 /* [6] */, int spins, bench8_real *restrict t /* [3] */)
+BENCH8_CODE static void bench8_carry(
+    bench8_real m, const bench8_real b[3], const bench8_real J[6], const bench8_real O[3],
+    const bench8_real R[9], bench8_real *restrict mu /* [3] */, bench8_real *restrict J1 /* [6] */,
+    int spins, bench8_real *restrict t /* [3] */)
 {
     bench8_real b1[3];  /* R b */
     bench8_real RJ[9];  /* R J */
@@ -2186,10 +1928,9 @@ static void bench8_carry(bench8_real m, const bench8_real b[3], const bench8_rea
     }
 }
 
-/* Are the second moments about the centre of mass positive semidefinite? Then a body can have this
- * inertia. */
-BENCH8_CODE
-static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[3], const bench8_real J[6])
+/* Can a body have this inertia? Its second moments about the centre of mass are positive semidefinite. */
+BENCH8_CODE static bench8_status bench8_check_inertia(
+    bench8_real mass, const bench8_real c[3], const bench8_real J[6])
 {
     bench8_real size = 0.0;  /* largest element of J */
     for (int k = 0; k < 6; ++k) {
@@ -2199,9 +1940,9 @@ static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[
     const bench8_real b2 = mass * c[1];
     const bench8_real b3 = mass * c[2];
     /* P = tr(J)/2 E - J - m c c^T + t |J| E */
-    const bench8_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + 1.0e-9 * size;
-    const bench8_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + 1.0e-9 * size;
-    const bench8_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + 1.0e-9 * size;
+    const bench8_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + BENCH8_EPS_INERTIA * size;
+    const bench8_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + BENCH8_EPS_INERTIA * size;
+    const bench8_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + BENCH8_EPS_INERTIA * size;
     const bench8_real P12 = -J[3] - b1 * c[1];
     const bench8_real P13 = -J[4] - b1 * c[2];
     const bench8_real P23 = -J[5] - b2 * c[2];
@@ -2222,13 +1963,11 @@ static bench8_status bench8_check_inertia(bench8_real mass, const bench8_real c[
 }
 
 /* Are the mass properties finite and physically possible? */
-BENCH8_CODE
-static bench8_status bench8_check_body(const bench8_body *body)
+BENCH8_CODE static bench8_status bench8_check_body(const bench8_body *body)
 {
-    bench8_status status;
     bench8_real masses[1];
     masses[0] = body->mass;
-    status = bench8_within(masses, 1, BENCH8_MAX_PARAMETER);
+    bench8_status status = bench8_within(masses, 1, BENCH8_MAX_PARAMETER);
     if (status != BENCH8_OK) { return status; }
     status = bench8_within(body->center_of_mass, 3, BENCH8_MAX_PARAMETER);
     if (status != BENCH8_OK) { return status; }
@@ -2239,9 +1978,8 @@ static bench8_status bench8_check_body(const bench8_body *body)
 }
 
 /* Origin and axes (at phi = 0) of a flywheel in E1. */
-BENCH8_CODE
-static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real *restrict O /* [3] */,
-                                           bench8_real *restrict R /* [9] */)
+BENCH8_CODE static bench8_status bench8_place_flywheel(
+    const bench8_flywheel *w, bench8_real *restrict O /* [3] */, bench8_real *restrict R /* [9] */)
 {
     bench8_status status;
     if (!(w->position[0] * w->position[0] + w->position[1] * w->position[1]
@@ -2256,47 +1994,40 @@ static bench8_status bench8_place_flywheel(const bench8_flywheel *w, bench8_real
 }
 
 /* Are the parameters finite and in range, the axes nonzero, and the bodies physically possible? */
-BENCH8_CODE
-static bench8_status bench8_check_parameters(const bench8_parameters *parameters)
+BENCH8_CODE static bench8_status bench8_check_parameters(const bench8_parameters *parameters)
 {
-    bench8_status status;
-    bench8_real mass;
-    /* largest moment of inertia that products in the equations can reach; it must not overflow */
-    bench8_real size;
-    bench8_real O[3];
-    bench8_real R[9];
-    status = bench8_check_body(&parameters->carrier);
+    bench8_real O[3], R[9];
+    bench8_status status = bench8_check_body(&parameters->carrier);
     if (status != BENCH8_OK) { return status; }
-    mass = parameters->carrier.mass;
-    size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1] + parameters->carrier.inertia[2];
+    bench8_real mass = parameters->carrier.mass;
+    /* largest moment of inertia in the equations: it must not overflow */
+    bench8_real size = parameters->carrier.inertia[0] + parameters->carrier.inertia[1]
+        + parameters->carrier.inertia[2];
     for (int s = 0; s < BENCH8_N; ++s) {
-        status = bench8_check_body(&parameters->flywheel[s].body);
+        const bench8_flywheel *flywheel = &parameters->flywheel[s];
+        status = bench8_check_body(&flywheel->body);
         if (status != BENCH8_OK) { return status; }
-        if (!(parameters->flywheel[s].body.inertia[0] >= 1.0e-30)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
-        status = bench8_place_flywheel(&parameters->flywheel[s], O, R);
+        if (!(flywheel->body.inertia[0] >= BENCH8_EPS_MASS)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        status = bench8_place_flywheel(flywheel, O, R);
         if (status != BENCH8_OK) { return status; }
-        mass += parameters->flywheel[s].body.mass;
-        size += parameters->flywheel[s].body.inertia[0] + parameters->flywheel[s].body.inertia[1]
-            + parameters->flywheel[s].body.inertia[2]
-            + parameters->flywheel[s].body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
+        mass += flywheel->body.mass;
+        size += flywheel->body.inertia[0] + flywheel->body.inertia[1] + flywheel->body.inertia[2]
+            + flywheel->body.mass * (O[0] * O[0] + O[1] * O[1] + O[2] * O[2]);
     }
-    if (!(mass >= 1.0e-30)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
-    if (!(size <= 1.0e60)) { return BENCH8_RANGE; }
+    if (!(mass >= BENCH8_EPS_MASS)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+    if (!(size <= BENCH8_MAX_INERTIA)) { return BENCH8_RANGE; }
     return BENCH8_OK;
 }
 
 /* (2) */
-BENCH8_CODE
-bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table)
+BENCH8_CODE bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table)
 {
     if (parameters == NULL || table == NULL) { return BENCH8_BAD_ARGUMENT; }
     bench8_status status = bench8_check_parameters(parameters);
     if (status != BENCH8_OK) { return status; }
     /* all checks passed: from here on the table is written and nothing can fail */
-    bench8_real mass;
-    bench8_real first_moment[3];
-    bench8_real inertia[6];
-    mass = 0.0;
+    bench8_real first_moment[3], inertia[6];
+    bench8_real mass = 0.0;
     first_moment[0] = 0.0;  first_moment[1] = 0.0;  first_moment[2] = 0.0;
     inertia[0] = 0.0;  inertia[1] = 0.0;  inertia[2] = 0.0;
     inertia[3] = 0.0;  inertia[4] = 0.0;  inertia[5] = 0.0;
@@ -2304,9 +2035,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
     bench8_real O[3];  /* origin of a body in E1 */
     bench8_real R[9];  /* axes of a body in E1 */
     bench8_real b[3];  /* first moment in the body's frame */
-    bench8_real mu[3];
-    bench8_real J1[6];
-    bench8_real t[3];
+    bench8_real mu[3], J1[6], t[3];
     O[0] = 0.0;  O[1] = 0.0;  O[2] = 0.0;
     R[0] = 1.0;  R[1] = 0.0;  R[2] = 0.0;
     R[3] = 0.0;  R[4] = 1.0;  R[5] = 0.0;
@@ -2321,58 +2050,56 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
     inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
     /* flywheels: constant part to the totals, harmonics to the row */
     for (int s = 0; s < BENCH8_N; ++s) {
-        (void)bench8_place_flywheel(&parameters->flywheel[s], O, R);
-        b[0] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[0];
-        b[1] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[1];
-        b[2] = parameters->flywheel[s].body.mass * parameters->flywheel[s].body.center_of_mass[2];
+        const bench8_flywheel *flywheel = &parameters->flywheel[s];
+        bench8_row *row = &table->flywheel[s];
+        (void)bench8_place_flywheel(flywheel, O, R);
+        b[0] = flywheel->body.mass * flywheel->body.center_of_mass[0];
+        b[1] = flywheel->body.mass * flywheel->body.center_of_mass[1];
+        b[2] = flywheel->body.mass * flywheel->body.center_of_mass[2];
         bench8_real bh[3];  /* first moment of one harmonic, in mounting axes */
         bench8_real Jh[6];  /* its inertia */
         /* harmonic 0 of Theta(phi) */
         bh[0] = b[0];  bh[1] = 0.0;   bh[2] = 0.0;
-        Jh[0] = parameters->flywheel[s].body.inertia[0];
-        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
-        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[1] + parameters->flywheel[s].body.inertia[2]);
+        Jh[0] = flywheel->body.inertia[0];
+        Jh[1] = 0.5 * (flywheel->body.inertia[1] + flywheel->body.inertia[2]);
+        Jh[2] = 0.5 * (flywheel->body.inertia[1] + flywheel->body.inertia[2]);
         Jh[3] = 0.0;  Jh[4] = 0.0;  Jh[5] = 0.0;
-        bench8_carry(parameters->flywheel[s].body.mass, bh, Jh, O, R, mu, J1, 1, table->flywheel[s].t_0);
-        mass += parameters->flywheel[s].body.mass;
+        bench8_carry(flywheel->body.mass, bh, Jh, O, R, mu, J1, 1, row->t_0);
+        mass += flywheel->body.mass;
         first_moment[0] += mu[0];  first_moment[1] += mu[1];  first_moment[2] += mu[2];
         inertia[0] += J1[0];  inertia[1] += J1[1];  inertia[2] += J1[2];
         inertia[3] += J1[3];  inertia[4] += J1[4];  inertia[5] += J1[5];
         /* harmonic c of Theta(phi) */
         bh[0] = 0.0;   bh[1] = b[1];  bh[2] = b[2];
-        Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
-        Jh[3] = parameters->flywheel[s].body.inertia[3];
-        Jh[4] = parameters->flywheel[s].body.inertia[4];
-        Jh[5] = 0.0;
-        bench8_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_c, table->flywheel[s].J_c, 1,
-            table->flywheel[s].t_c);
+        Jh[0] = 0.0;                        Jh[1] = 0.0;
+        Jh[2] = 0.0;                        Jh[3] = flywheel->body.inertia[3];
+        Jh[4] = flywheel->body.inertia[4];  Jh[5] = 0.0;
+        bench8_carry(0.0, bh, Jh, O, R, row->mu_c, row->J_c, 1, row->t_c);
         /* harmonic s of Theta(phi) */
         bh[0] = 0.0;    bh[1] = -b[2];  bh[2] = b[1];
         Jh[0] = 0.0;  Jh[1] = 0.0;  Jh[2] = 0.0;
-        Jh[3] = -parameters->flywheel[s].body.inertia[4];
-        Jh[4] = parameters->flywheel[s].body.inertia[3];
-        Jh[5] = 0.0;
-        bench8_carry(0.0, bh, Jh, O, R, table->flywheel[s].mu_s, table->flywheel[s].J_s, 1,
-            table->flywheel[s].t_s);
+        Jh[3] = -flywheel->body.inertia[4];
+        Jh[4] = flywheel->body.inertia[3];  Jh[5] = 0.0;
+        bench8_carry(0.0, bh, Jh, O, R, row->mu_s, row->J_s, 1, row->t_s);
         /* harmonic 2c of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
-        Jh[1] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        Jh[2] = 0.5 * (parameters->flywheel[s].body.inertia[2] - parameters->flywheel[s].body.inertia[1]);
-        Jh[3] = 0.0;  Jh[4] = 0.0;
-        Jh[5] = parameters->flywheel[s].body.inertia[5];
-        bench8_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2c, 0, t);
+        Jh[1] = 0.5 * (flywheel->body.inertia[1] - flywheel->body.inertia[2]);
+        Jh[2] = 0.5 * (flywheel->body.inertia[2] - flywheel->body.inertia[1]);
+        Jh[3] = 0.0;                        Jh[4] = 0.0;
+        Jh[5] = flywheel->body.inertia[5];
+        bench8_carry(0.0, bh, Jh, O, R, mu, row->J_2c, 0, t);
         /* harmonic 2s of Theta(phi) */
         bh[0] = 0.0;  bh[1] = 0.0;  bh[2] = 0.0;
         Jh[0] = 0.0;
-        Jh[1] = -parameters->flywheel[s].body.inertia[5];
-        Jh[2] = parameters->flywheel[s].body.inertia[5];
-        Jh[3] = 0.0;  Jh[4] = 0.0;
-        Jh[5] = 0.5 * (parameters->flywheel[s].body.inertia[1] - parameters->flywheel[s].body.inertia[2]);
-        bench8_carry(0.0, bh, Jh, O, R, mu, table->flywheel[s].J_2s, 0, t);
-        table->flywheel[s].spin = parameters->flywheel[s].body.inertia[0];
-        table->flywheel[s].spin_inv = 1.0 / parameters->flywheel[s].body.inertia[0];
-        table->flywheel[s].spin_root_inv = 1.0 / bench8_sqrt(parameters->flywheel[s].body.inertia[0]);
+        Jh[1] = -flywheel->body.inertia[5];
+        Jh[2] = flywheel->body.inertia[5];  Jh[3] = 0.0;
+        Jh[4] = 0.0;
+        Jh[5] = 0.5 * (flywheel->body.inertia[1] - flywheel->body.inertia[2]);
+        bench8_carry(0.0, bh, Jh, O, R, mu, row->J_2s, 0, t);
+        row->spin = flywheel->body.inertia[0];
+        row->spin_inv = 1.0 / flywheel->body.inertia[0];
+        row->spin_root_inv = 1.0 / bench8_sqrt(flywheel->body.inertia[0]);
     }
     table->mass = mass;
     table->mass_inverse = 1.0 / mass;
@@ -2386,9 +2113,7 @@ bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *
 
 /* ---- tables ---- */
 
-BENCH8_CONST
-const bench8_parameters bench8_default_parameters =
-{
+BENCH8_CONST const bench8_parameters bench8_default_parameters = {
     .carrier = {
         .mass = 12.0,
         .center_of_mass = { 0.004, -0.003, 0.006 },
@@ -2484,9 +2209,7 @@ const bench8_parameters bench8_default_parameters =
     },
 };
 
-BENCH8_CONST
-const bench8_table bench8_default =
-{
+BENCH8_CONST const bench8_table bench8_default = {
     .mass = 18.39,
     .mass_inverse = 0.0543773790103317,
     .first_moment = { 0.04248197645434773, -0.03450698347272574, 0.10202567605548718 },
@@ -2658,19 +2381,15 @@ const bench8_table bench8_default =
     },
 };
 
-BENCH8_CONST
-const bench8_inverse_options bench8_default_options =
-{
+BENCH8_CONST const bench8_inverse_options bench8_default_options = {
     .weight = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },
-    .limit = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
-        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308 },
+    .limit = { BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST,
+        BENCH8_LARGEST, BENCH8_LARGEST },
     .most = { 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4, 1.0e4 },
-    .motor_torque = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
-        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
-        1.7976931348623157e308 },
-    .motor_speed = { 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
-        1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308, 1.7976931348623157e308,
-        1.7976931348623157e308 },
+    .motor_torque = { BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST,
+        BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST },
+    .motor_speed = { BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST,
+        BENCH8_LARGEST, BENCH8_LARGEST, BENCH8_LARGEST },
     .motor_viscous = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 },
     .motor_coulomb_speed = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 },

@@ -37,17 +37,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_f455ddc8
-#define bench8_default            bench8_default_f64_f455ddc8
-#define bench8_default_options    bench8_default_options_f64_f455ddc8
-#define bench8_forward            bench8_forward_f64_f455ddc8
-#define bench8_momentum           bench8_momentum_f64_f455ddc8
-#define bench8_torque             bench8_torque_f64_f455ddc8
-#define bench8_coupled            bench8_coupled_f64_f455ddc8
-#define bench8_step               bench8_step_f64_f455ddc8
-#define bench8_inverse            bench8_inverse_f64_f455ddc8
-#define bench8_inverse_fast       bench8_inverse_fast_f64_f455ddc8
-#define bench8_prepare            bench8_prepare_f64_f455ddc8
+#define bench8_default_parameters bench8_default_parameters_f64_877b601f
+#define bench8_default            bench8_default_f64_877b601f
+#define bench8_default_options    bench8_default_options_f64_877b601f
+#define bench8_forward            bench8_forward_f64_877b601f
+#define bench8_momentum           bench8_momentum_f64_877b601f
+#define bench8_torque             bench8_torque_f64_877b601f
+#define bench8_coupled            bench8_coupled_f64_877b601f
+#define bench8_step               bench8_step_f64_877b601f
+#define bench8_inverse            bench8_inverse_f64_877b601f
+#define bench8_inverse_fast       bench8_inverse_fast_f64_877b601f
+#define bench8_prepare            bench8_prepare_f64_877b601f
 #endif
 
 #ifdef __cplusplus
@@ -78,6 +78,20 @@ typedef double bench8_real;
 #define BENCH8_MAX_TURN_4        1.0       /* rad; turn in a step of order 4; beyond: COARSE */
 #define BENCH8_MAX_TURN_2        0.1       /* rad; turn in a step of order 2; beyond: COARSE */
 #define BENCH8_LARGEST           1.7976931348623157e308  /* largest finite number */
+
+/* ---- constants of decisions ---- */
+
+#define BENCH8_SMALLEST          2.2250738585072014e-308  /* smallest number with all digits */
+#define BENCH8_MIN_NORM2         0.998001  /* square of the length of a quaternion, or of sine and cosine */
+#define BENCH8_MAX_NORM2         1.002001  /* the same: within 1e-3 of unit length */
+#define BENCH8_EPS_RANK          1.0e-9    /* of singular values over the largest: below, one is zero */
+#define BENCH8_MIN_WEIGHT        1.0e-6    /* the weight of a flywheel in inverse; 1/MAX_WEIGHT */
+#define BENCH8_EPS_REGULAR       1.0e-12   /* on diagonals that limits may have left singular */
+#define BENCH8_EPS_PIVOT         1.0e-13   /* of a pivot over its diagonal: below, rounding */
+#define BENCH8_EPS_MASS          1.0e-30   /* kg, kg m2; masses and spin inertias: below, none */
+#define BENCH8_EPS_INERTIA       1.0e-9    /* how far below 0 rounding may take an eigenvalue */
+#define BENCH8_MAX_INERTIA       1.0e60    /* kg m2; sum of all moments of inertia about O1 */
+#define BENCH8_EPS_SQUARE        1.0e-30   /* square of a length: below, it has no direction */
 
 /* ---- status of every function: negative: refused, outputs untouched; positive: bits, outputs valid ---- */
 
@@ -241,7 +255,7 @@ bench8_status bench8_forward(const bench8_table *table, const bench8_state *x,
  *   x      state; its attitude within 1e-3 of unit length
  *   out    out: Z, Z0, energy, mass centre and its velocity
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 2461 operations on reals, 1 of them a division. Stack: at most 1664 bytes. */
+ * At most 2461 operations on reals, 1 of them a division. Stack: at most 1728 bytes. */
 bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, bench8_momentum_result *out);
 
 /* torque: drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s).
@@ -251,7 +265,7 @@ bench8_status bench8_momentum(const bench8_table *table, const bench8_state *x, 
  *   phi_ddot[8]  rad/s2; flywheel accelerations
  *   tau[8]       out: N m; drive torques, mount on flywheel, about the spin axis
  * Returns OK, NOT_FINITE, RANGE, BAD_ARGUMENT. Nothing is written when the status is negative.
- * At most 1529 operations on reals, 1 of them a division. Stack: at most 1504 bytes. */
+ * At most 1529 operations on reals, 1 of them a division. Stack: at most 1584 bytes. */
 bench8_status bench8_torque(const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
                             const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N]);
 
