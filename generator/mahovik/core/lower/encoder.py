@@ -105,11 +105,16 @@ def accumulate(
     return OK
 
 
+def _largest(precision: Precision) -> float:
+    """The largest number, without its name: the file is of both element types."""
+    return float(precision.largest)
+
+
 @inline
 def check_range(precision: Precision, value: float, limit: float) -> Any:
     """RANGE or NOT_FINITE where a number is not within a limit."""
     if not (value >= -limit and value <= limit):
-        if value >= -precision.largest and value <= precision.largest:
+        if value >= -_largest(precision) and value <= _largest(precision):
             return RANGE
         return NOT_FINITE
     return None
