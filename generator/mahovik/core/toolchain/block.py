@@ -59,6 +59,7 @@ class Block:
             "dt": np.zeros(1, real),
             "order": np.zeros(1, dtype=np.int32),
         }
+        self.given["next"] = self.given["x"]
         if carried:
             (carry,) = (a for a in made.functions["step"].arguments if a.name == "carry")
             self.given["carry"] = np.zeros(n, record(carry.members, real))
@@ -122,26 +123,15 @@ class Block:
         return self._tables(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
 
     def _prepare_call(self, function: str) -> Callable[[], int]:
-        arrays: list[Array] = []
-        arguments, real = self._made.functions[function].arguments, self._made.element
-        for a in arguments:
-            if a.name in TABLES:
-                arrays.append(self._table(a.name))
-            elif a.direction == "inout":
-                arrays.append(self.given.get(a.name, np.empty(0)))  # null: no carry
-            elif a.name == "next":
-                arrays.append(self.x)
-            elif a.direction == "in":
-                arrays.append(self.given[a.name])
-            elif a.order == "components":
-                arrays.append(np.zeros((a.components, self.n), real))
-                self.found[function] = arrays[-1]
-            else:  # of a function without batch, state by state
-                arrays.append(np.zeros((self.n, a.components), real))
-                self.found[function] = arrays[-1].T
-            if a.name in RESULTS.get(function, ()):
-                arrays[-1] = self.given[a.name]
-        if self._tables is None or not any(a.name in TABLES for a in arguments):  # a clamped carrier's forward
+        taken = [a.name for a in self._made.functions[function].arguments]
+        tables = {name: self._table(name) for name in TABLES if name in taken}
+        results = {name: self.given[name] for name in ("next", *RESULTS.get(function, ())) if name in self.given}
+        arrays, made = self._made.arrange(function, self.n, self.given | tables, results)
+        for a in self._made.functions[function].arguments:
+            if a.direction == "out" and a.name not in results:
+                of_states = made[a.name].view(self._made.element).reshape(self.n, -1).T  # of a function without batch
+                self.found[function] = made[a.name] if a.order == "components" else of_states
+        if self._tables is None or not tables:  # a clamped carrier's forward
             return self._made.library.repeat_call(function, self.n, arrays, self._now)
         return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)
 

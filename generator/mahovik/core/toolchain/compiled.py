@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
-from mahovik.core.program.arrays import ArrayFunction, Member, fill_record
+from mahovik.core.program.arrays import ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
@@ -55,6 +55,8 @@ def _after_fork() -> None:
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_after_fork)
+
+_NULL: NDArray[Any] = np.empty(0)
 
 Loaded = TypeVar("Loaded")
 
@@ -102,6 +104,37 @@ class CompiledLibrary:
     def element(self) -> np.dtype[Any]:
         """NumPy's name of its element type."""
         return ELEMENT[self.source.real]
+
+    def arrange(
+        self, function: str, n: int, given: Mapping[str, NDArray[Any]], results: Mapping[str, NDArray[Any]]
+    ) -> tuple[list[NDArray[Any]], dict[str, NDArray[Any]]]:
+        """Memory of all arguments of a function of n states in the order of the C, and that of results by name.
+
+        given    memory of inputs, in the order of each; tables are those of the library where none are given, a carry
+                 that is not given is null
+        results  memory of results that the caller has; for the others it is made
+        """
+        arrays, made = [], {}
+        for a, layout in zip(self.functions[function].arguments, self._records[function], strict=True):
+            if a.name in given and a.direction != "out":
+                memory = given[a.name]
+            elif a.name in self.tables:
+                memory = self.tables[a.name]
+            elif a.direction == "inout":
+                memory = _NULL
+            elif a.name in results:
+                memory = results[a.name]
+            else:
+                memory = np.zeros((a.components, n), self.element) if a.order == "components" else np.zeros(n, layout)
+            arrays.append(memory)
+            if a.direction != "in" and memory is not _NULL:
+                made[a.name] = memory
+        return arrays, made
+
+    @cached_property
+    def _records(self) -> dict[str, list[np.dtype[Any]]]:
+        """The record of each argument, by function."""
+        return {name: [record(a.members, self.element) for a in f.arguments] for name, f in self.functions.items()}
 
     @cached_property
     def of_tables(self) -> ArrayLibrary:

@@ -14,7 +14,7 @@ from mahovik.contract.quantities import QUANTITIES
 from mahovik.contract.status import refusal_reason, status_words
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.lower.thresholds import thresholds
-from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
+from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
@@ -39,7 +39,6 @@ class Caller:
         self._made = made
         self._real = real
         self._threads = threads
-        self._records = {f.name: [record(a.members, real) for a in f.arguments] for f in made.functions.values()}
         self._fields = {name: self._of(f) for name, f in made.functions.items()}
 
     def fields(self, function: str) -> tuple[Field, ...]:
@@ -57,23 +56,17 @@ class Caller:
         if on_error not in ("raise", "nan"):
             raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
         f = self._made.functions[function]
-        arrays: list[Array] = []
-        outputs: list[tuple[ArgumentLayout, Array]] = []
-        for a, layout in zip(f.arguments, self._records[function], strict=True):
-            if a.name in self._made.tables:
-                arrays.append(self._made.tables[a.name] if tables is None else tables.block(a.name))
-            elif a.direction == "inout" and a.name not in given:
-                arrays.append(np.empty(0))  # null
-            elif a.direction != "in":
-                memory = self._memory(a, layout, n)
-                if a.direction == "inout":
-                    memory[:] = given[a.name]
-                outputs.append((a, memory))
-                arrays.append(memory)
-            elif a.order == "alike":
-                arrays.append(given[a.name])
-            else:
-                arrays.append(by_component(given[a.name], a.components, n, self._real))
+        memory: dict[str, Array] = {}
+        for a in f.arguments:
+            if a.name in self._made.tables and tables is not None:
+                memory[a.name] = tables.block(a.name)
+            elif a.direction == "inout" and a.name in given:
+                memory[a.name] = given[a.name].copy()
+            elif a.direction == "in" and a.name not in self._made.tables:
+                value = given[a.name]
+                memory[a.name] = value if a.order == "alike" else by_component(value, a.components, n, self._real)
+        arrays, made = self._made.arrange(function, n, memory, {})
+        outputs = [(a, made[a.name]) for a in f.arguments if a.name in made]
         status = np.zeros(n, dtype=np.int32)
         same = tables is None or not any(a.name in self._made.tables for a in f.arguments)  # whatever the tables
         library = self._made.library if same else self._made.of_tables
@@ -82,12 +75,12 @@ class Caller:
             if on_error == "raise":
                 inputs = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}
                 raise refusal_error(function, status, inputs, self._stand, self._made.inputs)
-            for a, memory in outputs:
+            for a, array in outputs:
                 if a.direction == "out":
-                    _spoil(a, memory, status < 0)
+                    _spoil(a, array, status < 0)
         found: dict[str, Array] = {}
-        for a, memory in outputs:
-            found |= _outputs_by_name(a, memory)
+        for a, array in outputs:
+            found |= _outputs_by_name(a, array)
         if function == "mounts":
             found = {"mount_wrench": found["mount_wrench"].reshape(n, len(self._stand.flywheels), 6)}
         if function == "matrices" and not self._stand.flywheels:
@@ -96,11 +89,6 @@ class Caller:
             found |= {name: np.zeros((n, 0), self._real) for name in ("phi_ddot", "sigma")}
             found["limited"] = np.zeros((n, 0), np.int32)
         return found, status
-
-    def _memory(self, a: ArgumentLayout, layout: np.dtype[Any], n: int) -> Array:
-        if a.order == "components":
-            return np.empty((a.components, n), dtype=self._real)
-        return np.empty(n, dtype=layout)
 
     def _of(self, f: ArrayFunction) -> tuple[Field, ...]:
         found: list[Field] = []

@@ -297,36 +297,31 @@ class KeptBackend(FunctionBackend):
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
-        element, passed = self.made.element, []
-        outputs: dict[str, tuple[ArgumentLayout, NDArray[Any]]] = {}
-        for a in self.made.functions[function].arguments:
-            if a.name in self.made.tables:
-                own = self.made.tables[a.name]
-                given = inputs.get("table") if a.name == "table" else None
-                passed.append(own if given is None else given)
-            elif a.direction == "in":
-                passed.append(_memory(a, element, inputs[a.name]))
-            elif a.direction == "inout":
-                passed.append(np.empty(0))  # null: no carry
-            else:
-                outputs[a.name] = a, _memory(a, element, None)
-                passed.append(outputs[a.name][1])
+        f, memory = self.made.functions[function], {}
+        for a in f.arguments:
+            if a.name == "table" and inputs.get("table") is not None:
+                memory[a.name] = inputs["table"]
+            elif a.direction == "in" and a.name not in self.made.tables:
+                memory[a.name] = _memory(a, self.made.element, inputs[a.name])
+        arrays, made = self.made.arrange(function, 1, memory, {})
         status = np.zeros(1, dtype=np.int32)
-        self.made.library.call(function, 1, passed, status)
-        return int(status[0]), {name: _plain(a, memory) for name, (a, memory) in outputs.items()}
+        self.made.library.call(function, 1, arrays, status)
+        return int(status[0]), {
+            a.name: _plain(a, made[a.name], self.made.element) for a in f.arguments if a.name in made
+        }
 
 
 def _memory(a: ArgumentLayout, element: np.dtype[Any], value: Any) -> NDArray[Any]:
-    """Memory of an argument of one state, with its value where there is one."""
+    """Memory of an argument of one state, with its value."""
     found = np.zeros(1, dtype=record(a.members, element))
-    for m in a.members if value is not None else ():
+    for m in a.members:
         found[m.name] = value[m.name] if isinstance(value, Mapping) else value
     return found
 
 
-def _plain(a: ArgumentLayout, memory: NDArray[Any]) -> Any:
-    """A result as plain data: numbers, lists, dicts by member."""
-    row = memory[0]
+def _plain(a: ArgumentLayout, memory: NDArray[Any], element: np.dtype[Any]) -> Any:
+    """A result of one state as plain data: numbers, lists, dicts by member."""
+    row = memory.reshape(-1).view(record(a.members, element))[0]
     found = {
         m.name: (
             [{inner.name: each[inner.name].tolist() for inner in m.members} for each in row[m.name]]
