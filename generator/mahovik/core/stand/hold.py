@@ -4,21 +4,38 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from operator import mul
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, validator, vector
-from mahovik.core.stand.model import TWIST_LETTERS, Freedom, Hold, Vec3, Vec6
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.declare import Declared, Default, Note
+from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, Vec3, Vec6, validator, vector
 from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.nearest import suggestion
 
 Array = NDArray[np.float64]
+
+FreedomKind = Literal["turn", "slide", "twist"]
+
+TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """One way in which a held carrier can move at speed u, in E1: `turn` about the pivot, `slide`, or a `twist` of O1.
+
+    direction   of a turn or slide, of any length: u is in rad/s or m/s along its unit vector
+    twist       of a twist: V at u = 1, as written
+    """
+
+    kind: FreedomKind
+    direction: Vec3 = (0.0, 0.0, 0.0)
+    twist: Vec6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
 
 AXES: tuple[Vec3, Vec3, Vec3] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -32,9 +49,6 @@ TWIST_NAMES = tuple(FREEDOMS)
 """Directions of E1 of the six components of a twist."""
 
 _NAMES = {freedom: name for name, freedom in FREEDOMS.items()}
-
-_WAYS = ("freedoms", "axis", "slide", "basis")
-"""Keys that say how the carrier can move; a hold has one of them."""
 
 DEPENDENT = 1e-9
 """Sine of the angle of a column of S to those before it, below which it says nothing new; `physical` asks for more."""
@@ -69,41 +83,66 @@ def _basis(raw: Any) -> tuple[Freedom, ...]:
     return tuple(Freedom("twist", twist=(a, b, c, d, e, f)) for a, b, c, d, e, f in rows)
 
 
-class HoldTable(Table):
-    """`[hold]`."""
+class HoldForm(Table):
+    """Keys of `[hold]` that say how the carrier can move; a hold has one of them."""
 
     freedoms: Annotated[tuple[Freedom, ...], validator(_freedoms)] | None = None
     axis: Direction | None = None
     slide: Direction | None = None
     basis: Annotated[tuple[Freedom, ...], validator(_basis)] | None = None
-    pivot: Length3 | None = None
-    position: Length3 = ZERO3
-    angles: Angle3 = ZERO3
 
 
-def hold_of(table: HoldTable, problems: Problems) -> Hold | None:
-    """The hold of its table; None where that is not in order, which is noted."""
-    given = [key for key in _WAYS if getattr(table, key) is not None]
-    if len(given) != 1:
-        found = f"{', '.join(given)} given together" if given else "it is not said how the carrier can move"
-        problems.add("hold", f'{found}, expected one of {", ".join(_WAYS)}, such as freedoms = ["yaw"]')
-        return None
-    if table.axis is not None:
-        freedoms: tuple[Freedom, ...] = (Freedom("turn", table.axis),)
-    elif table.slide is not None:
-        freedoms = (Freedom("slide", table.slide),)
-    else:
-        freedoms = table.freedoms if table.freedoms is not None else table.basis or ()
-    if table.pivot is not None and all(freedom.kind != "turn" for freedom in freedoms):
-        problems.add("hold", "pivot", f"given together with {given[0]}, where nothing turns about it: leave it out")
-        return None
-    hold = Hold(freedoms, table.pivot or ZERO3, table.position, table.angles)
-    row = _first_dependent(twists(hold)) if table.basis is not None else None  # named freedoms are independent
-    if row is not None:
-        others = "row 0" if row == 1 else f"rows 0 to {row - 1}"
-        problems.add("hold", "basis", f"row {row} follows from {others}: rows must be independent, leave it out")
-        return None
-    return hold
+@dataclass(frozen=True)
+class Hold(Declared):
+    """What holds the carrier: it moves as V = S u, a column of S (6 x m) for each freedom, constant in E1.
+
+    freedoms          m of them, independent; none: clamped
+    pivot             of E1, m: what turns, turns about it
+    position, angles  home pose in E0, where all freedoms are zero: place of O1 (m) and attitude (rad)
+    """
+
+    freedoms: tuple[Freedom, ...]
+    pivot: Annotated[Length3, Default(None)]
+    position: Annotated[Length3, Default(ZERO3)]
+    angles: Annotated[Angle3, Default(ZERO3)]
+
+    keys: ClassVar[type[Table]] = HoldForm
+
+    @classmethod
+    def read(cls, table: Any, note: Note) -> Hold | None:
+        """The hold of a valid table; None where that is not in order, which is noted."""
+        ways = {key: way for key in HoldForm.model_fields if (way := getattr(table, key)) is not None}
+        if len(ways) != 1:
+            found = f"{', '.join(ways)} given together" if ways else "it is not said how the carrier can move"
+            note(f'{found}, expected one of {", ".join(HoldForm.model_fields)}, such as freedoms = ["yaw"]')
+            return None
+        ((key, way),) = ways.items()
+        kinds: dict[str, FreedomKind] = {"axis": "turn", "slide": "slide"}
+        freedoms = (Freedom(kinds[key], way),) if key in kinds else way
+        if table.pivot is not None and all(freedom.kind != "turn" for freedom in freedoms):
+            note("pivot", f"given together with {key}, where nothing turns about it: leave it out")
+            return None
+        hold = cls(freedoms, table.pivot or ZERO3, table.position, table.angles)
+        row = _first_dependent(twists(hold)) if key == "basis" else None  # named freedoms are independent
+        if row is not None:
+            others = "row 0" if row == 1 else f"rows 0 to {row - 1}"
+            note("basis", f"row {row} follows from {others}: rows must be independent, leave it out")
+            return None
+        return hold
+
+    def as_keys(self) -> dict[str, Any]:
+        """Its keys in a stand file, in SI; without a pivot that nothing turns about."""
+        kinds = [each.kind for each in self.freedoms]
+        found: dict[str, Any]
+        if kinds and kinds[0] == "twist":
+            found = {"basis": [each.twist for each in self.freedoms]}
+        elif len(kinds) == 1 and self.freedoms[0] not in _NAMES:
+            found = {"axis" if kinds[0] == "turn" else "slide": self.freedoms[0].direction}
+        else:
+            found = {"freedoms": [_NAMES[each] for each in self.freedoms]}
+        if kinds and kinds[0] != "twist" and any(self.pivot):
+            found["pivot"] = self.pivot
+        return found | {"position": self.position, "angles": self.angles}
 
 
 def kinds(hold: Hold) -> tuple[str, ...]:
@@ -343,21 +382,6 @@ def _word(freedom: Freedom) -> str:
         return "twist " + " ".join(moved)
     axis = ", ".join(f"{x + 0.0:g}" for x in _unit(freedom))
     return f"turning about ({axis})" if freedom.kind == "turn" else f"sliding along ({axis})"
-
-
-def keys_of_hold(hold: Hold) -> dict[str, Any]:
-    """The keys of the table in SI, from which the same Hold is read."""
-    kinds = [each.kind for each in hold.freedoms]
-    found: dict[str, Any]
-    if kinds and kinds[0] == "twist":
-        found = {"basis": [each.twist for each in hold.freedoms]}
-    elif len(kinds) == 1 and hold.freedoms[0] not in _NAMES:
-        found = {"axis" if kinds[0] == "turn" else "slide": hold.freedoms[0].direction}
-    else:
-        found = {"freedoms": [_NAMES[each] for each in hold.freedoms]}
-    if kinds and kinds[0] != "twist" and any(hold.pivot):
-        found["pivot"] = hold.pivot
-    return found | {"position": hold.position, "angles": hold.angles}
 
 
 def twist_of(hold: Hold, u: Sequence[float]) -> Vec6:

@@ -9,7 +9,7 @@ from pydantic import create_model
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.hold import HoldTable
+from mahovik.core.stand.hold import Hold
 from mahovik.core.stand.law import BodyLaw, CarrierLaw, HeldLaw
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Header, Instrument, Point, StreamProfile
 
@@ -73,4 +73,4 @@ def headers() -> list[type[Table]]:
 def hold_table() -> type[Table]:
     """`[hold]` with the keys of the laws that act along its freedoms."""
     keys: dict[str, Any] = {law.key: (list[law.item.table()], []) for law in held_laws()}  # type: ignore[misc]  # made here
-    return create_model("HoldTable", __base__=HoldTable, **keys)
+    return create_model("HoldTable", __base__=Hold.table(), **keys)

@@ -43,6 +43,7 @@ from mahovik.core.stand.fields import (
     vec3,
     vector3,
 )
+from mahovik.core.stand.hold import TWIST_LETTERS, Freedom, FreedomKind, Hold
 from mahovik.core.stand.profile import StreamProfile
 from mahovik.core.stand.units import QuantityError, show
 from mahovik.nearest import suggestion
@@ -50,7 +51,6 @@ from mahovik.nearest import suggestion
 Sequence = Literal["ship", "aircraft", "euler"]
 About = Literal["origin", "center_of_mass"]
 PhaseInput = Literal["angle", "sincos"]
-FreedomKind = Literal["turn", "slide", "twist"]
 
 Component = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 COMPONENTS: tuple[Component, ...] = ("vx", "vy", "vz", "wx", "wy", "wz")
@@ -60,7 +60,6 @@ INVERSE_MOST = 1e4
 """rad/s2: default of `inverse_most`."""
 
 WRENCH_LETTERS = ("X", "Y", "Z", "K", "M", "N")
-TWIST_LETTERS = ("u", "v", "w", "p", "q", "r")
 
 
 @dataclass(frozen=True)
@@ -387,34 +386,6 @@ class Task(Declared):
 
     name: str
     rows: Annotated[tuple[TaskRow, ...], validator(_rows, write=_rows_in_file)]
-
-
-@dataclass(frozen=True)
-class Freedom:
-    """One way in which a held carrier can move at speed u, in E1: `turn` about the pivot, `slide`, or a `twist` of O1.
-
-    direction   of a turn or slide, of any length: u is in rad/s or m/s along its unit vector
-    twist       of a twist: V at u = 1, as written
-    """
-
-    kind: FreedomKind
-    direction: Vec3 = (0.0, 0.0, 0.0)
-    twist: Vec6 = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-
-
-@dataclass(frozen=True)
-class Hold:
-    """What holds the carrier: it moves as V = S u, a column of S (6 x m) for each freedom, constant in E1.
-
-    freedoms          m of them, independent; none: clamped
-    pivot             of E1, m: what turns, turns about it
-    position, angles  home pose in E0, where all freedoms are zero: place of O1 (m) and attitude (rad)
-    """
-
-    freedoms: tuple[Freedom, ...]
-    pivot: Vec3
-    position: Vec3
-    angles: Vec3
 
 
 def _gravity(raw: Any) -> Vec3:

@@ -15,7 +15,6 @@ from mahovik.core.stand.content import readable
 from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
 from mahovik.core.stand.echoes import Moments, moments_of
 from mahovik.core.stand.fields import ZERO3, Table
-from mahovik.core.stand.hold import hold_of
 from mahovik.core.stand.law import BodyLaw, CarrierLaw
 from mahovik.core.stand.laws import (
     arrays,
@@ -180,10 +179,10 @@ def _hold(problems: Problems, document: dict[str, Any]) -> tuple[Hold | None, li
         expected = 'expected one table, [hold] with a line such as freedoms = ["yaw"]'
         problems.add("hold", f"{expected}, found {show(raw)}")
     table = _valid(problems, "hold", hold_table(), raw) if isinstance(raw, dict) and "hold" in document else None
-    hold = hold_of(table, problems) if table is not None and len(problems.lines) == in_order else None
+    note = partial(problems.add, "hold")
+    hold = Hold.read(table, note) if table is not None and len(problems.lines) == in_order else None
     if hold is None:
         return None, []
-    note = partial(problems.add, "hold")
     return hold, [law.read_held(getattr(table, law.key), hold, note) for law in held_laws()]
 
 

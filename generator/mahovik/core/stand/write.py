@@ -7,7 +7,6 @@ from dataclasses import fields
 from types import MappingProxyType
 from typing import Any
 
-from mahovik.core.stand.hold import keys_of_hold
 from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.laws import carrier_laws, mounted_laws
 from mahovik.core.stand.model import Header, Stand
@@ -33,7 +32,7 @@ def document_of(stand: Stand) -> dict[str, Any]:
         found["stream_profile"] = stand.profile.as_keys()
     found |= {"carrier": stand.carrier.as_keys(), **tables}
     if stand.hold is not None:
-        found["hold"] = keys_of_hold(stand.hold) | held
+        found["hold"] = stand.hold.as_keys() | held
     found |= {
         "instrument": [instrument.as_keys() for instrument in stand.instruments],
         "flywheel": [flywheel.as_keys() for flywheel in stand.flywheels],

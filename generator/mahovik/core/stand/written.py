@@ -11,7 +11,6 @@ from typing import Any
 
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
 from mahovik.core.stand.fields import ADDED_MASS, SHARE, Blocks, QuantityValidator, Table, asymmetries, vector
-from mahovik.core.stand.hold import HoldTable, hold_of
 from mahovik.core.stand.laws import headers
 from mahovik.core.stand.model import Hold
 from mahovik.core.stand.numbers import dimension_along, path_of, quantity_and_table, tables_in
@@ -73,8 +72,8 @@ def _numbers(path: str | Path) -> Iterator[Quantity]:
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
     for header in headers():
         yield from _of_table(document, header, "stand", None)
-    raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in HoldTable.model_fields}
-    hold = hold_of(HoldTable.model_validate(raw_hold), Problems("hold")) if raw_hold else None
+    raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in Hold.table().model_fields}
+    hold = Hold.read(Hold.table().model_validate(raw_hold), Problems("hold").add) if raw_hold else None
     for table, raw, steps, _ in tables_in(document):
         yield from _of_table(raw, table, path_of(steps), hold)
 
