@@ -14,8 +14,15 @@ from mahovik.contract.laws import LAWS
 from mahovik.core.stand import Stand, State
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold
-from mahovik.core.stand.random import EXTREMES, SEQUENCES, Features, extreme_state, random_stand, random_state
-from mahovik.core.stand.random_state import MAX_PHASE
+from mahovik.core.stand.random import (
+    EXTREMES,
+    MAX_PHASE,
+    SEQUENCES,
+    Features,
+    extreme_state,
+    random_stand,
+    random_state,
+)
 
 _SEEDS = st.integers(0, 2**32 - 1)
 

@@ -11,7 +11,7 @@ import mahovik
 from api.models import backend, given, model, random_states, stand
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand import State
-from mahovik.core.stand.random_state import random_state, random_wrenches
+from mahovik.core.stand.random import random_state, random_wrenches
 from mahovik.core.toolchain.compiled import Real
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import KeptBackend

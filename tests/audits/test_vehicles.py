@@ -13,7 +13,7 @@ from scipy.special import roots_legendre
 from audits import npsauv
 from audits.audit import Array, rigid_mass, rigid_products, to_body
 from mahovik.core.stand import Stand, State, load, loads
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.summary import summarize
 from mahovik.laws.fin.law import Fin, Fins
 from mahovik.laws.propeller.law import Propellers

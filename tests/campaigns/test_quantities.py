@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 import mahovik
 from campaigns.sections import Keys, computation, tables_of
 from mahovik.core.lower.law_arrays import ties
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.structure import structure
 from mahovik.out.campaign.statistics import BandRms, End, Least, Mean, Peak, Rms, Settling, Statistic
 from mahovik.proof.reference import pieces

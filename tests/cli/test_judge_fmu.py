@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from cli.run import BRICK, refused, run
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.read import loads
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.screw import twists

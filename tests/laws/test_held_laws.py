@@ -29,7 +29,7 @@ from laws.held_stands import (
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.hold import twists, wrenches
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
 from mahovik.laws.friction.law import Friction, Frictions

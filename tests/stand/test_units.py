@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from mahovik.core.stand.unit_spellings import UNITS
 from mahovik.core.stand.units import (
     ANGLE,
     DYNAMIC_UNBALANCE,
@@ -34,7 +35,6 @@ from mahovik.core.stand.units import (
     _root,
     number,
 )
-from mahovik.core.stand.usual_units import UNITS
 from mahovik.stands import path
 
 DECIMALS = st.decimals(allow_nan=False, allow_infinity=False, places=6, min_value=-(10**6), max_value=10**6)

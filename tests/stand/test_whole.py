@@ -14,8 +14,7 @@ from scipy.optimize import linprog
 from scipy.spatial import ConvexHull
 
 from mahovik.core.stand import Stand, loads
-from mahovik.core.stand.capacity import momentum_capacity, torque_capacity
-from mahovik.core.stand.envelope import envelope
+from mahovik.core.stand.capacity import envelope, momentum_capacity, torque_capacity
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.random import random_stand, random_state
 from mahovik.core.stand.state import State

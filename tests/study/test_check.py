@@ -14,8 +14,7 @@ import pytest
 from cli.run import refused, run
 from lower.in_place import end_of_steps
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.state import rest_state
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.write import dumps

@@ -19,8 +19,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.inertia import inertia_about_center
-from mahovik.core.stand.random import BARE, random_stand
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import BARE, random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges import Mujoco, attitude, bare_stand

@@ -1,15 +1,170 @@
-"""Capacity of the flywheels with motors: the momentum that they store, and the torque that they give the carrier."""
+"""Capacity of the flywheels with motors: the momentum that they store, and the torque that they give the carrier.
+
+Its envelope is that of the sum of some vectors, each times a number in [-1, 1]: a zonotope, by its facets.
+"""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from mahovik.core.stand.envelope import Array, Envelope, envelope
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Stand, Vec3
 from mahovik.core.stand.whole import placed_bodies, vec3
+
+Array = NDArray[np.float64]
+
+_PARALLEL = 1e-9
+"""Sine below which a vector lies along another, or in a plane."""
+
+_EQUAL = 1e-9
+"""Share by which distances of facets may differ and count as equal."""
+
+
+@dataclass(frozen=True)
+class Facet:
+    """A face of the envelope; its opposite has the same distance.
+
+    normal     unit vector; the one of the two whose last component that is not zero is positive
+    distance   of its plane from the origin: the largest sum along the normal
+    inside     numbers of the vectors that lie in the plane: they give nothing along the normal
+    """
+
+    normal: tuple[float, float, float]
+    distance: float
+    inside: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Envelope:
+    """All sums of the vectors c_s (N, 3), each times a number in [-1, 1]: |n . x| <= sum_s |n . c_s| for each facet n.
+
+    vectors    N rows; those that are zero have no part
+    facets     one of each opposite pair; none where the vectors lie in a line
+    radius     of the largest sphere inside; 0 if the vectors span no space
+    worst      directions in which the envelope is no larger than this sphere, each once, without its opposite
+    """
+
+    vectors: tuple[tuple[float, float, float], ...]
+    facets: tuple[Facet, ...]
+    radius: float
+    worst: tuple[tuple[float, float, float], ...]
+
+    def reach(self, direction: Sequence[float] | Array) -> float:
+        """Largest multiple of the unit vector along `direction` (3) that is inside: with nothing across it."""
+        along = np.asarray(direction, dtype=np.float64)
+        along = along / np.linalg.norm(along)
+        if not self.facets:
+            return self._along_the_line(along)
+        found = math.inf
+        for facet in self.facets:
+            share = abs(float(np.dot(facet.normal, along)))
+            if share > _PARALLEL:
+                found = min(found, facet.distance / share)
+        return found if math.isfinite(found) else self._in_the_plane(along)
+
+    def vertices(self, facet: Facet) -> Array:
+        """Corners of a facet (M, 3), in order about its normal."""
+        columns, normal = np.array(self.vectors), np.array(facet.normal)
+        outside = np.array([k not in facet.inside for k in range(len(columns))])
+        heights = columns @ normal
+        center = (np.sign(heights) * outside * (np.abs(heights) > 0.0)) @ columns
+        return np.asarray(center + _zonogon(columns[list(facet.inside)], normal))
+
+    def _along_the_line(self, along: Array) -> float:
+        columns = np.array(self.vectors).reshape(-1, 3)
+        across = np.linalg.norm(columns - np.outer(columns @ along, along), axis=1)
+        if not columns.any() or float(across.sum()) > _PARALLEL * float(np.abs(columns).sum()):
+            return 0.0
+        return float(np.abs(columns @ along).sum())
+
+    def _in_the_plane(self, along: Array) -> float:
+        """The vectors lie in one plane, and `along` in it: the edges of the polygon."""
+        normal = np.array(self.facets[0].normal)
+        columns = np.array(self.vectors)
+        found = math.inf
+        for column in columns[np.linalg.norm(columns, axis=1) > 0.0]:
+            edge = np.cross(normal, column / np.linalg.norm(column))
+            share = abs(float(edge @ along))
+            if share > _PARALLEL:
+                found = min(found, float(np.abs(columns @ edge).sum()) / share)
+        return found
+
+
+def envelope(vectors: Array) -> Envelope:
+    """The envelope of vectors (N, 3); a facet is normal to two of them, or to more in one plane."""
+    columns = np.asarray(vectors, dtype=np.float64).reshape(-1, 3)
+    lengths = np.linalg.norm(columns, axis=1)
+    there = np.flatnonzero(lengths > 0.0)
+    if not len(there):
+        return Envelope(_rows(columns), (), 0.0, ())
+    _, sizes, axes = np.linalg.svd(columns / lengths.max(), full_matrices=True)
+    rank = int((sizes > _PARALLEL).sum())
+    if rank < 3:
+        across = _vec3(_forward(axes[2]))
+        plane = (Facet(across, 0.0, tuple(int(k) for k in there)),) if rank == 2 else ()
+        return Envelope(_rows(columns), plane, 0.0, (across,))
+    found = _facets(columns, {int(k): columns[k] / lengths[k] for k in there})
+    radius = min(facet.distance for facet in found)
+    least = radius + _EQUAL * float(lengths.sum())
+    return Envelope(_rows(columns), found, radius, tuple(facet.normal for facet in found if facet.distance <= least))
+
+
+def _facets(columns: Array, units: dict[int, Array]) -> tuple[Facet, ...]:
+    """Facets of vectors that span space; `units`: the directions of those that are not zero."""
+    found: dict[tuple[int, ...], Facet] = {}
+    directions = np.array(list(units.values()))
+    for i, j in combinations(_different(units), 2):
+        normal = np.cross(units[i], units[j])
+        size = float(np.linalg.norm(normal))
+        if size <= _PARALLEL:
+            continue
+        normal = _forward(normal / size)
+        flat = np.abs(directions @ normal) <= _PARALLEL
+        inside = tuple(sorted({*(k for k, is_inside in zip(units, flat, strict=True) if is_inside), i, j}))
+        if inside not in found:
+            outside = [k for k in units if k not in inside]
+            distance = float(np.abs(columns[outside] @ normal).sum())
+            found[inside] = Facet(_vec3(normal), distance, inside)
+    return tuple(found.values())
+
+
+def _different(units: dict[int, Array]) -> list[int]:
+    """Numbers of directions of which none is another one, or its opposite: the first of each."""
+    seen = {tuple(_forward(unit)): k for k, unit in reversed(units.items())}
+    return sorted(seen.values())
+
+
+def _zonogon(columns: Array, normal: Array) -> Array:
+    """Corners (M, 3) of the sums of vectors in the plane across `normal`, in order."""
+    right = columns[0] / np.linalg.norm(columns[0])
+    up = np.cross(normal, right)
+    flat = np.stack([columns @ right, columns @ up], axis=1)
+    flat = np.where((flat[:, 1] < 0.0)[:, None], -flat, flat)
+    flat = flat[np.argsort(np.arctan2(flat[:, 1], flat[:, 0]), kind="stable")]
+    steps = 2.0 * np.concatenate([flat, -flat])
+    corners = np.cumsum(np.vstack([-flat.sum(axis=0), steps[:-1]]), axis=0)
+    return np.asarray(corners[:, :1] * right + corners[:, 1:] * up)
+
+
+def _forward(vector: Array) -> Array:
+    """The vector or its opposite, with its last component that is not rounding positive; no negative zeros."""
+    clean = np.where(np.abs(vector) > 1e-15, vector, 0.0)
+    last = clean[np.flatnonzero(clean)[-1]]
+    return np.asarray(clean * np.sign(last) + 0.0)
+
+
+def _vec3(vector: Array) -> tuple[float, float, float]:
+    return (float(vector[0]), float(vector[1]), float(vector[2]))
+
+
+def _rows(columns: Array) -> tuple[tuple[float, float, float], ...]:
+    return tuple(_vec3(row) for row in columns)
 
 
 @dataclass(frozen=True)

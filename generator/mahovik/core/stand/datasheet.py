@@ -13,9 +13,8 @@ from typing import Annotated, Any
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import polar
 from mahovik.core.stand.declare import Note
-from mahovik.core.stand.directions import parallel
 from mahovik.core.stand.echoes import Moments, list_item
-from mahovik.core.stand.fields import Direction, Mat3, Table, Vec3, require_bounds, scalar, validator, vector
+from mahovik.core.stand.fields import Direction, Mat3, Table, Vec3, parallel, require_bounds, scalar, validator, vector
 from mahovik.core.stand.units import QuantityError, number
 
 

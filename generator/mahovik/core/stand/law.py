@@ -10,8 +10,7 @@ from typing import Any, ClassVar, Self, TypeVar
 
 from pydantic import create_model
 
-from mahovik.core.stand.declare import Declared, Default, Note, Size
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import Declared, Default, Draw, Note, Size
 from mahovik.core.stand.fields import Table, Text, Vec3, require_bounds
 from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_labels, freedom_names
 from mahovik.core.stand.model import Body, FreedomKind, Hold, Law, Stand

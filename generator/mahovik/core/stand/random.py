@@ -1,4 +1,4 @@
-"""Random general stands and states from a seeded generator: what verification, campaigns and tests draw from.
+"""Random general stands and states, ordinary and extreme, from a seeded generator: verification, campaigns and tests.
 
 Every body is a cloud of point masses, so every inertia is physical and nothing is symmetric by accident.
 """
@@ -6,17 +6,21 @@ Every body is a cloud of point masses, so every inertia is physical and nothing 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import cycle
+from operator import mul
+from types import MappingProxyType
 from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.laws import LAWS
-from mahovik.core.stand.declare import Size
-from mahovik.core.stand.draw import Draw, rows
+from mahovik.contract.quantities import BOUNDS, QUANTITIES, limits_of
+from mahovik.core.stand.declare import Draw, Size, rows
 from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.hold import twist_of, twists
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import (
     COMPONENTS,
@@ -33,8 +37,10 @@ from mahovik.core.stand.model import (
     Stand,
     Task,
     TaskRow,
+    Vec3,
+    Vec6,
 )
-from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state
+from mahovik.core.stand.state import Quaternion, State, rest_state
 from mahovik.core.stand.task import dependent_rows, places_of
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
@@ -216,3 +222,192 @@ class _Bodies(Draw):
     def motor(self) -> Motor:
         rng = self.rng
         return Motor(float(rng.uniform(0.05, 0.5)), float(rng.uniform(300, 900)), 0.03, 0.5, 24.0, 1e-5, 5e-4, 0.1)
+
+
+Array = NDArray[np.floating[Any]]
+
+MAX_PHASE = BOUNDS["MAX_PHASE"].value  # rad
+
+EXTREMES = (
+    "rest",
+    "quarter_phases",
+    "huge_phases",
+    "fast",
+    "half_turn",
+    "near_singular",
+    "tiny",
+    "limits",
+)
+"""Kinds of extreme state: all zero; phases at multiples of pi/2; phases to the accepted limit; flywheels and
+carrier very fast; attitudes with quaternion w = 0; attitude angles near, not at, their singularity; subnormal and
+tiny numbers; every input near the accepted range at once."""
+
+
+def random_state(
+    stand: Stand, rng: np.random.Generator, extreme: bool = False, phase_limit: float = MAX_PHASE
+) -> State:
+    """A random state with inputs; run-time wrenches on the bodies that take one (`wrench_input`).
+
+    `extreme`: of a kind drawn from EXTREMES. `phase_limit`: largest |phi| of huge phases (float builds take 1e3).
+    """
+    if extreme:
+        return extreme_state(stand, rng, EXTREMES[int(rng.integers(len(EXTREMES)))], phase_limit)
+    N = len(stand.flywheels)
+    angles, quaternion = _attitude(stand, rng)
+    state = State(
+        position=cast(Vec3, _normal("position", rng, 3)),
+        angles=angles,
+        quaternion=quaternion,
+        V=cast(Vec6, _normal("V", rng, 6)),
+        phi=_tuple(rng.uniform(-math.pi, math.pi, N)),
+        phi_dot=_normal("phi_dot", rng, N),
+        phi_ddot=_normal("phi_ddot", rng, N),
+        V_dot=cast(Vec6, _normal("V_dot", rng, 6)),
+        tau=_normal("tau", rng, N),
+        wrench=random_wrenches(rng, [body.name for body in stand.bodies if body.wrench_input]),
+    )
+    return along_freedoms(stand, state, rng)
+
+
+def along_freedoms(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state with u, u_dot of a held carrier by its V, V_dot, and with V = S u, within the ranges of V and V_dot.
+
+    With a profile of the stream at a depth that it has, drawn by `rng`.
+    """
+    state = within_profile(stand, state, rng)
+    if stand.hold is None:
+        return state
+    S = twists(stand.hold).T.tolist()
+    given: dict[str, Any] = {}
+    for key, symbol in (("u", "V"), ("u_dot", "V_dot")):
+        wanted = getattr(state, symbol)
+        rates = [sum(map(mul, column, wanted)) / sum(map(mul, column, column)) for column in S]
+        moved = twist_of(stand.hold, rates)
+        excess = max(abs(x) / most for x, most in zip(moved, cycle(limits_of(symbol)), strict=False))
+        if excess > 1.0:
+            rates = [x / excess * (1.0 - 1e-9) for x in rates]
+        given |= {key: tuple(rates), symbol: twist_of(stand.hold, rates)}
+    return replace(state, **given)
+
+
+def within_profile(stand: Stand, state: State, rng: np.random.Generator) -> State:
+    """The state, moved up or down into a layer of the profile of the stream; as it is without one.
+
+    A third of the states is in the lowest layer, since the shear there is felt nowhere else in the C; for the others
+    all layers are as likely. A third is near a station, though not within 1e-3 of the layer, which float can tell
+    apart, nor within 1e-2 of it at the ends of the profile, which a motion from there should not leave.
+    """
+    if stand.profile is None:
+        return state
+    layers = len(stand.profile.depth) - 1
+    layer = layers - 1 if rng.random() < 1.0 / 3.0 else int(rng.integers(layers))
+    share = rng.uniform(0.01, 0.99)
+    if rng.random() < 1.0 / 3.0:
+        share = 10.0 ** rng.uniform(-3.0, -2.0)
+        share = share if rng.random() < 0.5 else 1.0 - share
+        share = min(max(share, 0.01 if layer == 0 else 0.0), 0.99 if layer == layers - 1 else 1.0)
+    return in_layer(stand, state, layer, float(share))
+
+
+def in_layer(stand: Stand, state: State, layer: int, share: float) -> State:
+    """The state, moved up or down to where `share` of a layer of the profile is above it."""
+    if stand.profile is None:
+        return state
+    length = math.hypot(*stand.profile.down)
+    down = [x / length for x in stand.profile.down]
+    top, bottom = stand.profile.depth[layer : layer + 2]
+    depth, wanted = sum(map(mul, down, state.position)), top + share * (bottom - top)
+    x, y, z = (p + (wanted - depth) * d for p, d in zip(state.position, down, strict=True))
+    if max(abs(x), abs(y), abs(z)) > BOUNDS["MAX_POSITION"].value:
+        x, y, z = (wanted * d for d in down)
+    return replace(state, position=(x, y, z))
+
+
+def random_wrenches(rng: np.random.Generator, bodies: Iterable[str]) -> MappingProxyType[str, Vec6]:
+    """Run-time wrenches of ordinary magnitude on bodies by name."""
+    return MappingProxyType({name: cast(Vec6, _normal("wrench", rng, 6)) for name in bodies})
+
+
+def _normal(symbol: str, rng: np.random.Generator, count: int) -> tuple[float, ...]:
+    """Normal numbers of the spread that the contract gives to a quantity."""
+    spread = QUANTITIES[symbol].deviation
+    return _tuple(rng.normal(size=count) * (np.repeat(spread, 3) if len(spread) == 2 else spread))
+
+
+def extreme_state(
+    stand: Stand,
+    rng: np.random.Generator,
+    kind: str,
+    phase_limit: float = MAX_PHASE,
+    least_exponent: float = -310,
+) -> State:
+    """An extreme state of one of the kinds EXTREMES names; what the kind does not concern is ordinary.
+
+    `least_exponent`: decimal, of tiny numbers; subnormal ones are among them.
+    """
+    return along_freedoms(stand, _extreme_state(stand, rng, kind, phase_limit, least_exponent), rng)
+
+
+def _extreme_state(
+    stand: Stand, rng: np.random.Generator, kind: str, phase_limit: float, least_exponent: float
+) -> State:
+    if kind == "rest":
+        return rest_state(stand)
+    state = random_state(stand, rng)
+    N = len(stand.flywheels)
+    if kind == "quarter_phases":
+        return replace(state, phi=_tuple(rng.integers(-8, 9, N) * (math.pi / 2)))
+    if kind == "huge_phases":
+        return replace(state, phi=_tuple(rng.uniform(0.5, 1.0, N) * rng.choice([-1.0, 1.0], N) * phase_limit))
+    if kind == "fast":
+        speeds = rng.uniform(0.3, 1.0, N) * rng.choice([-1.0, 1.0], N) * BOUNDS["MAX_SPEED"].value
+        turning = rng.normal(size=6) * [30, 30, 30, 300, 300, 300]
+        return replace(state, V=cast(Vec6, _tuple(turning)), phi_dot=_tuple(speeds))
+    if kind == "half_turn":
+        axis = rng.normal(size=3) if rng.random() < 0.5 else np.eye(3)[int(rng.integers(3))]
+        x, y, z = axis / np.linalg.norm(axis)
+        return replace(state, angles=None, quaternion=(0.0, float(x), float(y), float(z)))
+    if kind == "near_singular":
+        off = 10.0 ** rng.uniform(-5, -2) * rng.choice([-1.0, 1.0])  # the limit is 1e-6
+        singular = rng.choice([0.0, math.pi]) if stand.angles == "euler" else rng.choice([-0.5, 0.5]) * math.pi
+        psi, phi = rng.uniform(-3, 3, 2)
+        return replace(state, angles=(float(psi), float(singular + off), float(phi)), quaternion=None)
+    if kind == "tiny":
+        scale = 10.0 ** rng.uniform(least_exponent, least_exponent / 31)
+        return replace(
+            state,
+            position=cast(Vec3, _tuple(np.array(state.position) * scale)),
+            V=cast(Vec6, _tuple(np.array(state.V) * scale)),
+            phi=_tuple(np.array(state.phi) * scale),
+            phi_dot=_tuple(np.array(state.phi_dot) * scale),
+        )
+    if kind == "limits":
+        sign = rng.choice([-1.0, 1.0], 6)
+        return replace(
+            state,
+            position=cast(Vec3, _tuple(rng.choice([-1.0, 1.0], 3) * limits_of("position"))),
+            V=cast(Vec6, _tuple(sign * limits_of("V"))),
+            phi=_tuple(rng.choice([-1.0, 1.0], N) * phase_limit),
+            phi_dot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_dot")),
+            phi_ddot=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("phi_ddot")),
+            V_dot=cast(Vec6, _tuple(sign * limits_of("V_dot"))),
+            tau=_tuple(rng.choice([-1.0, 1.0], N) * limits_of("tau")),
+        )
+    raise ValueError(f"no extreme state of kind {kind!r}")
+
+
+def _attitude(stand: Stand, rng: np.random.Generator) -> tuple[Vec3 | None, Quaternion | None]:
+    """Angles well off their singularity, or a quaternion of any attitude."""
+    if rng.random() < 0.5:
+        psi, phi = rng.uniform(-math.pi, math.pi, 2)
+        theta = rng.uniform(-1.2, 1.2)
+        if stand.angles == "euler":
+            theta = (theta + 0.5 * math.pi) * rng.choice([-1.0, 1.0])
+        return (float(psi), float(theta), float(phi)), None
+    q = rng.normal(size=4)
+    q /= np.linalg.norm(q)
+    return None, cast(Quaternion, _tuple(q))
+
+
+def _tuple(values: Array) -> tuple[float, ...]:
+    return tuple(float(x) for x in values)

@@ -7,15 +7,16 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import numpy as np
+
 from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.fields import Mat3
-from mahovik.core.stand.hold import words
-from mahovik.core.stand.idle_laws import idle_laws
+from mahovik.core.stand.hold import twists, words
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.laws import body_laws, carrier_laws, held_laws
-from mahovik.core.stand.model import Flywheel, Instrument, Stand, Vec3
+from mahovik.core.stand.model import WRENCH_LETTERS, Flywheel, Instrument, Stand, Vec3
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3
@@ -244,3 +245,25 @@ def _heading_is_singular(angles: str, gravity: Vec3) -> bool:
         return False
     first, third = (math.acos(min(1.0, abs(gravity[k]) / length)) for k in (_FIRST_AXIS[angles], _THIRD_AXIS[angles]))
     return abs(first - third) < _NEAR
+
+
+def idle_laws(stand: Stand) -> list[str]:
+    """Warnings, a line for each law whose wrench acts on what the hold blocks: there it adds to the reaction alone."""
+    if stand.hold is None:
+        return []
+    S = twists(stand.hold)
+    found = []
+    for law in stand.laws:
+        idle = [WRENCH_LETTERS[i] for i in law.rows or () if not np.any(S[i])]
+        if idle:
+            name = type(law).__name__.lower()
+            found.append(
+                f"{name}: [hold] blocks the motion along {', '.join(idle)} of its wrench, which there adds to the "
+                "reaction and does nothing else"
+            )
+        elif not stand.hold.freedoms:
+            found.append(
+                f"{type(law).__name__.lower()}: [hold] clamps the carrier: wrenches on it add to the reaction and do "
+                "nothing else"
+            )
+    return found

@@ -1,12 +1,39 @@
-"""Spellings of units on data sheets that pint does not read as products, such as `gcm²`, `g-cm^2` and `oz-in`.
+"""Units without pint, whose registry takes half a second to start: usual ones exactly, and spellings of data sheets.
 
-These readings are tried only where the spelling itself is no unit of the dimension of the key, so none that is one
-changes its value.
+Spellings that pint does not read as products, such as `gcm²`, `g-cm^2` and `oz-in`, are tried only where the spelling
+itself is no unit of the dimension of the key, so none that is one changes its value.
 """
 
 from __future__ import annotations
 
 import re
+from fractions import Fraction
+
+PI = Fraction(31415926535897932384626433832795028841971693993751, 10**49)
+"""Pi with 50 digits, as in pint."""
+
+_KILO, _MILLI, _CENTI, _MICRO = Fraction(1000), Fraction(1, 1000), Fraction(1, 100), Fraction(1, 10**6)
+
+UNITS: dict[str, tuple[Fraction, dict[str, int]]] = {
+    "g": (Fraction(1), {"gram": 1}),
+    "kg": (_KILO, {"gram": 1}),
+    "m": (Fraction(1), {"meter": 1}),
+    "cm": (_CENTI, {"meter": 1}),
+    "mm": (_MILLI, {"meter": 1}),
+    "s": (Fraction(1), {"second": 1}),
+    "ms": (_MILLI, {"second": 1}),
+    "us": (_MICRO, {"second": 1}),
+    "rad": (Fraction(1), {"radian": 1}),
+    "deg": (PI / 180, {"radian": 1}),
+    "rpm": (PI / 30, {"radian": 1, "second": -1}),
+    "N": (_KILO, {"gram": 1, "meter": 1, "second": -2}),
+    "mN": (Fraction(1), {"gram": 1, "meter": 1, "second": -2}),
+    "A": (Fraction(1), {"ampere": 1}),
+    "V": (_KILO, {"gram": 1, "meter": 2, "second": -3, "ampere": -1}),
+    "ohm": (_KILO, {"gram": 1, "meter": 2, "second": -3, "ampere": -2}),
+}
+"""Factor and powers of pint's root units."""
+
 
 _SIGNS = str.maketrans({"⋅": "*", "⁻": "-", **{sign: str(digit) for digit, sign in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")}})
 _PER_MINUTE = frozenset(("1/min", "r/min", "U/min", "min^-1", "min-1", "/min"))

@@ -18,8 +18,7 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.core.stand.columns import Column
-from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, as_product, hint, readings, respellings
-from mahovik.core.stand.usual_units import UNITS
+from mahovik.core.stand.unit_spellings import GRAMS_OR_GRAINS, NAMES, UNITS, as_product, hint, readings, respellings
 from mahovik.nearest import nearest_name
 
 

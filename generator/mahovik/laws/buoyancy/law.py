@@ -7,8 +7,7 @@ from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 
-from mahovik.core.stand.declare import AS_VECTOR, TIMES, Default, Drawn, Size
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import AS_VECTOR, TIMES, Default, Draw, Drawn, Size
 from mahovik.core.stand.fields import ZERO3, Length3, Mass
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.law import BodyLaw

@@ -12,8 +12,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
-from mahovik.core.stand.declare import TIMES, Declared, Default, Tables
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import TIMES, Declared, Default, Draw, Tables
 from mahovik.core.stand.fields import Table, letter, refuse, scalar, text, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand

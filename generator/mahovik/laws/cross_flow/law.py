@@ -9,8 +9,7 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import model_validator
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES_EACH, Default
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import TIMES_EACH, Default, Draw
 from mahovik.core.stand.fields import Flag, Table, integer, refuse, require_bounds, scalar, validator, vector
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import Body, Stand

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
-from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Default, Size, Tables
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Default, Draw, Size, Tables
 from mahovik.core.stand.fields import LINEAR, QUADRATIC, Table, letter, matrix, one_word, refuse, text, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Carrier, Mat6, Stand

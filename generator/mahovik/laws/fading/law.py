@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Self
 
-from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Drawn, Size, uniform
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Draw, Drawn, Size, uniform
 from mahovik.core.stand.fields import LINEAR, matrix, scalar
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import Body, Mat6, Stand

@@ -11,9 +11,7 @@ from pydantic import model_validator
 
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import hypot
-from mahovik.core.stand.declare import TIMES, Declared, Default
-from mahovik.core.stand.directions import parallel
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import TIMES, Declared, Default, Draw
 from mahovik.core.stand.fields import (
     ZERO3,
     Direction,
@@ -23,6 +21,7 @@ from mahovik.core.stand.fields import (
     Name,
     Table,
     one_word,
+    parallel,
     refuse,
     scalar,
 )

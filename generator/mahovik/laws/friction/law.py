@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES, Default, InC, Note
-from mahovik.core.stand.draw import Errors
+from mahovik.core.stand.declare import TIMES, Default, Errors, InC, Note
 from mahovik.core.stand.law import Bounds, FreedomItem, HeldLaw
 from mahovik.core.stand.model import FreedomKind, Hold, Stand
 from mahovik.core.stand.units import Dimension

@@ -8,8 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES_EACH, Declared, Default
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import TIMES_EACH, Declared, Default, Draw
 from mahovik.core.stand.fields import ZERO3, Direction, Flag, Length3, Mounted, Name, Table, scalar, validator, vec3
 from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand, Vec3

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Annotated, Any, ClassVar, Self
 
-from mahovik.core.stand.declare import AS_MATRIX, AS_VECTOR, BRAKES, PULLS_BACK, Default, Drawn, InC, normal
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import AS_MATRIX, AS_VECTOR, BRAKES, PULLS_BACK, Default, Draw, Drawn, InC, normal
 from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Blocks, Length3, matrix
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Mat6, Stand

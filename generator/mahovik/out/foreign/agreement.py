@@ -14,7 +14,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.state import State
 from mahovik.out.foreign.merge import ImportedStand
 from mahovik.out.foreign.mjcf import without_log

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random_state import in_layer, random_state, random_wrenches
+from mahovik.core.stand.random import in_layer, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference

@@ -15,7 +15,7 @@ from scipy.linalg import svd
 
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.numbers import StandNumbers, exact
-from mahovik.core.stand.random_state import along_freedoms
+from mahovik.core.stand.random import along_freedoms
 from mahovik.core.stand.read import read
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.core.stand.write import document_of

@@ -13,7 +13,7 @@ from mahovik.contract.laws import parts
 from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random_state import EXTREMES, extreme_state, random_state, random_wrenches
+from mahovik.core.stand.random import EXTREMES, extreme_state, random_state, random_wrenches
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
 from mahovik.proof.reference.law import CarrierReference

@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, numbered_freedoms, twists, words
 from mahovik.core.stand.model import Hold, Stand, Vec3
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array

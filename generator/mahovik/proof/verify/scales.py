@@ -18,7 +18,7 @@ from mahovik.contract.limits import PERTURBATION, PERTURBATIONS, RESTING
 from mahovik.contract.quantities import BESIDE, FLOORS
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random_state import random_state
+from mahovik.core.stand.random import random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference

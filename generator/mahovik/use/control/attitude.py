@@ -14,8 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from mahovik.core.stand.capacity import momentum_capacity, torque_capacity
-from mahovik.core.stand.envelope import Array, envelope
+from mahovik.core.stand.capacity import Array, envelope, momentum_capacity, torque_capacity
 from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Motor, Stand, Task
 from mahovik.core.stand.whole import mass_properties, placed_bodies

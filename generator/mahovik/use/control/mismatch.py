@@ -8,7 +8,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from mahovik.core.stand.draw import Errors
+from mahovik.core.stand.declare import Errors
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAxes, Stand, Vec3

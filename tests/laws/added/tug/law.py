@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Self
 
-from mahovik.core.stand.declare import AS_VECTOR, InC, normal
-from mahovik.core.stand.draw import Draw
+from mahovik.core.stand.declare import AS_VECTOR, Draw, InC, normal
 from mahovik.core.stand.fields import vector3
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import Body, Stand, Vec3
