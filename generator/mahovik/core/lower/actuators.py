@@ -11,7 +11,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.program.expression import Status, real
 from mahovik.core.program.kernel import OK
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 
 
 def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:

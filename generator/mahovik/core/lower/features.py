@@ -9,7 +9,7 @@ from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower.freedoms import are_closed
 from mahovik.core.lower.law import BodyProgram, CarrierProgram
 from mahovik.core.program.types import NamedCount, Precision
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 
 
 @dataclass(frozen=True)

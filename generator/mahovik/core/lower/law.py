@@ -18,7 +18,7 @@ from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.declare import Declared, InC
 from mahovik.core.stand.fields import QuantityValidator
 from mahovik.core.stand.model import Body, Mat6, Stand, Vec3
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.stand.units import Dimension
 
 SHAPES: dict[Any, tuple[int, ...]] = {Vec3: (3,), Mat6: (6, 6)}

@@ -10,7 +10,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.member import Member, member
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import StreamProfile
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 
 REAL = Kind.REAL
 NAME = "stream_profile"

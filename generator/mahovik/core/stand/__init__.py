@@ -4,7 +4,8 @@ from mahovik.core.stand.identity import Identities, identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import load, loads
 from mahovik.core.stand.state import State, rest_state
-from mahovik.core.stand.structure import Structure, structure
+from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.stand.write import dumps
 
 __all__ = [

@@ -224,8 +224,6 @@ class _Bodies(Draw):
         return Motor(float(rng.uniform(0.05, 0.5)), float(rng.uniform(300, 900)), 0.03, 0.5, 24.0, 1e-5, 5e-4, 0.1)
 
 
-Array = NDArray[np.floating[Any]]
-
 MAX_PHASE = BOUNDS["MAX_PHASE"].value  # rad
 
 EXTREMES = (
@@ -409,5 +407,5 @@ def _attitude(stand: Stand, rng: np.random.Generator) -> tuple[Vec3 | None, Quat
     return None, cast(Quaternion, _tuple(q))
 
 
-def _tuple(values: Array) -> tuple[float, ...]:
+def _tuple(values: NDArray[Any]) -> tuple[float, ...]:
     return tuple(float(x) for x in values)

@@ -23,7 +23,8 @@ from pydantic import TypeAdapter
 from mahovik.core.program.arrays import ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import Structure, structure
+from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain import store
 from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, find_compiler, run_compiler
 from mahovik.errors import ToolchainError

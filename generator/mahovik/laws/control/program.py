@@ -12,7 +12,7 @@ from mahovik.core.lower.member import Member, member
 from mahovik.core.program.kernel import Reals, inline, let, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.control.law import MOST_FACTORS, ControlDerivatives, Factor, Velocity
 
 INT, REAL = Kind.INT, Kind.REAL

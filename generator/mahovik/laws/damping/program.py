@@ -14,7 +14,7 @@ from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
-from mahovik.core.stand.structure import Structure
+from mahovik.core.stand.structure_facts import Structure
 from mahovik.laws.damping.law import Damping
 
 INT, REAL = Kind.INT, Kind.REAL
