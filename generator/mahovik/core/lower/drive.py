@@ -20,7 +20,7 @@ from mahovik.core.lower.forward import (
     scene,
     sum_up,
 )
-from mahovik.core.lower.hold import Freedoms
+from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import start_blocks
 from mahovik.core.lower.wrenches import flywheel_wrenches
@@ -121,12 +121,53 @@ def add_coupled(lib: Library) -> None:
     ) -> Status:
         """V_dot, phi_ddot for given drive torques, from checked inputs; written where the status is OK."""
         seen = scene(lib, table, x, turns=(sine, cosine))
+        drift = None
         if layout.held:
-            freedoms, drift = equations_along(lib, table, x, seen, wrench, None)
-            solve_held(lib, table, seen, (tau, locked), freedoms, drift, (V_dot, phi_ddot, u_dot))
+            F = u_dot
+            K, drift = equations_along(lib, table, x, seen, wrench, None, F)
         else:
-            system = without_drives(lib, table, x, seen, wrench)
-            solve_free(lib, table, seen, (tau, locked), system, (V_dot, phi_ddot))
+            sum_up(lib, table, x, seen, None)
+            F = reals(6)  # wrench (7); then the right-hand side of K V_dot + I phi_ddot = F
+            external_wrench(lib, table, x, seen, wrench, F)
+            lib["subtract_rates"](table, seen.sums, seen.V, F)
+            K = record(layout.schur)  # mass matrix with free flywheels eliminated
+            start_blocks(lib, table, seen.sums, K)
+        columns = None
+        if layout.held:
+            drive = record(layout.coupling)
+            if layout.freedoms:
+                columns = reals(N, layout.freedoms)  # S^T I, flywheel by flywheel
+        else:
+            drive = record(layout.coupling, N)
+        common = common_terms(lib, seen.V, seen.g)
+        rate = reals(N)  # accelerations at V_dot = 0
+        for s in range(N):
+            one = drive if layout.held else drive[s]
+            column = one.I if columns is None else columns[s]
+            if locked[s] == 0:
+                couple_flywheel(lib, table, s, seen, common, one)
+                rate[s] = left_for(tau[s], one, seen.own, s, drift) * table.flywheel[s].spin_inv
+                if layout.freedoms:
+                    lib["project_wrench"](table, one.I, column)
+                if layout.freedoms or not layout.held:
+                    lib["eliminate"](column, table.flywheel[s].spin_inv, rate[s], K, F)
+            else:
+                if not layout.held:
+                    column[:] = [0] * len(column)
+                rate[s] = 0
+        if layout.held:
+            if layout.freedoms:
+                lib["solve_freedoms"](K, u_dot)
+            write_twist(lib, table, [u_dot] if layout.freedoms else [], V_dot)
+        else:
+            factor = record(layout.schur_factor)
+            lib["factor_schur"](K, factor)
+            lib["solve_schur"](factor, F, V_dot)
+        for s in range(N):
+            phi_ddot[s] = 0
+            if locked[s] == 0:
+                phi_ddot[s] = rate[s] - share_of(columns, drive, s, u_dot, V_dot) * table.flywheel[s].spin_inv
+        if not layout.held:
             from_stream(x, seen, V_dot)
         return OK
 
@@ -163,76 +204,16 @@ def add_coupled(lib: Library) -> None:
         return OK
 
 
-@inline
-def without_drives(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> Any:
-    """K and F of K V_dot + I phi_ddot = F, before the flywheels are eliminated; their sums are in `seen`."""
-    sum_up(lib, table, x, seen, None)
-    F = reals(6)  # wrench (7); then the right-hand side of K V_dot + I phi_ddot = F
-    external_wrench(lib, table, x, seen, wrench, F)
-    lib["subtract_rates"](table, seen.sums, seen.V, F)
-    K = record(lib.layout.schur)  # mass matrix with free flywheels eliminated
-    start_blocks(lib, table, seen.sums, K)
-    return K, F
+def share_of(columns: Any, drive: Any, s: Any, u_dot: Any, V_dot: Any) -> Any:
+    """I_s . V_dot, of a held carrier along its freedoms; 0 of a clamped one."""
+    if columns is not None:
+        return along(columns[s], u_dot)
+    return along(drive[s].I, V_dot) if drive.shape else real(0)
 
 
-@inline
-def solve_free(lib: Library, table: Any, seen: Any, drives_of: Any, system: Any, results: Any) -> None:
-    """V_dot, phi_ddot of K, F without drives, for given tau and locks, flywheel by flywheel."""
-    layout, N = lib.layout, lib.layout.count
-    tau, locked = drives_of
-    K, F = system
-    V_dot, phi_ddot = results
-    drive = record(layout.coupling, N)
-    common = common_terms(lib, seen.V, seen.g)
-    rate = reals(N)  # accelerations at V_dot = 0
-    for s in range(N):
-        if locked[s] == 0:
-            couple_flywheel(lib, table, s, seen, common, drive[s])
-            rate[s] = with_own(tau[s] - drive[s].bias, seen.own, s) * table.flywheel[s].spin_inv
-            lib["eliminate"](drive[s].I, table.flywheel[s].spin_inv, rate[s], K, F)
-        else:
-            drive[s].I[:] = [0] * 6
-            rate[s] = 0
-    factor = record(layout.schur_factor)
-    lib["factor_schur"](K, factor)
-    lib["solve_schur"](factor, F, V_dot)
-    for s in range(N):
-        phi_ddot[s] = 0
-        if locked[s] == 0:
-            phi_ddot[s] = rate[s] - along(drive[s].I, V_dot) * table.flywheel[s].spin_inv
-
-
-@inline
-def solve_held(
-    lib: Library, table: Any, seen: Any, drives_of: Any, freedoms: Freedoms, drift: Any, results: Any
-) -> None:
-    """Writes V_dot, phi_ddot, u_dot, for given tau and locks, of the equations for phi_ddot = 0.
-
-    `drift`: omega x C^T u of a stream.
-    """
-    N, m = lib.layout.count, lib.layout.freedoms
-    tau, locked = drives_of
-    V_dot, phi_ddot, u_dot = results
-    bias = reals(N)  # drive torques at V_dot = 0, phi_ddot = 0
-    inverse = reals(N)  # 1 / Theta_ff; 0 where a lock holds
-    columns = reals(N, 6)  # columns of I
-    rate = reals(N)  # accelerations at V_dot = 0
-    if m:
-        projected = reals(N, m)  # S^T I, flywheel by flywheel
-    common = common_terms(lib, seen.V, seen.g)
-    drive = record(lib.layout.coupling)
-    for s in range(N):
-        couple_flywheel(lib, table, s, seen, common, drive)
-        columns[s] = drive.I
-        bias[s] = drive.bias
-    for s in range(N):
-        inverse[s] = table.flywheel[s].spin_inv if locked[s] == 0 else 0
-        rate[s] = without(with_own(tau[s] - bias[s], seen.own, s), columns[s], drift) * inverse[s]
-        freedoms.eliminate(columns[s], rate[s], inverse[s], projected[s] if m else None)
-    freedoms.solve()
-    for s in range(N):
-        phi_ddot[s] = rate[s] - freedoms.back(projected[s]) * inverse[s] if m else rate[s]
-    freedoms.write(V_dot, [u_dot] if m else [])
+def left_for(tau: Any, drive: Any, own: Any, s: Any, drift: Any) -> Any:
+    """What torques leave for phi_ddot at V_dot = 0: tau - bias, own moment added, less I_s . (drift, 0)."""
+    return without(with_own(tau - drive.bias, own, s), drive.I, drift)
 
 
 def without(torque: Any, coupling: Any, drift: Any) -> Any:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.lower import flywheels, hold
+from mahovik.core.lower import flywheels
 from mahovik.core.lower.flywheels import turns_of
+from mahovik.core.lower.freedoms import place_of
+from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.library import Library
 from mahovik.core.program.expression import Given, Status
 from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, inline, local, reals, record, result
@@ -156,29 +158,29 @@ def all_turns(lib: Library, x: Any, given: Any) -> Any:
 
 
 @inline
-def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any = None) -> Any:
-    """(8) along the freedoms, P u_dot = y, without phi_ddot for phi_ddot = 0; and omega x C^T u of a stream.
-
-    `y`: a place for the right-hand side, then for u_dot.
-    """
+def equations_along(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, phi_ddot: Any, y: Any) -> Any:
+    """P u_dot = y, (8) along the freedoms, without phi_ddot for phi_ddot = 0: P, and omega x C^T u of a stream."""
     if lib.layout.along:
         F = reals(6)  # wrench (7)
-        sums = hold.sum_up_along(lib, table, x, seen.turns, phi_ddot, seen.sums)
+        along = record(lib.layout.along_sums)  # sums along the freedoms
+        if phi_ddot is None:
+            lib["sum_steady_along"](table, *seen.turns, x.phi_dot, None, seen.sums, along)
+        else:
+            lib["sum_along"](table, *seen.turns, x.phi_dot, phi_ddot, seen.sums, along)
         external_wrench(lib, table, x, seen, wrench, F)
-        freedoms = hold.Freedoms(lib, table, sums.P, y)
-        lib["right_side"](table, sums, x.V, F, freedoms.y)
-        return freedoms, None
+        lib["right_side"](table, along, x.V, F, y)
+        return along.P, None
     F = reals(6)  # wrench (7); then what is to be projected
     sum_up(lib, table, x, seen, phi_ddot)
     external_wrench(lib, table, x, seen, wrench, F)
-    freedoms = hold.Freedoms(lib, table, None, y)
-    if not freedoms.count:
-        return freedoms, None if seen.stream is None else drift_of(x, seen.stream)
+    if not lib.layout.freedoms:
+        return None, None if seen.stream is None else drift_of(x, seen.stream)
     lib["subtract_rates"](table, seen.sums, seen.V, F)
     drift = without_drift(lib, table, x, seen, F)
-    lib["project_mass"](table, seen.sums, freedoms.P)
-    lib["project_wrench"](table, F, freedoms.y)
-    return freedoms, drift
+    P = reals(place_of(lib.layout.freedoms, 0))  # mass matrix along the freedoms
+    lib["project_mass"](table, seen.sums, P)
+    lib["project_wrench"](table, F, y)
+    return P, drift
 
 
 @inline
@@ -225,7 +227,8 @@ def add_forward(lib: Library) -> None:
         """V_dot for given phi_ddot."""
         seen = scene(lib, table, x, turns=(sine, cosine) if layout.flywheels else ())
         if u_dot is not None:
-            equations_along(lib, table, x, seen, wrench, phi_ddot, u_dot)[0].solve()
+            P, _ = equations_along(lib, table, x, seen, wrench, phi_ddot, u_dot)
+            lib["solve_freedoms"](P, u_dot)
         elif not layout.held:
             sum_up(lib, table, x, seen, phi_ddot)
             F = reals(6)  # wrench (7); then the right-hand side of (8)
@@ -270,7 +273,7 @@ def add_forward(lib: Library) -> None:
         turned = all_turns(lib, x, given) or (None, None)
         lib["accelerate"](table, x, *turned, phi_ddot, wrench, written, u_dot_result)
         if layout.held:  # all inputs have been read
-            hold.write_twist(lib, table, [u_dot_result] if layout.freedoms else [], written)
+            write_twist(lib, table, [u_dot_result] if layout.freedoms else [], written)
         if not at_once:
             V_dot[:] = written
         if layout.freedoms:

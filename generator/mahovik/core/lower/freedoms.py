@@ -90,6 +90,18 @@ def momenta_needed(ways: Sequence[str]) -> list[str]:
     return [way for way in ways if way in found]
 
 
+def slides(way: str) -> bool:
+    """Whether a freedom that is `closed` slides; else it turns."""
+    return way == "slide" or way in "xyz"
+
+
+def harmonics(ways: Sequence[str]) -> list[tuple[str, ...]]:
+    """Names of the harmonics that elements of S^T K S have, in their order: by J those of two turns, by mu of one."""
+    of_turns: tuple[tuple[str, ...], ...] = ((), ("c", "s"), ("2c", "2s", "c", "s"))
+    pairs = [(one, other) for i, one in enumerate(ways) for other in ways[: i + 1]]
+    return [of_turns[2 - slides(one) - slides(other)] for one, other in pairs]
+
+
 def place_of(i: int, j: int) -> int:
     """Where element (i, j), j <= i, of a symmetric matrix of the freedoms is stored: row by row."""
     return i * (i + 1) // 2 + j

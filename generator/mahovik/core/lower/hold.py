@@ -15,10 +15,19 @@ from operator import mul
 from typing import Any
 
 from mahovik.core.lower.flywheels import weights
-from mahovik.core.lower.freedoms import columns, element, momenta_needed, place_of, speeds, turning_force
+from mahovik.core.lower.freedoms import (
+    columns,
+    element,
+    harmonics,
+    momenta_needed,
+    place_of,
+    slides,
+    speeds,
+    turning_force,
+)
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import mass_times
-from mahovik.core.program.expression import Expr, Not, Place, Status, real
+from mahovik.core.program.expression import Expr, Not, Status
 from mahovik.core.program.kernel import (
     NOT_POSITIVE_DEFINITE,
     OK,
@@ -29,7 +38,6 @@ from mahovik.core.program.kernel import (
     inline,
     kernel,
     let,
-    local,
     reals,
     record,
     refuse,
@@ -211,6 +219,8 @@ def sum_along(lib: Library, steady: bool) -> Any:
     """Sums over all bodies, projected to the freedoms; `steady`: at constant speeds."""
     layout, N = lib.layout, lib.layout.count
     momenta = momenta_needed(layout.ways)
+    # of three freedoms compilers do not keep all sums in registers over one loop
+    parts = ("P", "g") if layout.freedoms > 2 else ("Pg",)
     purpose = "Mass matrix of all bodies along the freedoms, and the flywheels' terms; w = phi_dot"
     purpose += " is constant." if steady else ", a = phi_ddot."
 
@@ -230,28 +240,31 @@ def sum_along(lib: Library, steady: bool) -> Any:
         sum_.P[:] = table.P_0
         for name in ("P_dot", "g", *(("h",) if momenta else ())):
             sum_.member(name)[:] = [0] * len(sum_.member(name))
-        for k in range(N):
-            row = table.flywheel[k]
-            s = sine[k]
-            c = cosine[k]
-            w = phi_dot[k]
-            a = None if steady else phi_ddot[k]
-            c2, s2, dc, ds, dc2, ds2, ddc, dds = weights(s, c, w, a)
-            if layout.weight:
-                # first moment
-                whole.mu += row.mu_c * c + row.mu_s * s
-            # mass matrix along the freedoms and its rate
-            for i in list(range(len(sum_.P))):
-                sum_.P[i] += row.P_2c[i] * c2 + row.P_2s[i] * s2 + row.P_c[i] * c + row.P_s[i] * s
-                sum_.P_dot[i] += row.P_2c[i] * dc2 + row.P_2s[i] * ds2 + row.P_c[i] * dc + row.P_s[i] * ds
-            body().note(("I phi_dot and its rate" if momenta else "rate of I phi_dot") + " along the freedoms")
-            for i in list(range(layout.freedoms)):
-                if momenta:
-                    sum_.h[i] += row.I_c[i] * ds + w * row.I_0[i] - row.I_s[i] * dc
-                if steady:
-                    sum_.g[i] += row.I_c[i] * dds - row.I_s[i] * ddc
-                else:
-                    sum_.g[i] += row.I_c[i] * dds + a * row.I_0[i] - row.I_s[i] * ddc
+        for part in parts:
+            for k in range(N):
+                row = table.flywheel[k]
+                s = sine[k]
+                c = cosine[k]
+                w = phi_dot[k]
+                a = None if steady else phi_ddot[k]
+                c2, s2, dc, ds, dc2, ds2, ddc, dds = weights(s, c, w, a)
+                if "P" in part:
+                    # mass matrix along the freedoms and its rate
+                    factors = {"2c": (c2, dc2), "2s": (s2, ds2), "c": (c, dc), "s": (s, ds)}
+                    for i, names in enumerate(harmonics(layout.ways)):
+                        if names:
+                            of_row = [row.member(f"P_{name}")[i] for name in names]
+                            sum_.P[i] += dot(of_row, [factors[name][0] for name in names])
+                            sum_.P_dot[i] += dot(of_row, [factors[name][1] for name in names])
+                if "g" in part:
+                    if layout.weight:
+                        # first moment
+                        whole.mu += row.mu_c * c + row.mu_s * s
+                    body().note(("I phi_dot and its rate" if momenta else "rate of I phi_dot") + " along the freedoms")
+                    I_0 = Vector([0 if slides(way) else row.I_0[i] for i, way in enumerate(layout.ways)])
+                    if momenta:
+                        sum_.h += row.I_c * ds + w * I_0 - row.I_s * dc
+                    sum_.g += row.I_c * dds + (0 if steady else a) * I_0 - row.I_s * ddc
 
     return sum_along
 
@@ -330,53 +343,3 @@ def prepare_constant(lib: Library, table: Any) -> None:
     constant.mu[:] = table.first_moment
     constant.J[:] = table.inertia
     lib["project_mass"](table, constant, table.P_0)
-
-
-@inline
-def sum_up_along(lib: Library, table: Any, x: Any, turns: Any, phi_ddot: Any, whole: Any) -> Any:
-    """The sums along the freedoms; without phi_ddot at constant speeds. `whole` gets the moment for the weight."""
-    along = record(lib.layout.along_sums)  # sums along the freedoms
-    if phi_ddot is None:
-        lib["sum_steady_along"](table, *turns, x.phi_dot, None, whole, along)
-    else:
-        lib["sum_along"](table, *turns, x.phi_dot, phi_ddot, whole, along)
-    return along
-
-
-class Freedoms:
-    """The equations along the freedoms while they are set up: P = S^T K S, y = S^T b, less what flywheels take."""
-
-    def __init__(self, lib: Library, table: Place, P: Place | None = None, y: Place | None = None) -> None:
-        self._lib, self._table = lib, table
-        self.count = lib.layout.freedoms
-        self._columns = columns(lib.layout.ways, table)
-        if self.count:
-            size = place_of(self.count, 0)
-            self.P = local("P", size, comment="mass matrix along the freedoms") if P is None else P
-            self.y = local("y", self.count, comment="wrench along the freedoms; then u_dot") if y is None else y
-
-    def eliminate(self, coupling: Sequence[Expr], rate: Expr, inverse: Expr, projected: Place | None) -> None:
-        """Takes one free flywheel away by its column of I; `projected` (m) gets S^T I."""
-        if projected is None:
-            return
-        body().set(projected, [dot(column, coupling) for column in self._columns])
-        for i in range(self.count):
-            body().add(self.y[i], projected[i] * rate, subtract=True)
-            scaled = let(f"scaled{i + 1}", projected[i] * inverse)
-            for j in range(i + 1):
-                body().add(self.P[place_of(i, j)], scaled * projected[j], subtract=True)
-
-    def back(self, projected: Place | None) -> Any:
-        """I_s . V_dot of a flywheel by S^T I_s."""
-        return real(0) if projected is None else dot(projected, self.y)
-
-    def solve(self) -> None:
-        """u_dot into y; the caller returns where the mass along the freedoms is not positive."""
-        if self.count:
-            body().check(self._lib["solve_freedoms"](self.P, self.y))
-
-    def write(self, V_dot: Place, rates: Sequence[Place]) -> None:
-        """V_dot and u_dot."""
-        if self.count:
-            body().set(rates[0], self.y)
-        write_twist(self._lib, self._table, rates, V_dot)

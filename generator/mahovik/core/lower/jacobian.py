@@ -26,7 +26,7 @@ from mahovik.core.lower.forward import (
     without_drift,
 )
 from mahovik.core.lower.freedoms import place_of
-from mahovik.core.lower.hold import Freedoms, write_twist
+from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import mass_times, start_blocks
 from mahovik.core.program.expression import Const, Expr, Place, Status, equal, real, select
@@ -471,9 +471,8 @@ def add_coupled_jacobian(lib: Library) -> None:
             drive = at.drives[s]
             spins[s] = without(with_own(tau[s] - drive.bias, at.seen.own, s), drive.I, at.drift) * inverse[s]
             if layout.held:
-                Freedoms(lib, table, at.K, at.side).eliminate(drive.I, spins[s], inverse[s], at.shares[s])
-            else:
-                lib["eliminate"](drive.I, inverse[s], spins[s], at.K, at.R)
+                lib["project_wrench"](table, drive.I, at.shares[s])
+            lib["eliminate"](share_of(lib, at, s), inverse[s], spins[s], at.K, at.side)
         factor(lib, table, at)
         solve(lib, table, at)
         for s in range(N):

@@ -201,7 +201,24 @@ def start_blocks(lib: Library, table: Any, sums: Any, K: Any) -> None:
 
 
 def add_elimination(lib: Library) -> None:
-    """Adds the elimination of one free flywheel."""
+    """Adds the elimination of one free flywheel: from six rows, or from those along the freedoms of a held carrier."""
+    m = lib.layout.freedoms
+    if lib.layout.held:
+
+        @lib.kernel("eliminate", short=True)
+        def eliminate_along(
+            column: Reals = argument("of S^T I", m),
+            spin_inv: float = argument(unit="1/(kg m2)"),
+            rate: float = argument("its acceleration at u_dot = 0", unit="rad/s2"),
+            P: Reals = changed("", m * (m + 1) // 2),
+            y: Reals = changed("", m),
+        ) -> None:
+            """Eliminates one free flywheel: S^T K S - (S^T I) (S^T I)^T / Theta_ff, y - S^T I rate."""
+            scaled: Reals = column * spin_inv  # S^T I / Theta_ff
+            P -= [scaled[i] * column[j] for i in range(m) for j in range(i + 1)]
+            y -= column * rate
+
+        return
 
     @lib.kernel()
     def eliminate(
