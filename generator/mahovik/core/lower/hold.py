@@ -264,7 +264,7 @@ def sum_along(lib: Library, steady: bool) -> Any:
                     I_0 = Vector([0 if slides(way) else row.I_0[i] for i, way in enumerate(layout.ways)])
                     if momenta:
                         sum_.h += row.I_c * ds + w * I_0 - row.I_s * dc
-                    sum_.g += row.I_c * dds + (0 if steady else a) * I_0 - row.I_s * ddc
+                    sum_.g += row.I_c * dds + (0 if a is None else a) * I_0 - row.I_s * ddc
 
     return sum_along
 
