@@ -114,29 +114,23 @@ class Second:
         answer = self.function(want)(**inputs)
         values = {name.removeprefix(f"{want}_"): value.full() for name, value in answer.items()}
         if want == "points":
-            return {"points": self._by_point(values)}
+            names = equations.point_names(self.stand)
+            split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
+            numbers = {
+                name: [x if name == "C" else x[:, 0] for x in split[name]] for name in equations.POINT_QUANTITIES
+            }
+            return {"points": {point: {name: numbers[name][k] for name in numbers} for k, point in enumerate(names)}}
         return {name: float(value[0, 0]) if name == "energy" else value[:, 0] for name, value in values.items()}
 
-    def _by_point(self, values: dict[str, Array]) -> dict[str, dict[str, Array]]:
-        names = equations.point_names(self.stand)
-        split = {name: np.split(value, len(names), axis=1) for name, value in values.items()}
-        return {
-            point: {
-                name: split[name][k] if name == "C" else split[name][k][:, 0] for name in equations.POINT_QUANTITIES
-            }
-            for k, point in enumerate(names)
-        }
-
     def _generalized(self, state: State, inputs: dict[str, Any]) -> Values:
-        if self.stand.hold is not None:
-            V_dot = self._solve("forward", inputs)["V_dot"]
-            where = (state.position, inputs["C"], state.V, V_dot)
-            return held_coordinates(self.stand.hold, self.stand.angles, *where)
-        if state.quaternion is not None:
+        hold, sequence = self.stand.hold, self.stand.angles
+        if hold is None and state.quaternion is not None:
             raise StateError("quaternion: `generalized` needs `angles`")
         V_dot = self._solve("forward", inputs)["V_dot"]
+        if hold is not None:
+            return held_coordinates(hold, sequence, state.position, inputs["C"], state.V, V_dot)
         try:
-            return free_coordinates(self.stand.angles, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
+            return free_coordinates(sequence, state.angles or (0.0, 0.0, 0.0), inputs["V"], V_dot)
         except np.linalg.LinAlgError as error:
             raise StateError(f"generalized: {error}") from None
 

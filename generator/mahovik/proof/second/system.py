@@ -130,7 +130,7 @@ class System:
     def kinetics(self) -> tuple[Expr, ...]:
         """T (J), Z (6; kg m/s, kg m2/s, in E1 about O1), and of the bodies: K (6x6), flywheel columns (7xN), and their
         centre of mass (3; m) and its velocity (3; m/s) in E1, which are not numbers where there is no mass."""
-        T, momenta, mass, moments = self._map_over_bodies(one.body_kinetics())(self.bodies, self.q_dot, self.phi)
+        T, momenta, mass, moments = one.body_kinetics().map(self.count)(self.bodies, self.q_dot, self.phi)
         T, Z = ca.sum2(T), ca.sum2(momenta[:6, :])
         m = sum(body.mass for body in self.stand.bodies)
         center, velocity = ca.sum2(moments) / m, Z[:3] / m
@@ -144,11 +144,11 @@ class System:
         """d/dt (dT/dq') - dT/dq for the accelerations V_dot (6), phi_ddot (N): of the carrier (6), flywheels (N)."""
         acceleration = inertial_acceleration(self.V, V_dot)
         q_ddot = self._rates(acceleration, phi_ddot)
-        forces = self._map_over_bodies(one.body_inertial_force())(self.bodies, self.q_dot, q_ddot, self.phi)
+        forces = one.body_inertial_force().map(self.count)(self.bodies, self.q_dot, q_ddot, self.phi)
         carrier = ca.sum2(forces[:6, :])
         if self.Lambda is not None:
             carrier += one.fluid_motion()(self.Lambda, self.stream, self.V, acceleration)[2]
-        return carrier, self._of_flywheels(forces[6, :])
+        return carrier, forces[6, self.fixed :].T
 
     def applied_force(self) -> tuple[Expr, Expr]:
         """Generalized forces of all wrenches but the drive torques: on the carrier (6), on the flywheels (N)."""
@@ -156,28 +156,24 @@ class System:
         potentials = tuple(law.potential for law in energies if law.potential is not None)
         numbers = np.array([[x for law in potentials for x in law.numbers(body)] for body in self.stand.bodies]).T
         gravity = ca.repmat(self.gravity, 1, self.count)
-        forces = self._map_over_bodies(one.body_force(potentials))(
+        forces = one.body_force(potentials).map(self.count)(
             self.bodies, ca.DM(numbers), self.phi, gravity, self._wrenches()
         )
         carrier = ca.sum2(forces[:6, :])
         for law in parts("energy", CarrierEnergy):
             carrier += law.force(self.stand, self.inputs)
-        return carrier, self._of_flywheels(forces[6, :])
+        return carrier, forces[6, self.fixed :].T
 
     def _wrenches(self) -> Expr:
         """P (6 x bodies): the run-time wrench and those of laws without a potential, each in its body's frame."""
         stream = ca.repmat(self.stream, 1, self.count)
-        twists = self._map_over_bodies(one.body_twist())(self.bodies, self.q_dot, self.phi, stream)
+        twists = one.body_twist().map(self.count)(self.bodies, self.q_dot, self.phi, stream)
         wrenches = ca.horzsplit(self.inputs["wrench"])
         for law in parts("energy", BodyEnergy, BODY_LAWS):
             for k, body in enumerate(self.stand.bodies):
                 if (applied := law.wrench(body, twists[:, k])) is not None:
                     wrenches[k] = wrenches[k] + applied
         return ca.horzcat(*wrenches)
-
-    def _map_over_bodies(self, function: Expr) -> Expr:
-        """The function of one body as one of all: arguments and results side by side."""
-        return function.map(self.count)
 
     def _rates(self, carrier: Expr, flywheels: Expr) -> Expr:
         """q' or q'' of all bodies (7 x bodies)."""
@@ -186,9 +182,6 @@ class System:
     def _flywheel_row(self, values: Expr) -> Expr:
         """One number per body (1 x bodies): those of the flywheels, zero for the bodies that have no phi."""
         return ca.horzcat(ca.MX.zeros(1, self.fixed), values.T)
-
-    def _of_flywheels(self, row: Expr) -> Expr:
-        return row[self.fixed :].T
 
 
 # -- answers -----------------------------------------------------------------------------------------------------------
