@@ -11,7 +11,7 @@ import pytest
 from emit.stands import AIR, HELD, generated, other_numbers, stand
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.core.program.short_loops import loops_of_no_turn
+from mahovik.core.program.simplify import loops_of_no_turn
 from mahovik.core.stand.random import random_stand
 from mahovik.core.stand.structure import structure
 from toolchain.quick import quick

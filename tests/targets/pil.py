@@ -6,9 +6,8 @@ import re
 from dataclasses import dataclass
 from functools import partial
 
-from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.emit.literal import real_literal
+from mahovik.core.emit.literal import initialiser, real_literal
 from mahovik.core.emit.servo import servo_program_text
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

@@ -18,7 +18,7 @@ from mahovik.core.program.refusal import POSITIVE
 from mahovik.core.program.statement import Declare
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import statements
-from mahovik.core.program.wide import BYTES
+from mahovik.core.program.widen import BYTES
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError

@@ -7,11 +7,10 @@ from collections.abc import Collection, Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
-from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.declaration import contract, definition, null_check, prototype, struct_lines, summary, zeros
 from mahovik.core.emit.expression import Expressions
 from mahovik.core.emit.layout import comment_lines
-from mahovik.core.emit.literal import hex_literal, real_literal
+from mahovik.core.emit.literal import hex_literal, initialiser, real_literal
 from mahovik.core.emit.names import Names
 from mahovik.core.emit.statement import Statements
 from mahovik.core.emit.templates import template

@@ -7,9 +7,8 @@ from collections.abc import Iterable
 from mahovik.core.emit.layout import WIDTH, filled, hanging, paragraph, wrap_statement
 from mahovik.core.emit.names import Names, member
 from mahovik.core.program.call import Argument
-from mahovik.core.program.cost import cost
+from mahovik.core.program.cost import cost, stack_bound
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.types import Struct
 
 

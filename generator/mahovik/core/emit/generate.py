@@ -18,7 +18,7 @@ from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.restrict import restrict_program
+from mahovik.core.program.simplify import restrict_program
 from mahovik.core.program.types import DOUBLE, FLOAT, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

@@ -1,10 +1,17 @@
-"""Numbers as C literals, exact and typed: the shortest decimal that reads back to the same bits, or hexadecimal."""
+"""Numbers as C literals, exact and typed: the shortest decimal that reads back to the same bits, or hexadecimal.
+
+Constant tables as initialisers: one member a line, by name.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from mahovik.core.program.types import Precision
+from mahovik.core.emit.layout import wrap_statement
+from mahovik.core.program.types import Field, Kind, Precision, Struct
+
+_STEP = "    "
 
 
 def real_literal(value: float, precision: Precision) -> str:
@@ -45,3 +52,52 @@ def _suffix(precision: Precision) -> str:
 def word_literal(value: int) -> str:
     """An unsigned literal: small ones decimal, the others hexadecimal."""
     return f"{value}u" if value < 1024 else f"0x{value:x}u"
+
+
+def initialiser(
+    struct: Struct, value: Mapping[str, Any], literal: Callable[[float], str], labels: Mapping[str, list[str]]
+) -> list[str]:
+    """Lines of `{ ... }` for a struct. `labels`: names of the elements of array members, for a comment before each."""
+    return ["{", *_members(struct, value, literal, labels, _STEP), "}"]
+
+
+def _members(
+    struct: Struct,
+    value: Mapping[str, Any],
+    literal: Callable[[float], str],
+    labels: Mapping[str, list[str]],
+    indent: str,
+) -> Iterator[str]:
+    for f in struct.fields:
+        if not isinstance(f.type, Struct) and len(f.shape) < 2:
+            yield from wrap_statement(f".{f.name} = {_numbers(f, value[f.name], literal)},", indent)
+            continue
+        yield f"{indent}.{f.name} = {{"
+        if not isinstance(f.type, Struct):
+            yield from _matrix(value[f.name], f, literal, indent + _STEP)
+        elif f.shape:
+            for number, element in enumerate(value[f.name]):
+                label = f"  /* {labels[f.name][number]} */" if f.name in labels else ""
+                yield f"{indent}{_STEP}{{{label}"
+                yield from _members(f.type, element, literal, {}, indent + 2 * _STEP)
+                yield f"{indent}{_STEP}}},"
+        else:
+            yield from _members(f.type, value[f.name], literal, labels, indent + _STEP)
+        yield f"{indent}}},"
+
+
+def _matrix(rows: list[list[Any]], f: Field, literal: Callable[[float], str], indent: str) -> Iterator[str]:
+    texts = [[_number(x, f.type, literal) for x in row] for row in rows]
+    width = max(len(t) for row in texts for t in row)
+    for row in texts:
+        yield from wrap_statement(f"{{ {', '.join(f'{t:>{width}}' for t in row)} }},", indent)
+
+
+def _numbers(f: Field, value: Any, literal: Callable[[float], str]) -> str:
+    if f.shape:
+        return "{ " + ", ".join(_number(x, f.type, literal) for x in value) + " }"
+    return _number(value, f.type, literal)
+
+
+def _number(value: Any, type_: Kind | Struct, literal: Callable[[float], str]) -> str:
+    return literal(float(value)) if type_ is Kind.REAL else str(int(value))

@@ -17,8 +17,8 @@ from mahovik.core.emit.names import VERIFICATION, Names
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.lower.layout import Layout
 from mahovik.core.program.call import Argument
+from mahovik.core.program.cost import stack_bound
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.stack import stack_bound
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand

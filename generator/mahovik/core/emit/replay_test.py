@@ -10,9 +10,9 @@ import numpy as np
 
 from mahovik.contract.status import status_words
 from mahovik.core.emit.code import INDENT, Code
-from mahovik.core.emit.constant import initialiser
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.layout import wrap_statement
+from mahovik.core.emit.literal import initialiser
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 

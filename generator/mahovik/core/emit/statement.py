@@ -11,10 +11,9 @@ from mahovik.core.program import statement as of
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Compare, Expr, Negate, Place, Status, Variable
 from mahovik.core.program.function import Function
-from mahovik.core.program.rewrite import FreshNames
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Struct
-from mahovik.core.program.walk import expressions, inside, statements, used_variables
+from mahovik.core.program.walk import FreshNames, expressions, inside, statements, used_variables
 
 _STEP = "    "
 

@@ -14,8 +14,7 @@ from mahovik.core.program.inline import Inliner
 from mahovik.core.program.refusal import without_returns
 from mahovik.core.program.statement import Do, Statement, Statements
 from mahovik.core.program.walk import reachable, with_blocks, without_missing
-from mahovik.core.program.wide import Wide
-from mahovik.core.program.widen import RESERVED, Widener
+from mahovik.core.program.widen import RESERVED, Wide, Widener
 
 PREPARED = {"table": "prepare", "mounting": "prepare_mounts"}
 """Arguments that hold the numbers of a stand, with the function that makes each."""

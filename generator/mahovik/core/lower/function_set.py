@@ -10,7 +10,7 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Operand
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import kernel
-from mahovik.core.program.prune import prune
+from mahovik.core.program.simplify import prune
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.routines import exponential
 from mahovik.core.stand.structure_facts import Structure

@@ -42,10 +42,13 @@ from mahovik.core.lower import (
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.idle_calls import without_idle_calls
-from mahovik.core.program.prune import prune
-from mahovik.core.program.restrict import restrict_program
-from mahovik.core.program.short_loops import loops_of_no_turn, without_short_loops
+from mahovik.core.program.simplify import (
+    loops_of_no_turn,
+    prune,
+    restrict_program,
+    without_idle_calls,
+    without_short_loops,
+)
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import reachable

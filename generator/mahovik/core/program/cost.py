@@ -1,7 +1,10 @@
-"""Operation counts of a program: what a function costs by its own tree, loops and calls included.
+"""What a function costs by its own tree, loops and calls included: operations, and a bound of its stack.
 
-These are counts of arithmetic on reals, the same for every compiler; instructions, cycles and stack depend on it
-and are measured elsewhere. Of two branches the more expensive one is counted, so a count is an upper bound.
+Operations are arithmetic on reals, the same for every compiler; instructions and cycles depend on it and are measured
+elsewhere. Of two branches the more expensive one is counted, so a count is an upper bound.
+
+What a compiler makes of a function is not known here, so a bound of the stack is generous: measured frames of gcc and
+clang, at -O1 to -O3 and -Os, 32 and 64 bits, stay below it; tests/emit/test_stack.py compares.
 """
 
 from __future__ import annotations
@@ -11,10 +14,10 @@ from functools import lru_cache
 
 from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Binary, Compare, Const, Expr, Place, Select
-from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Loop, Set, Statement, Statements, When
-from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import inside, own, statements
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.statement import Block, Declare, Let, Loop, Set, Statement, Statements, When
+from mahovik.core.program.types import Kind, Struct, numbers
+from mahovik.core.program.walk import called_names, inside, own, statements
 
 
 @dataclass(frozen=True)
@@ -134,3 +137,56 @@ def _literal(e: Expr, bound: dict[str, int]) -> int | None:
         if left is not None and right is not None:
             return left + right if e.operator == "+" else left - right
     return None
+
+
+# ---- stack ----
+
+FRAME = 48
+"""Stack of a call itself, bytes: return address and saved registers."""
+
+SCALAR = 8
+"""Stack of a scalar local, an argument or an index, bytes: a compiler may keep each of them in memory."""
+
+SHARE = 1.25
+"""Factor on both and on arrays: copies that a compiler makes where it inlines, unrolls and forms vectors."""
+
+START = 128
+"""Stack that is added once, bytes: a function may save all registers of a processor."""
+
+TEMPORARIES = 56
+"""Results of operations without a name that a compiler keeps at once, where it unrolls a loop; each as a scalar."""
+
+_STEP = 16
+"""A bound is a multiple of this, to which compilers align frames."""
+
+
+def stack_bound(function: Function, program: Program) -> int:
+    """Upper bound of the stack that a call takes, with all functions that it calls; bytes."""
+    deepest = SHARE * _deepest(function, program.precision.width // 8, _depths(program)) + START
+    deepest += SCALAR * min(cost(function, program.whole).total, TEMPORARIES)
+    return -int(-deepest // _STEP) * _STEP
+
+
+@lru_cache(maxsize=8)
+def _depths(program: Program) -> dict[str, int]:
+    """Stack of the deepest chain of calls from each function, bytes. Functions come after those that they call."""
+    found: dict[str, int] = {}
+    for function in program.whole:
+        found[function.name] = _deepest(function, program.precision.width // 8, found)
+    return found
+
+
+def _deepest(function: Function, width: int, below: dict[str, int]) -> int:
+    return _frame(function, width) + max((below[name] for name in called_names(function.body)), default=0)
+
+
+def _frame(function: Function, width: int) -> int:
+    """Arrays and structs in full, side by side, and all else."""
+    large, scalars = 0, len(function.arguments)
+    for s in statements(function.body):
+        match s:
+            case Let(variable) | Declare(variable) if variable.shape or isinstance(variable.type, Struct):
+                large += numbers(variable.type, variable.shape) * width
+            case Let() | Declare() | Loop():
+                scalars += 1
+    return large + SCALAR * scalars + FRAME

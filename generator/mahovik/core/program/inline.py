@@ -12,10 +12,9 @@ from dataclasses import replace
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Const, Expr, Place, Variable
 from mahovik.core.program.function import Function
-from mahovik.core.program.rewrite import FreshNames, rebuilt, substitution
-from mahovik.core.program.statement import Block, Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
+from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.program.walk import used_variables
+from mahovik.core.program.walk import FreshNames, rebuilt, substitution, used_variables, with_blocks, with_own
 
 LONGEST = 6
 """Most iterations of a loop that is unrolled."""
@@ -89,9 +88,8 @@ class _Body:
         for s in body:
             yield from self._statement(s, meanings)
 
-    def _expr(self, e: Expr, meanings: dict[int, Expr]) -> tuple[list[Statement], Expr]:
-        """An expression, and what must be done before it: the bodies of the functions that it calls."""
-        before: list[Statement] = []
+    def _expr(self, e: Expr, meanings: dict[int, Expr], before: list[Statement]) -> Expr:
+        """An expression; `before` gets what must be done before it: the bodies of the functions that it calls."""
 
         def inline_call(call: Call) -> Expr:
             if not is_flat(self._found(call.signature.name)):
@@ -101,60 +99,35 @@ class _Body:
             assert value is not None
             return value
 
-        return before, rebuilt(e, substitution(meanings), inline_call)
+        return rebuilt(e, substitution(meanings), inline_call)
 
     def _statement(self, s: Statement, meanings: dict[int, Expr]) -> Iterator[Statement]:
         match s:
-            case Note():
-                yield s
-            case Let(variable, value):
-                before, new = self._expr(value, meanings)
-                yield from before
-                again = self._again(variable, meanings)
-                yield replace(s, variable=again, value=new)
-            case Declare(variable):
-                yield replace(s, variable=self._again(variable, meanings))
-            case Set(place, value):
-                before, new = self._expr(value, meanings)
-                yield from before
-                yield replace(s, place=self._place(place, meanings), value=new)
-            case Copy(target, source):
-                yield replace(s, target=self._place(target, meanings), source=self._place(source, meanings))
-            case Return(value):
-                before, new = self._expr(value, meanings)
-                yield from before
-                yield Return(new)
             case Do(call):
                 yield from self._do(s, call, meanings)
             case Block(inner):
                 yield from self._block(inner, meanings)
-            case When(condition, inner, otherwise):
-                before, new = self._expr(condition, meanings)
-                yield from before
-                yes, no = tuple(self._block(inner, dict(meanings))), tuple(self._block(otherwise, dict(meanings)))
-                yield replace(s, condition=new, body=yes, otherwise=no)
             case Loop():
                 yield from self._loop(s, meanings)
+            case _:
+                before: list[Statement] = []
+                new = with_own(s, lambda e: self._expr(e, meanings, before))
+                yield from before
+                if isinstance(new, Let | Declare):
+                    new = replace(new, variable=self._again(new.variable, meanings))
+                yield with_blocks(new, lambda inner: tuple(self._block(inner, dict(meanings))))
 
     def _again(self, variable: Variable, meanings: dict[int, Expr]) -> Variable:
         new = self._fresh.like(variable)
         meanings[id(variable)] = new.place
         return new
 
-    def _place(self, place: Place, meanings: dict[int, Expr]) -> Place:
-        found = rebuilt(place, substitution(meanings))
-        assert isinstance(found, Place)
-        return found
-
     def _do(self, s: Do, call: Call, meanings: dict[int, Expr]) -> Iterator[Statement]:
-        before, new = [], []
-        for argument in call.arguments:
-            steps, value = self._expr(argument, meanings)
-            before += steps
-            new.append(value)
+        before: list[Statement] = []
+        new = tuple([self._expr(argument, meanings, before) for argument in call.arguments])
         yield from before
         function = self._found(call.signature.name)
-        yield from self._fitting(function, tuple(new)) or (replace(s, call=Call(function.signature, tuple(new))),)
+        yield from self._fitting(function, new) or (replace(s, call=Call(function.signature, new)),)
 
     def _fitting(self, function: Function, arguments: tuple[Expr, ...]) -> list[Statement]:
         """The body of a function at a call where it is flat, perhaps with these arguments only; else nothing."""
@@ -201,15 +174,11 @@ class _Body:
                 steps.append(Let(variable, value))
                 meanings[id(parameter.variable)] = variable.place
         body = function.body
-        value_of: Expr | None = None
         last = body[-1] if body else None
-        if isinstance(last, Return):
-            body = body[:-1]
-        steps += self._block(body, meanings)
-        if isinstance(last, Return):
-            before, value_of = self._expr(last.value, meanings)
-            steps += before
-        return steps, value_of
+        if not isinstance(last, Return):
+            return [*steps, *self._block(body, meanings)], None
+        steps += self._block(body[:-1], meanings)
+        return steps, self._expr(last.value, meanings, steps)
 
 
 def _by_name(parameter: Argument, value: Expr) -> bool:

@@ -7,118 +7,76 @@ they are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Sequence
 
 from mahovik.core.program.expression import Const, Expr, Place, Variable
-from mahovik.core.program.rewrite import rebuilt
 from mahovik.core.program.statement import Let, Note, Set, Statement
-from mahovik.core.program.walk import inside, own
+from mahovik.core.program.walk import inside, own, rebuilt, with_own
 
 Step = str | int
 Key = tuple[Step, ...]
 """A place in words: its root's `id`, members, numbers of constant indices, and of others the `id` of a variable."""
 
 
-@dataclass(eq=False)
-class _Element:
-    """An element of an array: whether it is set before it is read, and its value on the way."""
-
-    place: Place
-    set_first: bool = False
-    read_again: bool = False
-    value: Variable | None = None
-
-
-@dataclass(eq=False)
-class _Elements:
-    """The elements that a loop's body uses."""
-
-    elements: dict[Key, _Element] = field(default_factory=dict)
-    unclear: set[int] = field(default_factory=set)
-
-    def element(self, place: Place) -> _Element | None:
-        """An element whose index is clear."""
-        key = _key(place)
-        if key is None:
-            self.unclear.add(id(place.root))
-            return None
-        return self.elements.setdefault(key, _Element(place))
-
-    def scalars(self) -> dict[Key, _Element]:
-        """Elements that are set first and read again, and that no other place may meet."""
-        return {
-            key: one
-            for key, one in self.elements.items()
-            if one.set_first
-            and one.read_again
-            and id(one.place.root) not in self.unclear
-            and not any(_may_meet(key, other) for other in self.elements)
-        }
-
-
 def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) -> tuple[Statement, ...]:
     """The body of a loop over `lane` with stores of what it reads again at its end; `name`: makes a new name."""
     if not all(isinstance(s, Let | Set | Note) or not own(s) for s in body):
         return tuple(body)
-    found = _elements(body, lane).scalars()
-    return (
-        *_scalars(body, found, name),
-        *(Set(e.place, e.value.place) for e in found.values() if e.value is not None),
-    )
-
-
-def _elements(body: Sequence[Statement], lane: Variable) -> _Elements:
-    """Elements of arrays of lanes that a body uses, in its order."""
-    known = _Elements()
-    for s in body:
-        target = s.place if isinstance(s, Set) else None
-        for place in _places(s, target):
-            if lane in _indices(place):
-                found = known.element(place)
-                if found is not None:
-                    found.read_again = True
-        if target is not None and lane in _indices(target):
-            found = known.element(target)
-            if found is not None:
-                assert isinstance(s, Set)
-                found.set_first |= not found.read_again and not s.add
-                found.read_again |= s.add
-    return known
-
-
-def _places(s: Statement, target: Place | None) -> Iterator[Place]:
-    """Places that a statement reads, or has as an index."""
-    for e in own(s):
-        for x in inside(e):
-            if isinstance(x, Place) and x is not target:
-                yield x
-
-
-def _scalars(body: Sequence[Statement], found: dict[Key, _Element], name: Callable[[str], str]) -> Iterator[Statement]:
-    """The statements with scalars in place of such elements."""
+    scalars = _scalars(body, lane)
+    values: dict[Key, Variable] = {}
 
     def leaf(place: Place) -> Expr:
-        element = found.get(_key(place) or ())
-        return place if element is None or element.value is None else element.value.place
+        value = values.get(_key(place) or ())
+        return place if value is None else value.place
+
+    found: list[Statement] = []
+    for s in body:
+        key = _key(s.place) if isinstance(s, Set) else None
+        if isinstance(s, Set) and key in scalars:
+            new = rebuilt(s.value, leaf)
+            if s.add:
+                new = values[key].place + new
+            values[key] = Variable(name(_name(s.place)), s.place.kind)
+            found.append(Let(values[key], new, s.comment))
+        else:
+            found.append(with_own(s, lambda e: rebuilt(e, leaf)))
+    stores = (Set(place, values[key].place) for key, place in scalars.items() if key in values)
+    return (*found, *stores)
+
+
+def _scalars(body: Sequence[Statement], lane: Variable) -> dict[Key, Place]:
+    """Elements of arrays of lanes that a body sets first and reads again, and that no other place may meet."""
+    places: dict[Key, Place] = {}
+    set_first: set[Key] = set()
+    read_again: set[Key] = set()
+    unclear: set[int] = set()  # roots of elements whose index is computed
+
+    def key_of(place: Place) -> Key | None:
+        key = _key(place) if lane in _indices(place) else None
+        if key is not None:
+            places.setdefault(key, place)
+        elif lane in _indices(place):
+            unclear.add(id(place.root))
+        return key
 
     for s in body:
-        match s:
-            case Let(_, value):
-                yield replace(s, value=rebuilt(value, leaf))
-            case Set(place, value):
-                new = rebuilt(value, leaf)
-                element = found.get(_key(place) or ())
-                if element is None:
-                    yield replace(s, value=new)
-                    continue
-                if s.add:
-                    assert element.value is not None
-                    new = element.value.place + new
-                element.value = Variable(name(_name(place)), place.kind)
-                yield Let(element.value, new, s.comment)
-            case _:
-                yield s
+        target = s.place if isinstance(s, Set) else None
+        for x in (x for e in own(s) for x in inside(e)):
+            if isinstance(x, Place) and x is not target and (key := key_of(x)) is not None:
+                read_again.add(key)
+        if isinstance(s, Set) and (key := key_of(s.place)) is not None:
+            if s.add:
+                read_again.add(key)
+            elif key not in read_again:
+                set_first.add(key)
+    return {
+        key: place
+        for key, place in places.items()
+        if key in set_first
+        and key in read_again
+        and id(place.root) not in unclear
+        and not any(_may_meet(key, other) for other in places)
+    }
 
 
 def _indices(place: Place) -> list[Variable]:

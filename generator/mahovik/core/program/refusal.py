@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
@@ -53,6 +54,8 @@ REFUSED = "refused"
 POSITIVE = 256
 """Codes: the negative of a negative status; this number and a positive status."""
 
+_NO_STATUS: dict[str, Any] = {"returns": None, "statuses": (), "public": False}
+
 
 def without_returns(functions: tuple[Function, ...], precision: Precision) -> dict[str, Function]:
     """Functions, each after those it calls, by name: those of a status with `refused`, the others as they are."""
@@ -64,10 +67,10 @@ def without_returns(functions: tuple[Function, ...], precision: Precision) -> di
     for function in functions:
         refusing = function.returns is Kind.STATUS
         if refusing and not _only_looks(function):
-            done[_unchecked_name(function)] = _Unchecked(done).function(function)
-        done[function.name] = _Refusing(done, precision.width).function(function) if refusing else function
+            done[_unchecked_name(function)] = _Rewriting(done, precision).unchecked(function)
+        done[function.name] = _Rewriting(done, precision).refusing(function) if refusing else function
         if _only_looks(function) or (refusing and function.name in looking):
-            done[_probe_name(function)] = _Probing(done, precision.width).function(function)
+            done[_probe_name(function)] = _Rewriting(done, precision).probe(function)
     return done
 
 
@@ -120,23 +123,24 @@ def _code(status: Status) -> int:
     return POSITIVE + value if value > 0 else -value
 
 
-class _Refusing:
-    """Makes the function with `refused`."""
+class _Rewriting:
+    """Makes of a function of a status the one with `refused`, the one that checks nothing, or the probe."""
 
-    def __init__(self, done: dict[str, Function], width: int) -> None:
-        """`width`: bits of a word."""
-        self._done = done
-        self._width = width
+    def __init__(self, done: dict[str, Function], precision: Precision) -> None:
+        self._done, self._width = done, precision.width
         self._refused = Argument(REFUSED, Kind.WORD, (), "inout", "", "0, or the negative of the status")
+        self._suspect = Argument("suspect", Kind.WORD, (), "inout")
+        self._probes = False
 
-    def function(self, function: Function) -> Function:
-        if function.returns is not Kind.STATUS:
-            return function
+    # -- with `refused` ------------------------------------------------------------------------------------------------
+
+    def refusing(self, function: Function) -> Function:
+        """The function with `refused`."""
         self._probes = not _only_looks(function)
         body, arguments = self._body(function.body), function.arguments
         if function.public or id(self._refused.variable) in used_variables(body):
             arguments = (*arguments, self._refused)  # others never refuse, such as the rates of a clamped carrier
-        return replace(function, arguments=arguments, body=body, returns=None, statuses=(), public=False)
+        return replace(function, arguments=arguments, body=body, **_NO_STATUS)
 
     def _body(self, body: Statements) -> Statements:
         found: list[Statement] = []
@@ -204,24 +208,14 @@ class _Refusing:
             case _:
                 yield with_blocks(s, self._body)
 
+    # -- without checks, for calls whose arguments were checked before -------------------------------------------------
 
-class _Unchecked:
-    """Makes a function of a status one that checks nothing, for calls whose arguments were checked before."""
+    def unchecked(self, function: Function) -> Function:
+        """The function that checks nothing."""
+        body = tuple(self._unchecked_body(function.body))
+        return replace(function, name=_unchecked_name(function), body=body, **_NO_STATUS)
 
-    def __init__(self, done: dict[str, Function]) -> None:
-        self._done = done
-
-    def function(self, function: Function) -> Function:
-        return replace(
-            function,
-            name=_unchecked_name(function),
-            body=tuple(self._body(function.body)),
-            returns=None,
-            statuses=(),
-            public=False,
-        )
-
-    def _body(self, body: Statements) -> Iterator[Statement]:
+    def _unchecked_body(self, body: Statements) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
                 if not _only_looks(call.signature):
@@ -235,7 +229,7 @@ class _Unchecked:
                 case When(_, inner, ()) if isinstance(inner[-1], Return):
                     pass
                 case When() | Loop():
-                    kept = with_blocks(s, lambda inner: tuple(self._body(inner)))
+                    kept = with_blocks(s, lambda inner: tuple(self._unchecked_body(inner)))
                     if any(blocks(kept)):
                         yield kept
                 case Do(call) if call.signature.returns is Kind.STATUS:
@@ -243,29 +237,20 @@ class _Unchecked:
                 case _:
                     yield s
 
+    # -- probes --------------------------------------------------------------------------------------------------------
 
-class _Probing:
-    """Makes the probe of a function that only looks: `suspect` gets its top bit set where it would not return OK."""
-
-    def __init__(self, done: dict[str, Function], width: int) -> None:
-        """`width`: bits of a word."""
-        self._done = done
-        self._width = width
-        self._suspect = Argument("suspect", Kind.WORD, (), "inout")
-
-    def function(self, function: Function) -> Function:
+    def probe(self, function: Function) -> Function:
+        """The probe of a function that only looks: `suspect` gets its top bit set where it would not return OK."""
         return replace(
             function,
             name=_probe_name(function),
             purpose=f"{function.purpose} Here only whether something is wrong.",
             arguments=(*function.arguments, self._suspect),
-            body=tuple(self._body(function.body)),
-            returns=None,
-            statuses=(),
-            public=False,
+            body=tuple(self._probe_body(function.body)),
+            **_NO_STATUS,
         )
 
-    def _body(self, body: Statements) -> Iterator[Statement]:
+    def _probe_body(self, body: Statements) -> Iterator[Statement]:
         for call, s in _checks(body):
             if call is not None:
                 yield self._probe(call)
@@ -280,9 +265,9 @@ class _Probing:
                 case When(condition, inner, ()) if isinstance(inner[-1], Return) or _only_checks(inner):
                     yield Set(self._suspect.place, self._suspect.place | self._doubt(condition))
                 case When(condition, inner, ()) if _returns(inner) and not _on_ints(condition):
-                    yield from self._body(inner)  # more is suspected than is wrong
+                    yield from self._probe_body(inner)  # more is suspected than is wrong
                 case When() | Loop():
-                    yield with_blocks(s, lambda inner: tuple(self._body(inner)))
+                    yield with_blocks(s, lambda inner: tuple(self._probe_body(inner)))
                 case _:
                     yield s
 

@@ -17,11 +17,19 @@ from typing import Any, Protocol
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import Binary, Const, Expr, Negate, Not, Place, Select, Variable, binary, real
 from mahovik.core.program.function import Function
-from mahovik.core.program.prune import prune
-from mahovik.core.program.rewrite import FreshNames
+from mahovik.core.program.simplify import prune
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Return, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import blocks, expressions, inside, own, statements, used_variables, with_blocks
+from mahovik.core.program.walk import (
+    FreshNames,
+    blocks,
+    expressions,
+    inside,
+    own,
+    statements,
+    used_variables,
+    with_blocks,
+)
 
 ONE = real(1)
 Derivative = Expr | None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mahovik.core.program.expression import Expr, Place, Variable
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.short_loops import loops_of_no_turn
+from mahovik.core.program.simplify import loops_of_no_turn
 from mahovik.core.program.statement import Declare, Let, Loop, Statements
 from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import blocks, called_names, inside, own, statements, used_variables

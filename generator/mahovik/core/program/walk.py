@@ -1,14 +1,72 @@
-"""Walks over programs: their statements and expressions, which variables and functions a body uses."""
+"""Walks over programs, and rebuilds them: what every pass needs of their statements, expressions and functions."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Expr, Given, Place
+from mahovik.core.program.expression import Expr, Given, Place, Variable
 from mahovik.core.program.function import Function
-from mahovik.core.program.statement import Block, Copy, Do, Let, Loop, Return, Set, Statement, Statements, When
+from mahovik.core.program.statement import (
+    Block,
+    Copy,
+    Do,
+    Let,
+    Loop,
+    Return,
+    Set,
+    Shortcut,
+    Statement,
+    Statements,
+    When,
+)
+
+Leaf = Callable[[Place], Expr]
+
+_EXPRESSIONS: Mapping[type, tuple[str, ...]] = {
+    Let: ("value",),
+    Return: ("value",),
+    Set: ("place", "value"),
+    Copy: ("target", "source"),
+    Do: ("call",),
+    Loop: ("start", "stop"),
+    When: ("condition",),
+}
+_BODIES: Mapping[type, tuple[str, ...]] = {
+    Loop: ("body",),
+    Block: ("body",),
+    Shortcut: ("body",),
+    When: ("body", "otherwise"),
+}
+
+
+# ---- statements ----
+
+
+def own(s: Statement) -> tuple[Expr, ...]:
+    """The expressions of a statement, without those of the statements inside it."""
+    return tuple([getattr(s, name) for name in _EXPRESSIONS.get(type(s), ())])
+
+
+def with_own(s: Statement, part: Callable[[Expr], Expr], **other: Any) -> Statement:
+    """The same statement with `part` of each of its own expressions, and with other members that differ."""
+    changed: dict[str, Any] = {name: part(getattr(s, name)) for name in _EXPRESSIONS.get(type(s), ())}
+    return replace(s, **changed, **other)
+
+
+def blocks(s: Statement) -> tuple[Statements, ...]:
+    """The bodies inside a statement."""
+    return tuple([getattr(s, name) for name in _BODIES.get(type(s), ())])
+
+
+def with_blocks(s: Statement, block: Callable[[Statements], Statements]) -> Statement:
+    """The same statement with `block` of each body inside it."""
+    names = _BODIES.get(type(s), ())
+    changed: dict[str, Any] = {name: block(getattr(s, name)) for name in names}
+    return replace(s, **changed) if names else s
 
 
 def statements(body: Iterable[Statement]) -> Iterator[Statement]:
@@ -19,42 +77,7 @@ def statements(body: Iterable[Statement]) -> Iterator[Statement]:
             yield from statements(inner)
 
 
-def blocks(s: Statement) -> tuple[Statements, ...]:
-    """The bodies inside a statement."""
-    match s:
-        case Loop() | Block():
-            return (s.body,)
-        case When():
-            return (s.body, s.otherwise)
-    return ()
-
-
-def with_blocks(s: Statement, block: Callable[[Statements], Statements]) -> Statement:
-    """The same statement with `block` of each body inside it."""
-    match s:
-        case Loop() | Block():
-            return replace(s, body=block(s.body))
-        case When():
-            return replace(s, body=block(s.body), otherwise=block(s.otherwise))
-    return s
-
-
-def own(s: Statement) -> tuple[Expr, ...]:
-    """The expressions of a statement, without those of the statements inside it."""
-    match s:
-        case Let(_, value) | Return(value):
-            return (value,)
-        case Set(place, value):
-            return (place, value)
-        case Copy(target, source):
-            return (target, source)
-        case Do(call):
-            return (call,)
-        case Loop(_, start, stop):
-            return (start, stop)
-        case When(condition):
-            return (condition,)
-    return ()
+# ---- expressions ----
 
 
 def expressions(body: Iterable[Statement]) -> Iterator[Expr]:
@@ -72,6 +95,37 @@ def inside(e: Expr) -> Iterator[Expr]:
         yield outer
         if parts := outer.operands:
             waiting.extend(parts[::-1])
+
+
+def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> Expr:
+    """The same tree with `leaf` of every place (its indices done already), and with `call` of every call."""
+
+    def again(inner: Expr) -> Expr:
+        return rebuilt(inner, leaf, call)
+
+    if isinstance(e, Place):
+        steps = tuple(again(step) if isinstance(step, Expr) else step for step in e.path)
+        return leaf(Place(e.root, steps, e.type, e.shape))
+    found = e.with_operands(again)
+    return call(found) if call is not None and isinstance(found, Call) else found
+
+
+def substitution(meanings: Mapping[int, Expr]) -> Leaf:
+    """Replace the root of a place by its meaning (by `id` of the variable), keep the path; other places stay."""
+
+    def leaf(place: Place) -> Expr:
+        meant = meanings.get(id(place.root))
+        if meant is None:
+            return place
+        if isinstance(meant, Place):
+            return Place(meant.root, (*meant.path, *place.path), place.type, place.shape)
+        assert not place.path
+        return meant
+
+    return leaf
+
+
+# ---- variables and functions ----
 
 
 def used_variables(body: Iterable[Statement]) -> set[int]:
@@ -111,3 +165,30 @@ def reachable(functions: tuple[Function, ...]) -> tuple[Function, ...]:
             seen.add(name)
             wanted += called_names(by_name[name].body)
     return tuple(f for f in functions if f.name in seen)
+
+
+class FreshNames:
+    """Names that no other variable of a function has."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = set(taken)
+
+    def __call__(self, wish: str) -> str:
+        """`wish` itself, or with the least number that makes it new, in place of the number that it has."""
+        name, number = wish, 1
+        stem = re.sub(r"_\d+$", "", wish)
+        while name in self._taken:
+            number += 1
+            name = f"{stem}_{number}"
+        self._taken.add(name)
+        return name
+
+    def copy(self) -> FreshNames:
+        """The same names taken; what is taken of the copy is not taken here."""
+        return FreshNames(self._taken)
+
+    def like(self, variable: Variable) -> Variable:
+        """A variable of the same type under a name of its own."""
+        return Variable(
+            self(variable.name), variable.type, variable.shape, pointer=variable.pointer, written=variable.written
+        )

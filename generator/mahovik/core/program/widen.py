@@ -1,30 +1,81 @@
 """The wide form of a function: the same operations for many states side by side, in loops that compilers vectorise.
 
-As ISPC does it: what varies from state to state gets an array of lanes, what is the same for all stays. Straight
-stretches of code become one loop over the lanes; loops over flywheels and calls stay around them. A condition that
-varies becomes a choice between values. So each state gets the bits of the narrow function, whatever its neighbours do.
+As ISPC does it: what varies from state to state gets an array of lanes, what is the same for all stays. A condition
+that varies becomes a choice between values. Then straight stretches of code become one loop over the lanes; loops over
+flywheels and calls stay around them. So each state gets the bits of the narrow function, whatever its neighbours do.
+
+A variable that one stretch alone uses stays a scalar inside its loop, where it is a register; one that several use, or
+that is passed to a function, gets an array of lanes. What is the same in all lanes is computed once, before the loop.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
 
 from mahovik.core.program.call import Argument, Call
-from mahovik.core.program.expression import Expr, Not, Place, Variable, and_, select, unequal, word
+from mahovik.core.program.expression import (
+    Binary,
+    Choice,
+    Expr,
+    Logic,
+    Negate,
+    Not,
+    Place,
+    Select,
+    Variable,
+    and_,
+    integer,
+    select,
+    unequal,
+    word,
+)
 from mahovik.core.program.function import Function
-from mahovik.core.program.prune import prune
+from mahovik.core.program.late import late
 from mahovik.core.program.refusal import REFUSED
-from mahovik.core.program.rewrite import FreshNames
+from mahovik.core.program.simplify import prune
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
-from mahovik.core.program.stretch import LANE, Stretches
-from mahovik.core.program.types import Kind
-from mahovik.core.program.varying import Varying
-from mahovik.core.program.walk import inside, statements
-from mahovik.core.program.wide import Wide
+from mahovik.core.program.types import Field, Kind, Precision, Struct
+from mahovik.core.program.walk import FreshNames, blocks, inside, rebuilt, statements, used_variables, with_own
+
+BYTES = 64
+"""Size of one wide value, bytes: a line of the cache, a register of AVX-512, two of AVX2, four of SSE2 or NEON."""
+
+LANE = "k"
+"""Index of the lanes."""
 
 RESERVED = (LANE, "where", "any")
 """Names that locals of narrow functions must not have."""
+
+
+class Wide:
+    """The wide forms of the types of one program. Ints are the same in all lanes and stay as they are."""
+
+    def __init__(self, precision: Precision) -> None:
+        self.lanes = BYTES * 8 // precision.width
+        here = f"{self.lanes} reals, one a state"
+        self.real = Struct("wide", here, (Field("at", Kind.REAL, (self.lanes,)),))
+        self.word = Struct("wide_word", f"{self.lanes} words, one a state", (Field("at", Kind.WORD, (self.lanes,)),))
+        self._structs: dict[str, Struct] = {}
+
+    def of(self, type_: Kind | Struct) -> Kind | Struct:
+        """The wide form of a type."""
+        if isinstance(type_, Struct):
+            return self._struct(type_)
+        if type_ is Kind.BOOL:
+            raise TypeError("a condition is not kept from one stretch of code to the next")
+        return {Kind.REAL: self.real, Kind.WORD: self.word}.get(type_, type_)
+
+    def _struct(self, struct: Struct) -> Struct:
+        if struct.name not in self._structs:
+            fields = tuple(replace(f, type=self.of(f.type)) for f in struct.fields)
+            purpose = f"{struct.purpose.rstrip('.')}; of {self.lanes} states side by side."
+            self._structs[struct.name] = Struct(f"wide_{struct.name}", purpose, fields)
+        return self._structs[struct.name]
+
+    def argument(self, a: Argument) -> Argument:
+        """An argument in its wide form."""
+        return Argument(a.name, self.of(a.type), a.shape, a.direction, a.unit, a.purpose)
 
 
 class Widener:
@@ -46,44 +97,103 @@ class Widener:
         key = (narrow.name, names)
         if key not in self._done:
             made = _Widening(self, narrow, names).function()
-            self._done[key] = replace(made, name=self._name(narrow.name), body=prune(made).body, apart=False)
+            # the second of a narrow one has other varying arguments
+            name = FreshNames(f.name for f in self._done.values())(f"{narrow.name}_wide")
+            self._done[key] = replace(made, name=name, body=prune(made).body, apart=False)
         return self._done[key]
 
-    def _name(self, name: str) -> str:
-        """A name for a wide function; the second of a narrow one has other varying arguments."""
-        taken = {f.name for f in self._done.values()}
-        return FreshNames(taken)(f"{name}_wide")
+
+class Varying:
+    """The variables of one function that vary, from its varying arguments; the others are the same for all states."""
+
+    def __init__(self, function: Function, arguments: Iterable[str]) -> None:
+        self._found = {id(a.variable) for a in function.arguments if a.name in arguments}
+        while self._spread(function.body, False):
+            pass
+
+    def variable(self, identity: int) -> bool:
+        """Does the variable with that `id` vary?"""
+        return identity in self._found
+
+    def add(self, variable: Variable) -> None:
+        """One more varying variable."""
+        self._found.add(id(variable))
+
+    def expression(self, e: Expr) -> bool:
+        """Does an expression vary? Ints never do: they are the table's, of the structure."""
+        return any(isinstance(x, Place) and self.place(x) for x in inside(e))
+
+    def place(self, place: Place) -> bool:
+        """Does a place, whole or scalar, vary?"""
+        return id(place.root) in self._found and place.type is not Kind.INT
+
+    def arguments(self, call: Call) -> frozenset[str]:
+        """Names of the parameters of a call that get something that varies, results included."""
+        return frozenset(p.name for p, value in call.pairs if p.direction != "in" or self.expression(value))
+
+    def _spread(self, body: Statements, condition: bool) -> bool:
+        """One pass over a body; `condition`: it is done by some states only. True where something new was found."""
+        before = len(self._found)
+        for s in body:
+            match s:
+                case Let(variable, value) if condition or self.expression(value):
+                    self._found.add(id(variable))
+                case Set(place, value) | Copy(place, value) if condition or self.expression(value):
+                    self._found.add(id(place.root))
+                case Do(call):
+                    results = (value for p, value in call.pairs if p.direction != "in")
+                    self._found |= {id(value.root) for value in results if isinstance(value, Place)}
+            now = condition or (isinstance(s, When) and self.expression(s.condition))
+            for inner in blocks(s):
+                self._spread(inner, now)
+        return len(self._found) > before
+
+
+@dataclass(eq=False)
+class _Stretch:
+    """Statements for every lane, those that are the same for all and come before them, and notes that come after."""
+
+    before: list[Statement] = field(default_factory=list)
+    lanes: list[Statement] = field(default_factory=list)
+    after: list[Statement] = field(default_factory=list)
+
+
+@dataclass(eq=False)
+class _Nested:
+    """A loop, a condition that is the same for all, a call or a copy, with the stretches in the bodies inside."""
+
+    statement: Statement
+    bodies: list[list[_Item]] = field(default_factory=list)
+
+
+_Item = _Stretch | _Nested
 
 
 class _Widening:
     """One function on its way."""
 
     def __init__(self, widener: Widener, narrow: Function, names: frozenset[str]) -> None:
-        self._widener = widener
+        self._widener, self._wide = widener, widener.wide
         self._narrow = narrow
-        self._names = names
         self._varying = Varying(narrow, names)
         local = {s.variable.name for s in statements(narrow.body) if isinstance(s, Let | Declare)}
         local |= {s.index.name for s in statements(narrow.body) if isinstance(s, Loop)}
         self._fresh = FreshNames(local | {a.name for a in narrow.arguments})
         self._unset: set[int] = set()
         self._scopes: dict[int, Expr | None] = {}
+        self._variables: dict[int, Variable] = {}
+        self._users: dict[int, set[int]] = {}
+        self._waiting: dict[int, list[Variable]] = {}
 
     def function(self) -> Function:
-        wide = self._widener.wide
         arguments: list[Argument] = []
-        variables: dict[int, Variable] = {}
         for a in self._narrow.arguments:
-            argument = wide.argument(a) if self._varying.variable(id(a.variable)) else a
+            argument = self._wide.argument(a) if self._varying.variable(id(a.variable)) else a
             arguments.append(argument)
-            variables[id(a.variable)] = argument.variable
-        plain = self._select(self._narrow.body, None)
-        body = Stretches(wide, self._varying, variables, self._calls, self._fresh).body(tuple(plain))
-        return replace(self._narrow, arguments=tuple(arguments), body=body)
-
-    def _calls(self, call: Call) -> Function:
-        """The wide form of a function that is called."""
-        return self._widener.function(self._widener.narrow(call.signature.name), self._varying.arguments(call))
+            self._variables[id(a.variable)] = argument.variable
+        items = self._split(tuple(self._select(self._narrow.body, None)))
+        self._count(items)
+        return replace(self._narrow, arguments=tuple(arguments), body=tuple(self._join(items)))
 
     # -- conditions that vary become choices ---------------------------------------------------------------------------
 
@@ -138,17 +248,13 @@ class _Widening:
         condition = s.condition if where is None else and_(where, s.condition)
         if len(s.body) == 1 and not s.otherwise:
             return self._select(s.body, condition)
-        kept = self._condition(s.condition if where is None else condition)
+        kept = Let(Variable(self._fresh("where"), Kind.BOOL), condition)
+        self._varying.add(kept.variable)
         found: list[Statement] = [kept, *self._select(s.body, kept.variable.place)]
         if s.otherwise:
             otherwise: Expr = Not(kept.variable.place)
             found += self._select(s.otherwise, otherwise if where is None else and_(where, otherwise))
         return found
-
-    def _condition(self, condition: Expr) -> Let:
-        kept = Let(Variable(self._fresh("where"), Kind.BOOL), condition)
-        self._varying.add(kept.variable)
-        return kept
 
     def _anywhere(self, s: When) -> list[Statement]:
         """Calls that do nothing but refuse, of every state that they have to: done for all where one state needs it."""
@@ -157,6 +263,137 @@ class _Widening:
         gathered = Set(flag.place, flag.place | bit)
         body = tuple(self._select(s.body, None))
         return [Declare(flag), Set(flag.place, word(0)), gathered, When(unequal(flag.place, word(0)), body)]
+
+    # -- cutting into stretches ----------------------------------------------------------------------------------------
+
+    def _split(self, body: Statements) -> list[_Item]:
+        items: list[_Item] = []
+        stretch = _Stretch()
+        for s in body:
+            if self._into(s, stretch):
+                continue
+            while stretch.lanes and isinstance(stretch.lanes[-1], Note):
+                stretch.after.insert(0, stretch.lanes.pop())
+            items += [stretch, _Nested(s, [self._split(inner) for inner in blocks(s)])]
+            stretch = _Stretch()
+        return [*items, stretch]
+
+    def _into(self, s: Statement, stretch: _Stretch) -> bool:
+        """Adds a statement to a stretch; False where it ends the stretch."""
+        match s:
+            case Let(variable) | Declare(variable) if not self._varying.variable(id(variable)):
+                stretch.before.append(s)
+            case Note() | Let() | Declare():
+                stretch.lanes.append(s)
+            case Set(place, value) if self._varying.place(place) or self._varying.expression(value):
+                stretch.lanes.append(s)
+            case Set(place) if id(place.root) not in used_variables(stretch.lanes):
+                stretch.before.append(s)
+            case _:
+                return False
+        return True
+
+    def _count(self, items: list[_Item]) -> None:
+        """Record the stretches, calls and copies that use each variable."""
+        for item in items:
+            if isinstance(item, _Stretch):
+                let = {id(s.variable) for s in item.lanes if isinstance(s, Let)}
+                self._use(id(item), used_variables(item.lanes) | let)
+            elif isinstance(item.statement, Do | Copy):
+                for user in (id(item), 0):  # a second user: what is passed on needs all its lanes
+                    self._use(user, used_variables([item.statement]))
+            else:
+                for body in item.bodies:
+                    self._count(body)
+
+    def _use(self, user: int, variables: set[int]) -> None:
+        for identity in variables:
+            self._users.setdefault(identity, set()).add(user)
+
+    # -- joining them in lanes -----------------------------------------------------------------------------------------
+
+    def _join(self, items: list[_Item]) -> Iterator[Statement]:
+        """Statements in lanes."""
+        for item in items:
+            if isinstance(item, _Stretch):
+                yield from self._loop(item)
+                continue
+            s = item.statement
+            if isinstance(s, Do):
+                yield replace(s, call=self._call(s.call))
+                continue
+            names = ("body", "otherwise")
+            inner = {name: tuple(self._join(body)) for name, body in zip(names, item.bodies, strict=False)}
+            yield with_own(s, lambda e: self._expr(e, None), **inner)
+
+    def _call(self, call: Call) -> Call:
+        """The wide form of a function is called."""
+        callee = self._widener.function(self._widener.narrow(call.signature.name), self._varying.arguments(call))
+        return Call(callee.signature, tuple(self._expr(a, None) for a in call.arguments))
+
+    def _loop(self, stretch: _Stretch) -> Iterator[Statement]:
+        """A stretch as a loop over lanes, after what is the same for all and the arrays that it needs."""
+        yield from (with_own(s, lambda e: self._expr(e, None)) for s in stretch.before)
+        index = Variable(LANE, Kind.INT)
+        outer: list[Statement] = []
+        inner: list[Statement] = [Declare(v) for v in self._waiting.pop(id(stretch), [])]
+        for s in stretch.lanes:
+            match s:
+                case Declare(variable):
+                    users = self._users.get(id(variable), set())
+                    if users == {id(stretch)}:
+                        inner.append(s)
+                    elif len(users) == 1:
+                        self._waiting.setdefault(next(iter(users)), []).append(variable)
+                    elif users:
+                        outer.append(replace(s, variable=self._widen_variable(variable)))
+                case Let(variable, value) if len(self._users[id(variable)]) > 1:
+                    outer.append(Declare(self._widen_variable(variable), s.comment))
+                    inner.append(with_own(Set(variable.place, value), lambda e: self._expr(e, index.place)))
+                case _:
+                    inner.append(with_own(s, lambda e: self._expr(e, index.place)))
+        yield from outer
+        if all(isinstance(s, Note) for s in inner):
+            yield from inner
+        else:
+            yield Loop(index, integer(0), integer(self._wide.lanes), late(inner, index, self._fresh))
+        yield from stretch.after
+
+    def _widen_variable(self, v: Variable) -> Variable:
+        self._variables[id(v)] = Variable(v.name, self._wide.of(v.type), v.shape)
+        return self._variables[id(v)]
+
+    def _expr(self, e: Expr, lane: Place | None) -> Expr:
+        found = rebuilt(e, lambda place: self._leaf(place, lane))
+        return found if lane is None else _without_branches(found)
+
+    def _leaf(self, place: Place, lane: Place | None) -> Place:
+        """A place after its root has become wide; for a scalar, its element at `lane`."""
+        variable = self._variables.get(id(place.root))
+        if variable is None or variable is place.root:
+            return place
+        type_ = self._wide.of(place.type)
+        whole = Place(variable, place.path, type_, place.shape)
+        if place.shape or type_ is place.type or lane is None or not isinstance(place.type, Kind):
+            return whole
+        return whole.at[lane]
+
+
+def _without_branches(e: Expr) -> Expr:
+    """The same value where both sides of `&&`, `||` and of a choice of reals are computed: no loop has a branch."""
+    if isinstance(e, Logic):
+        return Binary(e.operator[0], _without_branches(e.left), _without_branches(e.right))
+    if isinstance(e, Select) and e.kind is Kind.REAL and not _is_magnitude(e):
+        return Choice(_without_branches(e.condition), _without_branches(e.yes), _without_branches(e.no))
+    return e.with_operands(_without_branches)
+
+
+def _is_magnitude(e: Select) -> bool:
+    """Is a choice one between an element of an array and its negative, of which compilers make no branch?"""
+    number = e.yes.operand if isinstance(e.yes, Negate) else None
+    if not isinstance(number, Place) or not isinstance(e.no, Place):
+        return False
+    return bool(number.path) and number.root is e.no.root and repr(number) == repr(e.no)
 
 
 def _on_ints(condition: Expr) -> bool:
