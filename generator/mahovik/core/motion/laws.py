@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, TypeVar
 
 import numpy as np
 from pydantic import Field
@@ -19,6 +19,9 @@ from mahovik.core.motion.functions import Array, Motion
 from mahovik.core.stand.fields import refuse, scalar, validator
 from mahovik.core.stand.model import Motor
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number
+
+Number = TypeVar("Number", float, Array)
+"""A number, or one for each of many states."""
 
 MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
     BOUNDS[name].value for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE")
@@ -209,6 +212,10 @@ class SpeedTable(SpeedLaw):
         return float(np.abs(self.spline(at)).max()), float(np.abs(self.spline(at, 1)).max())
 
 
+def _tanh(x: Number) -> Number:
+    return math.tanh(x) if isinstance(x, float) else np.tanh(x)
+
+
 # -- torques ---------------------------------------------------------------------------------------------------------
 
 
@@ -222,9 +229,9 @@ class TorqueLaw(Data):
         """Times at which the law is not smooth, s."""
         return ()
 
-    def command(self, t: float, speed: float) -> float:
-        """Torque commanded at the time t (s) and speed (rad/s), N m."""
-        return self.value
+    def command(self, t: float, speed: Number) -> Number:
+        """Torque commanded at the time t (s) and speed or speeds (rad/s), N m."""
+        return speed * 0.0 + self.value
 
     def steepness(self, low: float, high: float) -> float:
         """Largest change of the torque by speed between two speeds (rad/s), N m s; speed does not matter to most."""
@@ -258,9 +265,9 @@ class RunUp(TorqueLaw):
         """The band that is meant."""
         object.__setattr__(self, "band", self.band or max(0.01 * abs(self.to), 0.1))
 
-    def command(self, t: float, speed: float) -> float:
+    def command(self, t: float, speed: Number) -> Number:
         """See TorqueLaw."""
-        return self.value * math.tanh((self.to - speed) / self.band)
+        return self.value * _tanh((self.to - speed) / self.band)
 
     def steepness(self, low: float, high: float) -> float:
         """See TorqueLaw."""
@@ -285,9 +292,9 @@ class TorqueTable(TorqueLaw):
         """The corners."""
         return tuple(map(float, self.times))
 
-    def command(self, t: float, speed: float) -> float:
+    def command(self, t: float, speed: Number) -> Number:
         """See TorqueLaw."""
-        return float(np.interp(t, self.times, self.values))
+        return speed * 0.0 + float(np.interp(t, self.times, self.values))
 
     @property
     def problem(self) -> str | None:
@@ -301,29 +308,32 @@ Law = SpeedLaw | TorqueLaw
 # -- motors ----------------------------------------------------------------------------------------------------------
 
 
-def friction(motor: Motor, speed: float) -> float:
+def friction(motor: Motor, speed: Number) -> Number:
     """Torque of friction of a motor on the flywheel at a speed (rad/s), N m."""
-    return -motor.viscous * speed - motor.coulomb * math.tanh(speed / motor.coulomb_speed)
+    return -motor.viscous * speed - motor.coulomb * _tanh(speed / motor.coulomb_speed)
 
 
-def available_torque(motor: Motor, torque: float, speed: float) -> float:
+def available_torque(motor: Motor, torque: Number, speed: Number) -> Number:
     """Largest torque that the motor can give in the direction of `torque` at a speed (rad/s), N m.
 
     Driving, it falls linearly from the limit at rest to zero at the no-load speed; braking, it is the limit.
     """
-    if motor.torque is None:
-        return math.inf
-    if motor.speed is None or torque * speed <= 0.0:
-        return motor.torque
-    return motor.torque * max(0.0, 1.0 - abs(speed) / motor.speed)
+    limit = torque * 0.0 + (math.inf if motor.torque is None else motor.torque)
+    if motor.torque is None or motor.speed is None:
+        return limit
+    share = 1.0 - abs(speed) / motor.speed
+    if isinstance(torque, float) and isinstance(share, float):
+        return limit if torque * speed <= 0.0 else limit * max(0.0, share)
+    return np.where(torque * speed <= 0.0, limit, limit * np.maximum(0.0, share))
 
 
-def drive(motor: Motor | None, command: float, speed: float) -> float:
+def drive(motor: Motor | None, command: Number, speed: Number) -> Number:
     """Whole drive torque on the flywheel (N m) when the motor is commanded: limited, with friction."""
     if motor is None:
         return command
     most = available_torque(motor, command, speed)
-    return min(max(command, -most), most) + friction(motor, speed)
+    limited = min(max(command, -most), most) if isinstance(command, float) else np.clip(command, -most, most)
+    return limited + friction(motor, speed)
 
 
 def steepness(motor: Motor | None, command: float, low: float, high: float) -> float:
@@ -339,6 +349,6 @@ def steepness(motor: Motor | None, command: float, low: float, high: float) -> f
     return max(command, line) + motor.viscous + slipping
 
 
-def required_torque(motor: Motor, tau: float, speed: float) -> float:
+def required_torque(motor: Motor, tau: Number, speed: Number) -> Number:
     """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
     return tau - friction(motor, speed)

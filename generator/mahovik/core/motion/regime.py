@@ -122,12 +122,15 @@ class Regime:
                 motion[:, :, s] = wheel.law.motion(t)
         return motion[0], motion[1], motion[2]
 
-    def torques(self, t: float, speeds: Array, motors: tuple[Motor | None, ...]) -> list[float]:
-        """Drive torques (N, N m) that the motors give at a time and speeds; zero where the speed is given."""
-        torques = [0.0] * len(self.flywheels)
+    def torques(self, t: float, speeds: Array, motors: tuple[Motor | None, ...]) -> Array:
+        """Drive torques (N, N m) that the motors give at a time and speeds; zero where the speed is given.
+
+        Also those (N, n) of n states at their speeds (N, n).
+        """
+        torques = np.zeros(speeds.shape)
         for s, wheel in enumerate(self.flywheels):
             if isinstance(wheel.law, TorqueLaw):
-                speed = float(speeds[s])
+                speed = float(speeds[s]) if speeds.ndim == 1 else speeds[s]
                 torques[s] = drive(motors[s], wheel.law.command(t, speed), speed)
         return torques
 

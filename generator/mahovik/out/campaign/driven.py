@@ -8,7 +8,6 @@ import math
 import numpy as np
 
 from mahovik.core.toolchain.block import Block
-from mahovik.out.campaign.many_torques import drive_torques
 from mahovik.out.campaign.observe import Observer
 from mahovik.out.campaign.pose import Array
 from mahovik.use.simulate.by_c import Steepness, add_reaction
@@ -26,7 +25,6 @@ class DrivenByTorque:
         """Raises UsageError: a law is too steep."""
         self._case, self._inputs, self._mobility = case, inputs, mobility
         self._steepness = Steepness(case)
-        self._motors = tuple(s.motor for s in case.stand.flywheels)
         self._held = np.array(case.regime.has_speed_law, dtype=bool)
         if mobility is not None:
             self._steepness.check(case.dt, mobility)
@@ -75,7 +73,7 @@ class DrivenByTorque:
             self._wrench(block, middle, np.where(held, mean[k], 0.0))
             if some:
                 own_phi[held], own_speeds[held] = states[k][held][:, None], locked[k][held][:, None]
-            given["tau"][:] = drive_torques(case.regime, self._motors, middle, before + h / 2 * rate)
+            given["tau"][:] = case.torques(middle, before + h / 2 * rate)
             block.call("step", float(times[k]))
             if some:
                 own_phi[held], own_speeds[held] = states[k + 1][held][:, None], speeds[k + 1][held][:, None]
@@ -95,7 +93,7 @@ class DrivenByTorque:
         case, held, given = self._case, self._held, block.given
         N = len(held)
         phi_ddot = case.motion(np.array([t]))[2][0]
-        driven = drive_torques(case.regime, self._motors, t, block.x[13 + N :])
+        driven = case.torques(t, block.x[13 + N :])
         self._wrench(block, t, np.where(held, phi_ddot, 0.0))
         given["tau"][:] = driven
         block.call("coupled" if N else "forward", t)

@@ -153,7 +153,7 @@ class CMotion:
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""
         case, held, given = self.case, self._held, self._block.given
-        tau = np.array(case.torques(t, self._phi_dot))
+        tau = case.torques(t, self._phi_dot)
         phi_ddot = case.motion(np.array([t]))[2][0]
         if case.regime.by_torque:
             self._set_wrench(t, np.where(held, phi_ddot, 0.0))

@@ -57,7 +57,7 @@ class SciPyMotion:
     def _accelerations(self, t: float, state: State) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot, and torques by motors and regime."""
         at = reference.pieces(self.case.stand, state)
-        tau = np.array(self.case.torques(t, np.array(state.phi_dot)))
+        tau = self.case.torques(t, np.array(state.phi_dot))
         phi_ddot = self.case.motion(np.array([t]))[2][0]
         u_dot, phi_ddot = rates(
             at, tau, phi_ddot, ~self._given if self.case.regime.by_torque else np.full(len(tau), False)

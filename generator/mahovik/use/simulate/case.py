@@ -110,7 +110,7 @@ class Case:
         phi, phi_dot, phi_ddot = self.regime.motion(t)
         return phi + self.phi0, phi_dot, phi_ddot
 
-    def torques(self, t: float, phi_dot: Array) -> list[float]:
+    def torques(self, t: float, phi_dot: Array) -> Array:
         """Drive torques at a time and speeds, by motors and regime."""
         return self.regime.torques(t, phi_dot, tuple(s.motor for s in self.stand.flywheels))
 

@@ -188,8 +188,8 @@ def motor_torques(stand: Stand, phi_dot: Array, tau: Array) -> tuple[Array, Arra
     needed, most = np.array(tau), np.full_like(tau, np.inf)
     for s, motor in enumerate(wheel.motor for wheel in stand.flywheels):
         if motor is not None:
-            needed[:, s] = [required_torque(motor, *row) for row in zip(tau[:, s], phi_dot[:, s], strict=True)]
-            most[:, s] = [available_torque(motor, *row) for row in zip(needed[:, s], phi_dot[:, s], strict=True)]
+            needed[:, s] = required_torque(motor, tau[:, s], phi_dot[:, s])
+            most[:, s] = available_torque(motor, needed[:, s], phi_dot[:, s])
     return needed, most
 
 
