@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -49,13 +49,6 @@ def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, lo
 
     Raises ToolchainError where the script cannot run.
     """
-    return list(prove_each(script, wanted, limit, logs))
-
-
-def prove_each(
-    script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None
-) -> Iterator[Proof]:
-    """Prove like `prove`, and yield results as drivers finish."""
     version()
     environment = dict(os.environ)
     if limit is not None:
@@ -64,15 +57,12 @@ def prove_each(
         logs.mkdir(parents=True, exist_ok=True)
         environment["EVA_LOGS"] = str(logs.resolve())
     command = ["sh", script.name, *wanted]
-    with subprocess.Popen(
-        command, cwd=script.parent, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as run:
-        assert run.stdout is not None and run.stderr is not None
-        for line in run.stdout:
-            yield parse_proof(line)
-        complaint = run.stderr.read().strip()
-    if run.returncode not in (0, 1):
-        raise ToolchainError(f"{script.name} ended with status {run.returncode}: {complaint or 'no message'}")
+    done = subprocess.run(command, cwd=script.parent, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
+        raise ToolchainError(
+            f"{script.name} ended with status {done.returncode}: {done.stderr.strip() or 'no message'}"
+        )
+    return [parse_proof(line) for line in done.stdout.splitlines()]
 
 
 def parse_proof(line: str) -> Proof:

@@ -144,7 +144,7 @@ def fuzz(
 
     The C of the stand, a harness for libFuzzer, Makefile, README: `make run` there needs clang.
     """
-    from mahovik.core.toolchain.fuzz_project import fuzz_project
+    from mahovik.core.toolchain.fuzzing import fuzz_project
     from mahovik.proof.verify.delivery import deliver
 
     stand = load_stand(stand_file)
