@@ -14,7 +14,7 @@ import pytest
 import mahovik
 from laws.stands import CARRIER, FADING, FINS, POD, PROPELLERS, STRIPS, bearing
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.fmu_parameters import laws
+from mahovik.core.lower.fmu_variables import laws
 from mahovik.core.stand import dumps, loads, rest_state
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.toml import parse

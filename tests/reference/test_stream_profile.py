@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 import mahovik
 from laws.stands import CARRIER
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.fmu_parameters import laws
+from mahovik.core.lower.fmu_variables import laws
 from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state

@@ -12,8 +12,7 @@ from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
 from mahovik.core.lower.fmu import has_angle, lower_fmu
-from mahovik.core.lower.fmu_parameters import measured_laws
-from mahovik.core.lower.fmu_variables import Form, Variable
+from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws
 from mahovik.core.lower.freedom_coordinates import own_coordinates, turns_about_point
 from mahovik.core.lower.held_coordinates import Ways
 from mahovik.core.lower.units import NONE
