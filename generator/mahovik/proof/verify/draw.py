@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.laws import parts
+from mahovik.contract.limits import PERTURBATION
 from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand
@@ -20,8 +21,9 @@ from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
 
-HALF_TURN_DISTANCE = {"double": 1e-6, "float": 1e-5}
-"""Least distance from a half turn, rad: nearer, rounding decides in which sense a law turns back."""
+TURNED = 8.0
+"""Least distance from a half turn, rad, over the change by which scales are measured: no neighbour is beyond it, where
+a law turns back in the other sense."""
 
 LEAST_EXPONENT = {"double": -310, "float": -43}
 """Least decimal exponent of a number in a state; below 1e-308, in float 1e-38, numbers are subnormal."""
@@ -45,7 +47,7 @@ def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bo
 def _draw_one(stand: Stand, rng: np.random.Generator, kind: str, real: str, wrenches: bool) -> State:
     """A state that is near no branch, as the element type has it."""
     state = _draw_state(stand, rng, kind, real)
-    while _near_a_branch(stand, state, HALF_TURN_DISTANCE[real]):
+    while _near_a_branch(stand, state, TURNED * PERTURBATION[real]):
         state = _draw_state(stand, rng, "random", real)
     if not wrenches:
         takes = {body.name for body in stand.bodies if body.wrench_input}
@@ -57,8 +59,8 @@ def check_drawing(seed: int, count: int, real: str) -> None:
     """Raises UsageError: no states can be drawn so."""
     whole_number("states", count)
     whole_number("seed", seed, 0)
-    if real not in HALF_TURN_DISTANCE:
-        raise UsageError(f"real: unknown {real!r}, expected one of {', '.join(HALF_TURN_DISTANCE)}")
+    if real not in PERTURBATION:
+        raise UsageError(f"real: unknown {real!r}, expected one of {', '.join(PERTURBATION)}")
 
 
 def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str = "double") -> list[tuple[str, State]]:

@@ -161,7 +161,7 @@ class Motion:
         time = part * self.time
         changes = [self._change(time / steps, steps, order) for steps in ORDER_STEPS[order]]
         first, second, third = (self._relative(finer - coarser, part) for coarser, finer in pairwise(changes))
-        if third < 10.0 * self._case.limits.integration or first > LARGE:
+        if third < self._case.limits.integration or first > LARGE:
             return math.inf
         seen, again = math.log2(first / second), math.log2(second / third)
         return abs(again - order) if abs(again - seen) < STEADY else math.inf

@@ -9,7 +9,7 @@ sides of its bound, where one number that decides it was drawn for that.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, cast
 
@@ -85,6 +85,7 @@ class Question:
     edge     the name of a bit or refusal that one number decides, and by what; "" elsewhere
     due      whether the status has it
     stand    another stand than the C's by default: its table is given
+    given_turns  whether sines and cosines of the phases are given
     """
 
     name: str
@@ -95,6 +96,7 @@ class Question:
     edge: str = ""
     due: bool = False
     stand: Stand | None = None
+    given_turns: bool = False
 
     @property
     def weight(self) -> Array:
@@ -218,18 +220,22 @@ def excess(W: Array, r: Array, error: Array, side: Array, regular: float) -> flo
 def judge_inverse(case: Case, rows: Rows) -> None:
     """All that `inverse` or `inverse_fast` says: weights, damping, limits, rows freed; and bits at their bounds."""
     fast = rows.function.startswith("inverse_fast")
+
+    def ask(question: Question) -> tuple[int, dict[str, Any]]:
+        """Status and answer of the C. Raises StateError: it does not take the stand."""
+        given = case.backend.arguments(question.state) | (turns(question.state) if question.given_turns else {})
+        if question.stand is not None:
+            parameters = parameters_of(question.stand, case.backend.layout)
+            given |= {"table": case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]}
+        status, outputs = case.backend.call(rows.function, given | {"options": question.options})
+        return status, {"phi_ddot": [], "sigma": [], "limited": []} | outputs.get("out", outputs)
+
     for number, (name, state) in enumerate(_states(case, rows.function)):
-        for question in _questions(case, fast, number, name, state):
-            given = case.backend.arguments(question.state) | (turns(state) if number % 2 else {})
+        for question in _questions(case, fast, number, name, state, ask):
             try:
-                if question.stand is not None:
-                    parameters = parameters_of(question.stand, case.backend.layout)
-                    table = case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]
-                    given["table"] = table
+                status, found = ask(question)
             except StateError:  # flywheels this small are none
                 continue
-            status, outputs = case.backend.call(rows.function, given | {"options": question.options})
-            found = {"phi_ddot": [], "sigma": [], "limited": []} | outputs.get("out", outputs)
             if question.edge:
                 bit, bits = question.edge.partition(" ")[0], status_bits(status) if status > 0 else status_words(status)
                 words = f"{bit} {'expected' if question.due else 'not expected'}, status {status_words(status)}"
@@ -392,11 +398,16 @@ def options_of(case: Case, number: int, **more: Any) -> dict[str, Any]:
     return {key: case.nearest_numbers(x).tolist() if isinstance(x, np.ndarray) else x for key, x in given.items()}
 
 
-def _questions(case: Case, fast: bool, number: int, name: str, state: State) -> Iterator[Question]:
-    """Weights, damping, limits, and rows of a task freed; then options of which one number decides a bit."""
+def _questions(
+    case: Case, fast: bool, number: int, name: str, state: State, ask: Callable[[Question], tuple[int, dict[str, Any]]]
+) -> Iterator[Question]:
+    """Weights, damping, limits, and rows of a task freed; then options of which one number decides a bit of an answer.
+
+    `ask`: for that answer.
+    """
 
     def question(**more: Any) -> Question:
-        return Question(name, state, options_of(case, number, **more))
+        return Question(name, state, options_of(case, number, **more), given_turns=bool(number % 2))
 
     plain, damped = question(), question(**(FAST_DAMPED if fast else DAMPED))
     yield plain
@@ -414,14 +425,15 @@ def _questions(case: Case, fast: bool, number: int, name: str, state: State) -> 
     rank = len(sigma)
     if fast and not rank:  # refused, whatever the options
         return
-    phi_ddot = fast_solution(scaled, base) if fast else weighted_solution(scaled, base.weight, rank)
+    is_weak = has_weak(sigma, THRESHOLDS[case.real].regular)  # what these flywheels hardly reach is left with limits
+    phi_ddot = vector(ask(base)[1]["phi_ddot"])
     largest, edges = float(np.abs(phi_ddot).max()) or 1.0, _motors(case, fast, number, at, phi_ddot)
     for part in () if fast else LIMIT_SHARES:
         yield question(limit=np.full(N, part * largest))
     for part in SIDES:
         if np.any(phi_ddot):
             edges[f"EXCESSIVE by `most` at {part:g}"] = part < 1.0, {"most": np.full(N, part * largest)}
-        if not fast:
+        if not fast and not is_weak:
             edges[f"LIMITED at {part:g}"] = part < 1.0 and bool(np.any(phi_ddot)), {"limit": np.full(N, largest * part)}
         if not fast and rank and sigma[-1] < sigma[0]:
             near = min(float(case.nearest_numbers(sigma[-1] / sigma[0] * part)), 1.0)
@@ -430,18 +442,10 @@ def _questions(case: Case, fast: bool, number: int, name: str, state: State) -> 
             edges[f"DAMPED at {part:g}"] = due, {"near_singular": near, "damping": DAMPED["damping"]}
     for edge, (due, options) in edges.items():
         yield replace(question(**(FAST_DAMPED if fast else {}), **options), edge=edge, due=due)
-    if not fast and not has_weak(sigma, THRESHOLDS[case.real].regular):  # there rounding decides
+    if not fast and not is_weak:
         yield from _at_the_edge_of_reach(case, plain, scaled, rank)
     if number < EDGE_STATES:
         yield from _at_the_edge_of_rank(case, fast, plain)
-
-
-def fast_solution(scaled: ScaledDemand, question: Question) -> Array:
-    """phi'' (N) by the normal equations of `inverse_fast`."""
-    gram, W = normal_matrix(scaled, question.weight, question.damping[1]), scaled.W
-    if W.shape[1] < len(scaled.r):
-        return scaled.phi_ddot(solve(gram, W.T @ scaled.r))
-    return scaled.phi_ddot((W / question.weight).T @ solve(gram, scaled.r))
 
 
 def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) -> dict[str, tuple[bool, dict[str, Any]]]:
@@ -593,7 +597,7 @@ def judge_torques(
 
         rows.compare(name, state, least, found, least_squares=True)
     regular = 0.0 if is_weak or of_share else THRESHOLDS[case.limits.real].bounded
-    judge_conditions(case, rows, question, problem, tau, found, status, 4.0 * case.limits.value, regular)
+    judge_conditions(case, rows, question, problem, tau, found, status, case.limits.value, regular)
     if of_share:
         _judge_share(case, rows, question, problem, found, is_weak)
 
