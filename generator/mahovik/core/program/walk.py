@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 from mahovik.core.program.call import Call
@@ -48,7 +49,8 @@ _BODIES: Mapping[type, tuple[str, ...]] = {
 
 def own(s: Statement) -> tuple[Expr, ...]:
     """The expressions of a statement, without those of the statements inside it."""
-    return tuple([getattr(s, name) for name in _EXPRESSIONS.get(type(s), ())])
+    names = _EXPRESSIONS.get(type(s))
+    return tuple([getattr(s, name) for name in names]) if names else ()
 
 
 def with_own(s: Statement, part: Callable[[Expr], Expr], **other: Any) -> Statement:
@@ -59,7 +61,8 @@ def with_own(s: Statement, part: Callable[[Expr], Expr], **other: Any) -> Statem
 
 def blocks(s: Statement) -> tuple[Statements, ...]:
     """The bodies inside a statement."""
-    return tuple([getattr(s, name) for name in _BODIES.get(type(s), ())])
+    names = _BODIES.get(type(s))
+    return tuple([getattr(s, name) for name in names]) if names else ()
 
 
 def with_blocks(s: Statement, block: Callable[[Statements], Statements]) -> Statement:
@@ -149,9 +152,10 @@ def without_missing(function: Function) -> Function:
     return function if kept == function.arguments else replace(function, arguments=kept, body=block(function.body))
 
 
-def called_names(body: Statements) -> set[str]:
+@lru_cache(maxsize=1024)
+def called_names(body: Statements) -> frozenset[str]:
     """Names of the functions that a body calls itself."""
-    return {e.signature.name for e in expressions(body) if isinstance(e, Call)}
+    return frozenset(e.signature.name for e in expressions(body) if isinstance(e, Call))
 
 
 def reachable(functions: tuple[Function, ...]) -> tuple[Function, ...]:
