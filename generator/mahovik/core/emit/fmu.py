@@ -11,10 +11,10 @@ from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text
+from mahovik.core.lower.coordinates import Ways
 from mahovik.core.lower.fmu import has_angle, lower_fmu
 from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws
-from mahovik.core.lower.freedom_coordinates import own_coordinates, turns_about_point
-from mahovik.core.lower.held_coordinates import Ways
+from mahovik.core.lower.freedoms import own_coordinates, turns_about_point
 from mahovik.core.lower.units import NONE
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities

@@ -11,8 +11,7 @@ from mahovik.core.emit.layout import comment_lines, wrap_statement
 from mahovik.core.emit.log_format import RESERVED
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
-from mahovik.core.lower.actuators import run_time_inputs
-from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.lower.limits import constants, limits
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import RESERVED as OF_PROGRAMMES

@@ -33,7 +33,7 @@ def add_excessive(lib: Library) -> None:
         sine: Any = lib.sine,
         cosine: Any = lib.cosine,
         V_dot: Reals = argument("that results", 6, unit="m/s2, rad/s2"),
-        phi_ddot: Any = lib.phi_ddot_arguments()[0],
+        phi_ddot: Any = lib.phi_ddot,
         options: Any = argument("what each flywheel has", struct=lib.layout.inverse_options),
         wrench: Any = lib.wrench,
         flags: Any = Argument("flags", Kind.INT, (), "out", purpose="EXCESSIVE, or 0"),

@@ -9,9 +9,8 @@ from mahovik.core import routines
 from mahovik.core.formula.derived import hold as held
 from mahovik.core.formula.derived import motion as derived
 from mahovik.core.lower import checks, rotation
-from mahovik.core.lower.freedom_coordinates import own_coordinates, turns_about_point
-from mahovik.core.lower.freedoms import TURNS, columns, speeds
-from mahovik.core.lower.held_coordinates import Target, Ways, read_slides, read_turn
+from mahovik.core.lower.coordinates import Target, Ways, read_slides, read_turn
+from mahovik.core.lower.freedoms import TURNS, columns, own_coordinates, speeds, turns_about_point
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.lower.step import check_length

@@ -9,10 +9,9 @@ from typing import Any, Literal
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.lower import stream_profile, units
 from mahovik.core.lower.law import BodyProgram
-from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.layout import OF_HOLD, Layout
 from mahovik.core.lower.limits import limits
 from mahovik.core.lower.member import Member, matrix, member, members, vector
-from mahovik.core.lower.table import OF_HOLD
 from mahovik.core.lower.units import Unit
 from mahovik.core.lower.values import Values
 from mahovik.core.program.types import Field, Struct

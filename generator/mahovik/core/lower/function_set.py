@@ -74,25 +74,17 @@ class FunctionSet:
     @property
     def table(self) -> Argument:
         """The prepared stand."""
-        return self.table_argument()
+        return Argument("table", self.layout.table, purpose="the prepared table")
 
     @property
     def x(self) -> Argument:
         """The state."""
-        return self.state_argument()
+        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
 
     @property
     def damper(self) -> Argument:
         """What the table has of a body for the laws of its own twist."""
         return Argument("damper", self.layout.damper)
-
-    def table_argument(self) -> Argument:
-        """The prepared stand."""
-        return Argument("table", self.layout.table, purpose="the prepared table")
-
-    def state_argument(self) -> Argument:
-        """The state."""
-        return Argument("x", self.layout.state, purpose="state; its attitude within 1e-3 of unit length")
 
     def arguments_of(self, function: str, **named: Operand | None) -> list[Operand]:
         """The arguments of a function in its order, by name; unused ones are left out."""

@@ -6,15 +6,15 @@ Of a law between E0 and the carrier `CarrierProgram`; of one that acts on a body
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.member import Member, members
-from mahovik.core.lower.run_time_input import RunTimeInput
 from mahovik.core.lower.units import Unit
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import argument, body, changed
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.stand.declare import Declared, InC
 from mahovik.core.stand.fields import QuantityValidator
 from mahovik.core.stand.model import Body, Mat6, Stand, Vec3
@@ -102,6 +102,27 @@ class CarrierProgram:
                 named = {struct.name: row, "law": row, "table": table, "x": x, "V": x.V, "C": C, "F": F} | more
                 add = body().check if lib[name].returns else body().do
                 add(lib[name](*lib.arguments_of(name, **named)))
+
+
+@dataclass(frozen=True)
+class RunTimeInput:
+    """A number of every struct of one array of the table that the caller may set at run time.
+
+    array, member  its place, `table.fin[k].deflection`
+    limit          largest magnitude: a number, or the name of a bound of the C, such as MAX_SPEED
+    count          length of the array
+    names          names in the stand file, in the order of the array
+    prefix         enumerators of the indices are this and the name in capitals
+    words          "deflection of every fin"
+    """
+
+    array: str
+    member: str
+    limit: float | str
+    count: NamedCount
+    names: tuple[str, ...]
+    prefix: str
+    words: str
 
 
 class BodyProgram:

@@ -1,22 +1,461 @@
-"""The structs of a stand's program. Fields that the stand does not use are omitted."""
+"""The structs of a stand's program, and the features of its structure that decide them."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from functools import cached_property
 
+from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.quantities import BOUNDS, short
-from mahovik.core.lower.freedom_coordinates import coordinates_struct
-from mahovik.core.lower.freedoms import momenta_needed
-from mahovik.core.lower.table import Tables
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.lower import stream_profile
+from mahovik.core.lower.freedoms import are_closed, coordinates_struct, momenta_needed
+from mahovik.core.lower.law import BodyProgram, CarrierProgram, RunTimeInput
+from mahovik.core.program.types import Field, Kind, NamedCount, Precision, Struct
 from mahovik.core.stand.model import Task
+from mahovik.core.stand.structure_facts import Structure
 
 REAL, INT = Kind.REAL, Kind.INT
 WEIGHT = BOUNDS["MAX_WEIGHT"].value
 
+OF_HOLD = frozenset(("S", "pivot", "sliding", "home_position", "home_attitude"))
+"""Members of the table that are numbers of a hold: they belong together, none is changed alone."""
 
-class Layout(Tables):
-    """All structs: those of `Tables`, sums and other scratch, and results."""
+
+@dataclass(frozen=True)
+class LocalWrenchBody:
+    """An instrument or flywheel with a wrench in its own frame.
+
+    `index` in the stand's bodies; `instrument`, `flywheel` its number among those, `input` its row of the run-time
+    wrenches; -1 where it is or has none.
+    """
+
+    index: int
+    instrument: int
+    flywheel: int
+    input: int
+
+
+@dataclass(frozen=True)
+class Layout:
+    """What stands of one structure have at one precision, and the structs of their program, by no number of a stand.
+
+    Features of the structure; the structs that a caller fills or keeps: state, parameters, the prepared table with its
+    laws; sums and other scratch; results. Fields that the stand does not use are omitted.
+    """
+
+    structure: Structure
+    precision: Precision
+
+    @cached_property
+    def count(self) -> NamedCount:
+        return NamedCount("N", len(self.structure.flywheels), "flywheels, in the order of the stand file")
+
+    @property
+    def flywheels(self) -> bool:
+        return bool(self.structure.flywheels)
+
+    @property
+    def held(self) -> bool:
+        """The carrier is held."""
+        return self.structure.hold is not None
+
+    @property
+    def freedoms(self) -> int:
+        """Freedoms of a held carrier; 0 of a clamped one, and of a free one."""
+        return len(self.ways)
+
+    @property
+    def ways(self) -> tuple[str, ...]:
+        """Freedoms of a held carrier, by their names in FREEDOMS or as turn, slide, twist."""
+        return self.structure.hold or ()
+
+    @property
+    def along(self) -> bool:
+        """The flywheels' terms are added up along the freedoms: few, closed, and V is S u, which a stream would change.
+
+        Of more than three freedoms the projected sums are more numbers than those of six rows.
+        """
+        few = 0 < self.freedoms <= 3 and bool(self.flywheels)
+        return few and not self.stream and are_closed(self.ways)
+
+    @property
+    def coordinates(self) -> bool:
+        """Poses of the held carrier have coordinates of its freedoms."""
+        return bool(self.freedoms) and are_closed(self.ways)
+
+    @property
+    def instruments(self) -> int:
+        return len(self.structure.instruments)
+
+    @property
+    def added_mass(self) -> bool:
+        return self.structure.added_mass
+
+    @property
+    def weight(self) -> bool:
+        return self.structure.weight
+
+    @property
+    def stream(self) -> bool:
+        return self.structure.stream
+
+    @cached_property
+    def law_tables(self) -> tuple[CarrierProgram, ...]:
+        """The laws of `laws/` that the stand has."""
+        return tuple(law for law in parts("program", CarrierProgram) if law.present(self.structure))
+
+    @property
+    def body_laws(self) -> tuple[str, ...]:
+        """The laws of bodies that the stand has, in words."""
+        first = [("weight", self.weight), ("buoyancy", self.displaces)]
+        rest = [(law.words, bool(law.bodies(self.structure))) for law in parts("program", BodyProgram, BODY_LAWS)]
+        return tuple(words for words, acts in (*first, *rest) if acts)
+
+    @cached_property
+    def displaces(self) -> bool:
+        """Any displaced mass under gravity."""
+        return self.structure.law("buoyancy") or self.flywheel_displaces
+
+    @cached_property
+    def flywheel_displaces(self) -> bool:
+        """A flywheel does."""
+        return bool(self.structure.law("flywheel_buoyancy"))
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Bodies with a run-time wrench, in the order of the stand."""
+        return tuple(self.structure.bodies[i] for i in self.structure.wrench_inputs)
+
+    @property
+    def flywheel_input(self) -> bool:
+        return any(o.flywheel >= 0 and o.input >= 0 for o in self.own)
+
+    @property
+    def sine_input(self) -> bool:
+        """Some functions take sines and cosines of the phases."""
+        return self.flywheels and self.structure.phase_input == "sincos"
+
+    @property
+    def carrier_input(self) -> bool:
+        return 0 in self.structure.wrench_inputs
+
+    @property
+    def input_count(self) -> NamedCount:
+        return NamedCount("WRENCHES", len(self.inputs), "bodies with a run-time wrench")
+
+    @cached_property
+    def own(self) -> tuple[LocalWrenchBody, ...]:
+        """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
+        inputs = self.structure.wrench_inputs
+        indices = sorted({*self._damped_bodies, *inputs} - {0})
+        fixed = 1 + self.instruments
+        return tuple(
+            LocalWrenchBody(i, i - 1 if i < fixed else -1, i - fixed if i >= fixed else -1, _position(i, inputs))
+            for i in indices
+        )
+
+    @cached_property
+    def _damped_bodies(self) -> frozenset[int]:
+        """Indices of the bodies on which any damping acts."""
+        return frozenset(i for law in parts("program", BodyProgram, BODY_LAWS) for i in law.bodies(self.structure))
+
+    @property
+    def damped(self) -> bool:
+        return bool(self._damped_bodies)
+
+    @property
+    def carrier_damped(self) -> bool:
+        return 0 in self._damped_bodies
+
+    @property
+    def own_damped(self) -> bool:
+        return any(i > 0 for i in self._damped_bodies)
+
+    @property
+    def own_inputs(self) -> bool:
+        return any(o.input >= 0 for o in self.own)
+
+    @property
+    def own_turning(self) -> bool:
+        return any(o.flywheel >= 0 for o in self.own)
+
+    @property
+    def own_fixed(self) -> bool:
+        return any(o.instrument >= 0 for o in self.own)
+
+    @property
+    def attitude_needed(self) -> bool:
+        """The equations depend on the attitude."""
+        return self.weight or self.stream or bool(self.law_tables)
+
+    @property
+    def wrenches(self) -> bool:
+        """Any external wrench at all."""
+        return self.weight or self.damped or bool(self.inputs) or bool(self.law_tables)
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Instruments and points, which `points` reads."""
+        return (*self.structure.instruments, *self.structure.points)
+
+    @property
+    def sensor_count(self) -> NamedCount:
+        return NamedCount("SENSORS", len(self.sensors), "instruments and points: those of the function points")
+
+    # -- what a caller fills or keeps
+
+    @cached_property
+    def state(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "position of O1, in E0"),
+            Field("attitude", REAL, (4,), "", "unit quaternion, w first: x0 = C x1"),
+            Field(
+                "V",
+                REAL,
+                (6,),
+                "m/s, rad/s",
+                "twist of the carrier relative to E0, in E1" + (", V = S u of its freedoms" if self.held else ""),
+            ),
+        ]
+        if self.flywheels:
+            fields += [
+                Field("phi", REAL, (self.count,), "rad", "phases"),
+                Field("phi_dot", REAL, (self.count,), "rad/s", "speeds relative to the mount"),
+            ]
+        return Struct("state", "State of the whole system.", tuple(fields))
+
+    @cached_property
+    def carry(self) -> Struct:
+        numbers = sum(int(f.shape[0]) for f in self.state.fields)
+        field = Field("rounding", REAL, (numbers,), "SI", "of each number of the state, in its order")
+        return Struct(
+            "step_carry", "What rounding took from a state: kept from step to step, all zero at first.", (field,)
+        )
+
+    def _body(self, name: str, purpose: str, buoyant: bool) -> Struct:
+        fields = [
+            Field("mass", REAL, (), "kg", ""),
+            Field("center_of_mass", REAL, (3,), "m", "rc, from the body's origin, in its own axes"),
+            Field("inertia", REAL, (6,), "kg m2", "J11, J22, J33, J12, J13, J23 about the body's origin"),
+        ]
+        if buoyant:
+            fields += [
+                Field("displaced_mass", REAL, (), "kg", "mass of the displaced fluid"),
+                Field("displaced_center", REAL, (3,), "m", "centre of buoyancy, in the body's frame"),
+            ]
+        return Struct(name, purpose, tuple(fields))
+
+    @cached_property
+    def body(self) -> Struct:
+        """Carrier and instruments."""
+        return self._body("body", "Mass properties of one body, in its own frame.", self.displaces)
+
+    @cached_property
+    def flywheel_body(self) -> Struct:
+        """Flywheels: the same struct, unless only fixed bodies displace fluid."""
+        if self.displaces == self.flywheel_displaces:
+            return self.body
+        return self._body("dry_body", "Mass properties of a flywheel, in its own frame.", False)
+
+    @cached_property
+    def instrument_parameters(self) -> Struct:
+        fields = (
+            Field("body", self.body),
+            Field("position", REAL, (3,), "m", "Op, in E1"),
+            Field("axis", REAL, (3,), "", "first axis of Ep in E1, any length"),
+            Field("zero", REAL, (3,), "", "its component perpendicular to the first axis is the second axis of Ep"),
+        )
+        return Struct("instrument", "An instrument fixed on the carrier.", fields)
+
+    @cached_property
+    def flywheel_parameters(self) -> Struct:
+        fields = [
+            Field("body", self.flywheel_body),
+            Field("position", REAL, (3,), "m", "Os, in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "spin axis in the frame of the mount, any length"),
+            Field(
+                "zero", REAL, (3,), "", "its component perpendicular to the axis is the second axis of Es at phi = 0"
+            ),
+        ]
+        if self.instruments:
+            fields.append(Field("mount", INT, (), "", "index of the instrument it is mounted on; -1: the carrier"))
+        return Struct("flywheel", "A flywheel and how it is mounted.", tuple(fields))
+
+    @cached_property
+    def point_parameters(self) -> Struct:
+        fields = [
+            Field("position", REAL, (3,), "m", "in the frame of the mount"),
+            Field("axis", REAL, (3,), "", "first axis in the frame of the mount, any length"),
+            Field("zero", REAL, (3,), "", "its component perpendicular to the first axis is the second axis"),
+        ]
+        if self.instruments:
+            fields.append(Field("mount", INT, (), "", "index of the instrument it is mounted on; -1: the carrier"))
+        return Struct("point", "A sensor or a place of interest.", tuple(fields))
+
+    @cached_property
+    def sensor(self) -> Struct:
+        fields = (
+            Field("origin", REAL, (3,), "m", "in E1"),
+            Field("axes", REAL, (9,), "", "own axes to E1, row by row"),
+        )
+        return Struct("sensor", "Pose of an instrument or a point.", fields)
+
+    @cached_property
+    def points_result(self) -> Struct:
+        fields = (
+            Field("position", REAL, (3,), "m", "in E0"),
+            Field("C", REAL, (3, 3), "", "own axes to E0"),
+            Field(
+                "twist", REAL, (6,), "m/s, rad/s", "relative to E0, in own axes; the last three are the gyro's reading"
+            ),
+            Field(
+                "specific_force",
+                REAL,
+                (3,),
+                "m/s2",
+                "acceleration minus gravity, in own axes: the accelerometer's reading",
+            ),
+            Field("angular_acceleration", REAL, (3,), "rad/s2", "in own axes"),
+        )
+        return Struct("points_result", "Motion at an instrument or a point.", fields)
+
+    @cached_property
+    def parameters(self) -> Struct:
+        fields = [Field("carrier", self.body)]
+        if self.added_mass:
+            fields.append(Field("added_mass", REAL, (6, 6), "kg, kg m, kg m2", "Lambda of all bodies, about O1 in E1"))
+        if self.instruments:
+            fields.append(Field("instrument", self.instrument_parameters, (self.instruments,)))
+        if self.flywheels:
+            fields.append(Field("flywheel", self.flywheel_parameters, (self.count,)))
+        if self.structure.points:
+            fields.append(Field("point", self.point_parameters, (len(self.structure.points),)))
+        return Struct("parameters", "Masses, inertias and mountings, of which the table is made.", tuple(fields))
+
+    @cached_property
+    def row(self) -> Struct:
+        fields = [
+            Field("mu_c", REAL, (3,), "kg m", "first moment about O1: cos phi"),
+            Field("mu_s", REAL, (3,), "kg m", "sin phi"),
+            Field("J_c", REAL, (6,), "kg m2", "inertia about O1, 11 22 33 12 13 23: cos phi"),
+            Field("J_s", REAL, (6,), "kg m2", "sin phi"),
+            Field("J_2c", REAL, (6,), "kg m2", "cos 2 phi"),
+            Field("J_2s", REAL, (6,), "kg m2", "sin 2 phi"),
+            Field("t_0", REAL, (3,), "kg m2", "moment part of I: constant"),
+            Field("t_c", REAL, (3,), "kg m2", "cos phi"),
+            Field("t_s", REAL, (3,), "kg m2", "sin phi"),
+            Field("spin", REAL, (), "kg m2", "Theta_ff: inertia about the spin axis"),
+            Field("spin_inv", REAL, (), "1/(kg m2)", ""),
+            Field("spin_root_inv", REAL, (), "1/(kg m2)^0.5", "1/sqrt(spin): scales the unknowns of (12)"),
+        ]
+        if self.flywheel_displaces:
+            fields += [
+                Field("displaced_c", REAL, (3,), "kg m", "first moment of displaced fluid: cos phi"),
+                Field("displaced_s", REAL, (3,), "kg m", "sin phi"),
+            ]
+        if self.along:
+            m, P = self.freedoms, self.freedoms * (self.freedoms + 1) // 2
+            fields += [
+                Field("P_c", REAL, (P,), "SI", "S^T K S, lower triangle, row by row: cos phi"),
+                Field("P_s", REAL, (P,), "SI", "sin phi"),
+                Field("P_2c", REAL, (P,), "SI", "cos 2 phi"),
+                Field("P_2s", REAL, (P,), "SI", "sin 2 phi"),
+                Field("I_0", REAL, (m,), "SI", "S^T I: constant"),
+                Field("I_c", REAL, (m,), "SI", "cos phi"),
+                Field("I_s", REAL, (m,), "SI", "sin phi"),
+            ]
+        return Struct("row", "Table of one flywheel: harmonics of its terms in (8), in E1 about O1.", tuple(fields))
+
+    @cached_property
+    def damper(self) -> Struct:
+        """Data of one body for the laws of its own twist."""
+        fields = [
+            field for law in parts("program", BodyProgram, BODY_LAWS) for field in law.damper_fields(self.structure)
+        ]
+        return Struct("damper", "Damping of one body, in its own frame.", tuple(fields))
+
+    @cached_property
+    def frame(self) -> Struct:
+        fields = [
+            Field("origin", REAL, (3,), "m", "of the body, in E1"),
+            Field("axes", REAL, (9,), "", "C, row by row; of a flywheel at phi = 0"),
+        ]
+        if self.own_turning:
+            fields.append(Field("flywheel", INT, (), "", "index of the flywheel whose phase turns the axes; -1: none"))
+        if self.own_fixed:
+            fields.append(Field("instrument", INT, (), "", "index of the instrument; -1: none"))
+        if self.own_damped:
+            fields.append(Field("damper", self.damper))
+        if self.own_inputs:
+            fields.append(Field("wrench", INT, (), "", "its row in the run-time wrenches; -1: none"))
+        return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
+
+    @cached_property
+    def table(self) -> Struct:
+        """The prepared stand: constants of the equations, then the laws of the wrenches."""
+        fields = [
+            Field("mass", REAL, (), "kg", "mass of all bodies"),
+            Field("mass_inverse", REAL, (), "1/kg", ""),
+            Field("first_moment", REAL, (3,), "kg m", "mu about O1, constant part"),
+            Field(
+                "inertia",
+                REAL,
+                (6,),
+                "kg m2",
+                "J about O1, 11 22 33 12 13 23, constant part" + (", with added mass" if self.added_mass else ""),
+            ),
+        ]
+        if self.along:
+            P = self.freedoms * (self.freedoms + 1) // 2
+            text = "S^T K S, lower triangle, row by row, constant part"
+            fields.append(Field("P_0", REAL, (P,), "SI", text))
+        if self.added_mass:
+            fields += [
+                Field("A", REAL, (6,), "kg", "m E + Lambda_11: 11 22 33 12 13 23"),
+                Field("A_inv", REAL, (6,), "1/kg", ""),
+                Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
+            ]
+        if self.displaces:
+            fields += [
+                Field("weight_mass", REAL, (), "kg", "mass minus displaced mass"),
+                Field("displaced_moment", REAL, (3,), "kg m", "first moment of displaced fluid, constant part"),
+            ]
+        if self.flywheels:
+            fields.append(Field("flywheel", self.row, (self.count,)))
+        if self.own:
+            fields.append(Field("frame", self.frame, (len(self.own),)))
+        if self.sensors:
+            fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
+        fields += self.laws
+        return Struct(
+            "table",
+            "The constants of the equations, made of the parameters; the laws at the end (gravity, ...) are as given.",
+            tuple(fields),
+        )
+
+    @property
+    def laws(self) -> list[Field]:
+        """Laws of wrenches, as the stand file gives them: prepare does not touch them."""
+        laws = []
+        if self.weight:
+            laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
+        if self.stream:
+            laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
+        laws += stream_profile.table_fields(self.structure)
+        if self.freedoms:
+            laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
+        if self.held:
+            laws.append(Field("pivot", REAL, (3,), "m", "point that steps keep where the hold does, in E1"))
+            laws.append(Field("sliding", REAL, (9,), "", "projector to the directions in which it slides, row by row"))
+        if self.coordinates:
+            laws.append(Field("home_position", REAL, (3,), "m", "of O1 where all coordinates are zero, in E0"))
+            laws.append(Field("home_attitude", REAL, (4,), "", "there, unit quaternion, w first"))
+        if self.carrier_damped:
+            laws.append(Field("damper", self.damper, (), "", "of the carrier"))
+        laws += [f for law in parts("program", BodyProgram, BODY_LAWS) for f in law.table_fields(self.structure)]
+        return laws + [f for law in self.law_tables for f in law.fields(self.structure)]
+
+    # -- scratch and results
 
     @cached_property
     def sums(self) -> Struct:
@@ -140,68 +579,47 @@ class Layout(Tables):
         )
         return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
 
+    def _of_flywheels(self, *rows: tuple[str, str, str]) -> list[Field]:
+        """A real of each flywheel: name, unit, text."""
+        return [Field(name, REAL, (self.count,), unit, text) for name, unit, text in rows]
+
     @cached_property
     def inverse_options(self) -> Struct:
-        fields = (
-            Field(
-                "weight",
-                REAL,
-                (self.count,),
-                "",
-                f"weight of each flywheel in the norm of phi_ddot: {short(1 / WEIGHT)} to {short(WEIGHT)}; else 1",
-            ),
-            Field(
-                "limit",
-                REAL,
-                (self.count,),
-                "rad/s2",
-                "largest magnitude of each phi_ddot; greater than 0; infinity: no limit",
-            ),
-            Field("most", REAL, (self.count,), "rad/s2", "EXCESSIVE above this |phi_ddot|; greater than 0"),
-            Field(
-                "motor_torque",
-                REAL,
-                (self.count,),
-                "N m",
-                "EXCESSIVE if the drive torque is larger; not negative; infinity: no limit",
-            ),
-            Field(
-                "motor_speed",
-                REAL,
-                (self.count,),
-                "rad/s",
-                "no-load speed, where the torque that drives has fallen to 0; greater than 0; infinity: none",
-            ),
-            Field("motor_viscous", REAL, (self.count,), "N m s", "viscous friction, which the motor bears; 0: none"),
-            Field("motor_coulomb", REAL, (self.count,), "N m", "dry friction, which the motor bears; 0: none"),
-            Field(
-                "motor_coulomb_speed",
-                REAL,
-                (self.count,),
-                "rad/s",
-                "speed at which three quarters of the dry friction act; greater than 0",
-            ),
-            Field(
-                "near_singular",
-                REAL,
-                (),
-                "",
-                "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1",
-            ),
-            Field(
-                "damping", REAL, (), "", "damping of small singular values, as a fraction of the largest, 0..1; 0: none"
-            ),
-            *(
+        norm = f"weight of each flywheel in the norm of phi_ddot: {short(1 / WEIGHT)} to {short(WEIGHT)}; else 1"
+        no_load = "no-load speed, where the torque that drives has fallen to 0; greater than 0; infinity: none"
+        three_quarters = "speed at which three quarters of the dry friction act; greater than 0"
+        least = "status NEAR_SINGULAR below this fraction of the largest singular value, 0..1"
+        damped = "damping of small singular values, as a fraction of the largest, 0..1; 0: none"
+        fields = self._of_flywheels(
+            ("weight", "", norm),
+            ("limit", "rad/s2", "largest magnitude of each phi_ddot; greater than 0; infinity: no limit"),
+            ("most", "rad/s2", "EXCESSIVE above this |phi_ddot|; greater than 0"),
+            ("motor_torque", "N m", "EXCESSIVE if the drive torque is larger; not negative; infinity: no limit"),
+            ("motor_speed", "rad/s", no_load),
+            ("motor_viscous", "N m s", "viscous friction, which the motor bears; 0: none"),
+            ("motor_coulomb", "N m", "dry friction, which the motor bears; 0: none"),
+            ("motor_coulomb_speed", "rad/s", three_quarters),
+        )
+        fields += [Field("near_singular", REAL, (), "", least), Field("damping", REAL, (), "", damped)]
+        for task in self.structure.tasks:
+            fields.append(
                 Field(f"use_{task.name}", INT, (len(task.rows),), "", f"rows of the task {task.name}: 0: free")
-                for task in self.structure.tasks
-            ),
-            *(self._torque_options if self.structure.tasks else ()),
-        )
-        return Struct(
-            "inverse_options",
-            "Options of inverse: how it distributes a demand, and what it does near a singularity.",
-            fields,
-        )
+            )
+        if self.structure.tasks:  # what torque_for looks at besides
+            wanted = "speed that torque_for approaches with what the demand leaves free"
+            missing = "part of what is missing to it, wanted a second; 0: least torque"
+            nearest = "no wanted speed lies nearer to 0 than this; 0: none is avoided"
+            fields += self._of_flywheels(
+                ("motor_power", "W", "most that torque_for drives with; infinity: no limit"),
+                ("target_speed", "rad/s", wanted),
+            )
+            fields += [
+                Field("target_rate", REAL, (), "1/s", missing),
+                Field("avoid_speed", REAL, (), "rad/s", nearest),
+                Field("keep_direction", INT, (), "", "1: a demand out of reach is made smaller, 0: least error"),
+            ]
+        purpose = "Options of inverse: how it distributes a demand, and what it does near a singularity."
+        return Struct("inverse_options", purpose, tuple(fields))
 
     @cached_property
     def inverse_work(self) -> Struct:
@@ -226,87 +644,56 @@ class Layout(Tables):
 
     @cached_property
     def inverse_result(self) -> Struct:
-        rows = self.inverse_rows
-        least = min(rows, int(self.count))
-        left, matrix = "F - K V_dot - M V - J phi_dot - I phi_ddot", "K^-1/2 I Theta_ff^-1/2"
+        left, matrix, norm = "F - K V_dot - M V - J phi_dot - I phi_ddot", "K^-1/2 I Theta_ff^-1/2", "K^-1"
         if self.held:
-            left, matrix = f"S^T ({left})", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2"
-        fields: tuple[Field, ...] = (
-            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
-            Field("residual", REAL, (rows,), "N, N m", left),
-            Field("sigma", REAL, (least,), "", f"singular values of {matrix}, descending"),
-            Field("rank", INT, (), "", "number of singular values above the rank threshold"),
-            Field("damped_by", REAL, (), "", "largest damping lambda applied, in units of sigma; 0: none"),
-            Field("limited", INT, (self.count,), "", "1 if the flywheel reached its limit"),
-            Field(
-                "hardest",
-                REAL,
-                (rows,),
-                "",
-                "the unreachable wrench, or the one hardest to reach; a unit vector in the norm of "
-                + ("(S^T K S)^-1" if self.held else "K^-1"),
-            ),
-        )
+            left, matrix, norm = f"S^T ({left})", "(S^T K S)^-1/2 S^T I Theta_ff^-1/2", "(S^T K S)^-1"
+        hardest = f"the unreachable wrench, or the one hardest to reach; a unit vector in the norm of {norm}"
+        residual = Field("residual", REAL, (self.inverse_rows,), "N, N m", left)
+        fields = self._quality(residual, matrix, Field("hardest", REAL, (self.inverse_rows,), "", hardest))
         if not self.flywheels:
             fields = tuple(f for f in fields if f.name in ("residual", "rank", "damped_by", "hardest"))
         return Struct("inverse_result", "Result of inverse and its quality.", fields)
 
-    @property
-    def _torque_options(self) -> tuple[Field, ...]:
-        """What torque_for looks at besides."""
-        wanted = "speed that torque_for approaches with what the demand leaves free"
-        return (
-            Field(
-                "motor_power",
-                REAL,
-                (self.count,),
-                "W",
-                "most that torque_for drives with; infinity: no limit",
-            ),
-            Field("target_speed", REAL, (self.count,), "rad/s", wanted),
-            Field("target_rate", REAL, (), "1/s", "part of what is missing to it, wanted a second; 0: least torque"),
-            Field("avoid_speed", REAL, (), "rad/s", "no wanted speed lies nearer to 0 than this; 0: none is avoided"),
-            Field("keep_direction", INT, (), "", "1: a demand out of reach is made smaller, 0: least error"),
-        )
+    def task_result(self, task: Task) -> Struct:
+        """Result of the inverse problem of a task."""
+        text = "the unreachable part of the demand, or the one hardest to reach; a unit in its norm"
+        residual, matrix = self._missed(task), "(S K^-1 S^T)^-1/2 S K^-1 I Theta_ff^-1/2"
+        fields = self._quality(residual, matrix, replace(residual, name="hardest", comment=text), self._moved)
+        return Struct(f"inverse_{task.name}_result", f"Result of inverse_{task.name} and its quality.", fields)
 
     def torque_for_result(self, task: Task) -> Struct:
         """Result of the torques for a task."""
         fields = (
-            Field("tau", REAL, (self.count,), "N m", "drive torques"),
-            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations that result"),
-            Field("V_dot", REAL, (6,), "m/s2, rad/s2", "motion of the carrier that results"),
-            Field("residual", REAL, (len(task.rows),), "m/s2, rad/s2", "demand minus reached; 0 of a free row"),
+            *self._of_flywheels(
+                ("tau", "N m", "drive torques"), ("phi_ddot", "rad/s2", "flywheel accelerations that result")
+            ),
+            self._moved,
+            self._missed(task),
             Field("share", REAL, (), "", "part of the demand that is met, with keep_direction; else 1"),
             Field("limited", INT, (self.count,), "", "1 if the torque is at its limit"),
         )
         return Struct(f"torque_for_{task.name}_result", f"Result of torque_for_{task.name} and its quality.", fields)
 
-    def task_result(self, task: Task) -> Struct:
-        """Result of the inverse problem of a task."""
-        rows = len(task.rows)
-        fields = (
-            Field("phi_ddot", REAL, (self.count,), "rad/s2", "flywheel accelerations"),
-            Field("V_dot", REAL, (6,), "m/s2, rad/s2", "motion of the carrier that results"),
-            Field("residual", REAL, (rows,), "m/s2, rad/s2", "demand minus reached; 0 of a free row"),
-            Field(
-                "sigma",
-                REAL,
-                (min(rows, int(self.count)),),
-                "",
-                "singular values of (S K^-1 S^T)^-1/2 S K^-1 I Theta_ff^-1/2, descending",
-            ),
+    @property
+    def _moved(self) -> Field:
+        return Field("V_dot", REAL, (6,), "m/s2, rad/s2", "motion of the carrier that results")
+
+    def _missed(self, task: Task) -> Field:
+        return Field("residual", REAL, (len(task.rows),), "m/s2, rad/s2", "demand minus reached; 0 of a free row")
+
+    def _quality(self, residual: Field, matrix: str, hardest: Field, *moved: Field) -> tuple[Field, ...]:
+        """An answer of `inverse` and how good it is, by the singular values of a matrix."""
+        count = min(int(residual.shape[0]), int(self.count))
+        return (
+            *self._of_flywheels(("phi_ddot", "rad/s2", "flywheel accelerations")),
+            *moved,
+            residual,
+            Field("sigma", REAL, (count,), "", f"singular values of {matrix}, descending"),
             Field("rank", INT, (), "", "number of singular values above the rank threshold"),
             Field("damped_by", REAL, (), "", "largest damping lambda applied, in units of sigma; 0: none"),
             Field("limited", INT, (self.count,), "", "1 if the flywheel reached its limit"),
-            Field(
-                "hardest",
-                REAL,
-                (rows,),
-                "m/s2, rad/s2",
-                "the unreachable part of the demand, or the one hardest to reach; a unit in its norm",
-            ),
+            hardest,
         )
-        return Struct(f"inverse_{task.name}_result", f"Result of inverse_{task.name} and its quality.", fields)
 
     @property
     def moved(self) -> tuple[str, str, str, int]:
@@ -379,3 +766,13 @@ class Layout(Tables):
         return Struct(
             "generalized_result", "The equations in generalized coordinates q = (O1 in E0; psi, theta, phi).", fields
         )
+
+
+def _position(index: int, indices: tuple[int, ...]) -> int:
+    return indices.index(index) if index in indices else -1
+
+
+def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:
+    """Inputs in the table that laws of the stand take at run time."""
+    laws = parts("program", BodyProgram, BODY_LAWS)
+    return tuple(given for law in laws if (given := law.run_time_input(structure)) is not None)

@@ -34,27 +34,38 @@ class Library(FunctionSet):
     @property
     def sine(self) -> Any:
         """Sines of the phases, as internal functions take them; none without flywheels."""
-        return self.turn_arguments()[0] if self.layout.flywheels else None
+        return self._of_flywheels("sine", "", "sines of the phases")
 
     @property
     def cosine(self) -> Any:
         """Cosines of the phases, likewise."""
-        return self.turn_arguments()[1] if self.layout.flywheels else None
+        return self._of_flywheels("cosine", "", "cosines")
 
     @property
     def phi_ddot(self) -> Any:
         """Accelerations of the flywheels, where there are any."""
-        return next(iter(self.phi_ddot_arguments()), None)
+        return self._of_flywheels("phi_ddot", "rad/s2", "flywheel accelerations")
+
+    def _of_flywheels(self, name: str, unit: str, purpose: str) -> Argument | None:
+        """One number a flywheel, where there are any."""
+        count = self.layout.count
+        return Argument(name, Kind.REAL, (count,), unit=unit, purpose=purpose) if self.layout.flywheels else None
 
     @property
     def wrench(self) -> Any:
-        """Run-time wrenches, where the stand asks for them."""
-        return next(iter(self.wrench_arguments()), None)
+        """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
+        if not self.layout.inputs:
+            return None
+        names = ", ".join(self.layout.inputs)
+        purpose = f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin"
+        return Argument("wrench", Kind.REAL, (6 * len(self.layout.inputs),), unit="N, N m", purpose=purpose)
 
     @property
     def flywheel_wrench(self) -> Any:
         """Run-time wrenches where a flywheel takes one, for functions on which no other body's has an effect."""
-        return next(iter(self.flywheel_wrench_arguments()), None)
+        if not self.layout.flywheel_input:
+            return None
+        return replace(self.wrench, purpose=self.wrench.purpose + "; those of flywheels alone act")
 
     @property
     def u_dot(self) -> Any:
@@ -66,23 +77,6 @@ class Library(FunctionSet):
     def sums(self) -> Argument:
         """Sums over all bodies."""
         return Argument("sum", self.layout.sums)
-
-    # -- what many functions share -----------------------------------------------------------------------------------
-
-    def phi_ddot_arguments(self) -> tuple[Argument, ...]:
-        """phi_ddot, where there are flywheels."""
-        if not self.layout.flywheels:
-            return ()
-        return (Argument("phi_ddot", Kind.REAL, (self.layout.count,), unit="rad/s2", purpose="flywheel accelerations"),)
-
-    def turn_arguments(self) -> tuple[Argument, ...]:
-        """Sines and cosines of the phases, as internal functions take them; none without flywheels."""
-        if not self.layout.flywheels:
-            return ()
-        return (
-            Argument("sine", Kind.REAL, (self.layout.count,), purpose="sines of the phases"),
-            Argument("cosine", Kind.REAL, (self.layout.count,), purpose="cosines"),
-        )
 
     def given_turns(self) -> tuple[Argument, ...]:
         """Sines and cosines of the phases from encoders, or none: `phase_input = "sincos"`."""
@@ -99,19 +93,6 @@ class Library(FunctionSet):
         """Argument: flywheels that a lock holds."""
         purpose = "not 0: a lock holds phi_ddot = 0, whatever its tau; null: no lock"
         return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional="zeros")
-
-    def wrench_arguments(self) -> tuple[Argument, ...]:
-        """Run-time wrenches, flat: six numbers a body; where the stand asks for them."""
-        if not self.layout.inputs:
-            return ()
-        names = ", ".join(self.layout.inputs)
-        purpose = f"run-time wrenches, six numbers a body ({names}), in its own frame about its origin"
-        return (Argument("wrench", Kind.REAL, (6 * len(self.layout.inputs),), unit="N, N m", purpose=purpose),)
-
-    def flywheel_wrench_arguments(self) -> tuple[Argument, ...]:
-        """Run-time wrenches where a flywheel takes one, for functions on which no other body's has an effect."""
-        taken = self.wrench_arguments() if self.layout.flywheel_input else ()
-        return tuple(replace(a, purpose=a.purpose + "; those of flywheels alone act") for a in taken)
 
 
 def unit_square(square: Expr) -> Expr:

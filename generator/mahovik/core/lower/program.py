@@ -9,7 +9,6 @@ from importlib.util import find_spec
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.core import routines
 from mahovik.core.lower import (
-    actuators,
     allocate,
     checks,
     coordinates,
@@ -18,7 +17,6 @@ from mahovik.core.lower import (
     excess,
     flywheels,
     forward,
-    held_coordinates,
     hold,
     identify_step,
     inverse,
@@ -104,12 +102,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         _add_inverse(lib)
     if layout.sensors:
         points.add_points(lib)
-    lib.add(coordinates.quaternion(lib))
-    if not layout.held:
-        coordinates.add_state_from_coordinates(lib)
-        coordinates.add_generalized(lib)
-    elif layout.coordinates:
-        held_coordinates.add_held_coordinates(lib)
+    coordinates.add_all(lib)
     _add_prepare(lib)
     if layout.flywheels:
         mounts.add_mounts(lib)
@@ -227,7 +220,7 @@ def _add_wrenches(lib: Library) -> None:
     if not layout.wrenches:
         return
     wrenches.add_laws(lib)
-    actuators.add_check(lib)
+    wrenches.add_check_actuators(lib)
     stream.add_functions(lib)
     wrenches.add_external(lib)
 

@@ -6,11 +6,13 @@ from typing import Any
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.law import BodyProgram
+from mahovik.core.lower.layout import run_time_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import formula
-from mahovik.core.program.expression import Expr
-from mahovik.core.program.kernel import Reals, argument, body, changed, inline, reals, result
+from mahovik.core.program.expression import Expr, Status, real
+from mahovik.core.program.kernel import OK, Reals, argument, body, changed, inline, reals, result
 from mahovik.core.program.vector import Vector, cross
 
 
@@ -81,7 +83,7 @@ def own_wrenches(lib: Library, table: Any, x: Any, turns: Any, V: Reals, wrench:
 
 @inline
 def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) -> None:
-    """Set the flywheels' own wrenches in `seen`, where they have such; `wrench`: `flywheel_wrench_arguments`."""
+    """Set the flywheels' own wrenches in `seen`, where they have such; `wrench`: `flywheel_wrench`."""
     if seen.own is not None:
         scratch = reals(6)  # wrench on the carrier, not used here
         scratch[:] = [0] * 6
@@ -173,3 +175,20 @@ def add_own_wrench(lib: Library) -> None:
         moment[:] = axes @ P[3:6]
         F[0:3] += force
         F[3:6] += cross(frame.origin, force) + moment
+
+
+def add_check_actuators(lib: Library) -> None:
+    """Adds `check_actuators`, where the stand has such inputs: NOT_FINITE or RANGE where one is none or too large."""
+    inputs = run_time_inputs(lib.layout.structure)
+    if not inputs:
+        return
+
+    limits = [lib.limit(each.limit) if isinstance(each.limit, str) else real(each.limit) for each in inputs]
+
+    @lib.kernel(purpose=f"Are {', '.join(each.words for each in inputs)} finite and in their ranges?")
+    def check_actuators(table: Any = lib.table) -> Status:
+        """Are inputs of laws in their ranges?"""
+        for each, limit in zip(inputs, limits, strict=True):
+            for k in range(each.count):
+                check_number(lib, table.member(each.array)[k].member(each.member), limit)
+        return OK

@@ -17,9 +17,8 @@ from mahovik.contract.evaluation import answers_of
 from mahovik.contract.functions import FUNCTIONS, TASK_TAKERS, TASK_WANTS, WANTS, hold_fault, inverse_fault, want_fault
 from mahovik.contract.quantities import limits_of
 from mahovik.contract.status import refusal_reason, status_words
-from mahovik.core.lower.actuators import run_time_inputs
 from mahovik.core.lower.hold import OF_COORDINATES
-from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.program.types import DOUBLE, FLOAT
