@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 
 from mahovik.core.motion.functions import Motion
-from mahovik.core.motion.laws import Constant
+from mahovik.core.motion.laws import Constant, SpeedLaw
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.model import Flywheel
 from mahovik.errors import UsageError
@@ -32,7 +31,7 @@ LEAST = 50
 
 
 @dataclass(frozen=True, eq=False)
-class Fitted:
+class Fitted(SpeedLaw):
     """Law of a flywheel by a spline of its phase (rad) over time; `breaks`: its corners, s."""
 
     phase: BSpline
@@ -97,7 +96,7 @@ def fit_motion(name: str, t: Array, phi: Array) -> FlywheelRegime:
         if other is None or not are_corners(other, more, t):
             break
         least, spline, corners = found, other, more
-    return FlywheelRegime(name, cast(Any, Fitted(spline, corners)), float(spline(np.zeros(1))[0]))
+    return FlywheelRegime(name, Fitted(spline, corners), float(spline(np.zeros(1))[0]))
 
 
 def _best_spline(t: Array, phi: Array, least: float, corners: tuple[float, ...] = ()) -> tuple[float, BSpline | None]:

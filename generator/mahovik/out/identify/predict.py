@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.functions import Motion
+from mahovik.core.motion.laws import SpeedLaw
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.state import State
 from mahovik.core.toolchain.block import PER_BLOCK, Block
@@ -40,21 +41,8 @@ SIZE = 128
 """Variants that are stepped together."""
 
 
-class SpeedLaw(Protocol):
-    """A law of a flywheel's speed; see core/motion/laws."""
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """Times at which the acceleration jumps, s."""
-        ...
-
-    def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
-        ...
-
-
 @dataclass(frozen=True, eq=False)
-class Shifted:
+class Shifted(SpeedLaw):
     """A law as seen from the time `by` (s) on: t = 0 is there."""
 
     law: SpeedLaw
@@ -76,7 +64,7 @@ def shift_regime(regime: Regime, by: float) -> Regime:
     """A regime of given speeds, seen from the time `by` (s) on."""
     turned = regime.motion(np.array([by]))[0][0].tolist()
     driven = (
-        FlywheelRegime(each.name, cast(Any, Shifted(cast(Any, each.law), by)), (each.phase or 0.0) + turn)
+        FlywheelRegime(each.name, Shifted(cast(SpeedLaw, each.law), by), (each.phase or 0.0) + turn)
         for each, turn in zip(regime.flywheels, turned, strict=True)
     )
     return Regime(regime.name, tuple(driven), regime.wrenches)

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.functions import Motion
+from mahovik.core.motion.laws import SpeedLaw
 from mahovik.errors import StandError, StateError
 from mahovik.out.identify.arrangement import BETTER, GOOD, Look, wrong_axes
 from mahovik.out.identify.estimate import Fit
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.jacobian import slopes
 from mahovik.out.identify.phases import speeds
-from mahovik.out.identify.predict import Predictor, SpeedLaw
+from mahovik.out.identify.predict import Predictor
 from mahovik.out.identify.run import Run
 
 Array = NDArray[np.float64]
@@ -26,7 +27,7 @@ TURNING = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
-class Reversed:
+class Reversed(SpeedLaw):
     """A law of a speed, turned round."""
 
     law: SpeedLaw
@@ -91,7 +92,7 @@ def _turned_round(free: Free, fit: Fit, r: int, look: Look, own: Sequence[int]) 
     run, old = look.run, look.run.predictor
     regime = old._case.regime
     wheels = tuple(
-        replace(each, law=cast(Any, Reversed(cast(Any, each.law))), phase=-(each.phase or 0.0)) if i in own else each
+        replace(each, law=Reversed(cast(SpeedLaw, each.law)), phase=-(each.phase or 0.0)) if i in own else each
         for i, each in enumerate(regime.flywheels)
     )
     predictor = Predictor(old.stand, replace(regime, flywheels=wheels), old.channels, 0.0, old.every, old.count)
