@@ -10,6 +10,7 @@ import pytest
 
 from mahovik import stands
 from mahovik.contract.limits import LIMITS
+from mahovik.contract.status import BITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -55,7 +56,6 @@ def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, st
 
 
 def test_a_function_without_a_judge_fails(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delitem(JUDGES, "wrap")
     monkeypatch.setattr("mahovik.proof.verify.functions.table.JUDGES", {})
     rows = [row for row in function_checks(case_of("demo3")) if row.judged == "wrap"]
     assert [row.verdict for row in rows] == ["FAILED"]
@@ -97,6 +97,11 @@ def test_a_wrong_answer_of_bad_condition_is_noticed(function: str, pattern: str,
 def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(JUDGES, "wrap", FunctionJudge("exact", lambda _, rows: rows.add(Check("wrap", "nothing"))))
     assert [row.verdict for row in checks_of(case_of("demo3"), "wrap")] == ["not compared", "FAILED"]
+
+
+def test_each_bit_is_drawn_on_both_sides_of_its_bound() -> None:
+    states = {row.quantity: row.states for row in checks_of(case_of("demo3"), "inverse")}
+    assert {bit for bit in BITS if states.get(f"{bit} at its bound", 0) >= 2} == {*BITS} - {"COARSE"}
 
 
 CHECKS = [
