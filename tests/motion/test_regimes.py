@@ -162,7 +162,7 @@ def test_bad_tables(content: str, words: str, tmp_path: Path) -> None:
 
 def test_missing_files(tmp_path: Path) -> None:
     (line,) = problems(regime_of_left('table = "none.csv"'), tmp_path)
-    assert "cannot be read: No such file" in line
+    assert "cannot be read: no such file" in line
     with pytest.raises(RegimeError, match="no such file"):
         load(tmp_path / "none.toml", SHAKER, 1.0)
 

@@ -44,8 +44,8 @@ def text_of(path: Path, most: int, error: type[FileError]) -> str:
     """The text of a file of at most `most` bytes. Raises `error` with one line that names the file."""
     try:
         return content(path, most).decode("utf-8-sig")
-    except FileNotFoundError:
-        reason = f"{path}: no such file"
+    except FileNotFoundError as problem:
+        reason = f"{path}: {problem.strerror}"
     except OSError as problem:
         reason = f"{path}: cannot be read: {problem.strerror or problem}"
     except ValueError as problem:  # not UTF-8, or a NUL in the name

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import errno
-from collections.abc import Callable
 from pathlib import Path
 
 from mahovik.core.stand.units import show
+from mahovik.nearest import nearest_name
 
 TEXT = 4 << 20
 """Largest stand file, regime or start that is read, bytes. A stand file of 64 flywheels has 30 kB."""
@@ -29,9 +29,19 @@ def is_file(path: Path) -> bool:
 
 
 def content(path: Path, most: int = TEXT) -> bytes:
-    """All bytes of a file. Raises OSError, also where it is larger than `most` or has no end, such as /dev/zero."""
+    """All bytes of a file. Raises OSError, also where it is larger than `most` or has no end, such as /dev/zero.
+
+    Of a file that is not there it says which one beside it, of the same kind, may be meant.
+    """
     found = bytearray()
-    with path.open("rb") as file:
+    try:
+        opened = path.open("rb")
+    except FileNotFoundError:
+        suffix = path.suffix or ".toml"
+        near = nearest_name(path.stem, sorted(each.stem for each in path.parent.glob(f"*{suffix}")))
+        meant = "" if near is None else f', did you mean "{path.with_name(f"{near}{suffix}")}"?'
+        raise FileNotFoundError(errno.ENOENT, f"no such file{meant}", str(path)) from None
+    with opened as file:
         while piece := file.read(_PIECE):
             found += piece
             if len(found) > most:
@@ -39,15 +49,12 @@ def content(path: Path, most: int = TEXT) -> bytes:
     return bytes(found)
 
 
-def readable(path: Path, expected: str, hint: Callable[[], str] = lambda: "") -> bytes:
-    """All bytes of a file that should be `expected`. Raises ValueError with one line that names it.
-
-    `hint`: asked for what to add where there is no such file.
-    """
+def readable(path: Path, expected: str) -> bytes:
+    """All bytes of a file that should be `expected`. Raises ValueError with one line that names it."""
     try:
         return content(path)
-    except FileNotFoundError:
-        raise ValueError(f"{path}: no such file{hint()}") from None
+    except FileNotFoundError as error:
+        raise ValueError(f"{path}: {error.strerror}") from None
     except IsADirectoryError:
         raise ValueError(f"{path}: is a directory, expected {expected}") from None
     except OSError as error:

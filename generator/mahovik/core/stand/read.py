@@ -45,7 +45,7 @@ from mahovik.core.stand.task import check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
-from mahovik.nearest import nearest, nearest_name, suggestion
+from mahovik.nearest import nearest, suggestion
 
 AnyBody = TypeVar("AnyBody", bound=Body)
 _Item = tuple[str, Any, Any]
@@ -63,13 +63,8 @@ _OTHERS = {"sample_period": "a file of servos", "default": "a regime", "wrench":
 def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
     path = Path(path)
-
-    def neighbour() -> str:
-        best = nearest_name(path.stem, sorted(each.stem for each in path.parent.glob("*.toml")))
-        return "" if best is None else f', did you mean "{path.with_name(f"{best}.toml")}"?'
-
     try:
-        found = readable(path, "a stand file (TOML)", neighbour)
+        found = readable(path, "a stand file (TOML)")
     except ValueError as error:
         raise StandError([str(error)]) from None
     try:

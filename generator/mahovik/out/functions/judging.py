@@ -106,7 +106,7 @@ def judge(
     from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
-        tell(progress, Progress(f"judge {next(filter(None, (command, log, fmu)))}"))
+        tell(progress, Progress(f"judge {next(x for x in (command, log, fmu) if x is not None)}"))
         if log is not None:
             return _explained(own, _judge_log(own, Path(log), wants, tolerance), explain, seed, progress)
         if fmu is not None and variables is not None:

@@ -97,8 +97,8 @@ def _content(path: Path) -> bytes:
         raise DataError([f'{path}: unknown format "{path.suffix}", expected {", ".join(known)}'])
     try:
         return content(path, TABLE)
-    except FileNotFoundError:
-        raise DataError([f"{path}: no such file"]) from None
+    except FileNotFoundError as error:
+        raise DataError([f"{path}: {error.strerror}"]) from None
     except IsADirectoryError:
         raise DataError([f"{path}: is a directory, expected a file of data"]) from None
     except OSError as error:
