@@ -152,7 +152,7 @@ def add_coupled(lib: Library) -> None:
                 if layout.freedoms or not layout.held:
                     lib["eliminate"](column, table.flywheel[s].spin_inv, rate[s], K, F)
             else:
-                if not layout.held:
+                if layout.freedoms or not layout.held:
                     column[:] = [0] * len(column)
                 rate[s] = 0
         if layout.held:
