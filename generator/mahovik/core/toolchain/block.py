@@ -79,11 +79,11 @@ class Block:
         return function in self._made.functions
 
     def run(self, function: str) -> int:
-        """Call a function for all states; return the first negative status, else that of the first state."""
+        """Call a function for all states; return the first negative status, else 0."""
         call = self._calls.get(function)
         if call is None:
             call = self._calls[function] = self._prepare_call(function)
-        return call() or int(self._now[0])
+        return call()
 
     def call(self, function: str, t: float | None = None) -> None:
         """Call a function for all states; those that it refuses are noted, at the time `t`."""
@@ -127,10 +127,11 @@ class Block:
         tables = {name: self._table(name) for name in TABLES if name in taken}
         results = {name: self.given[name] for name in ("next", *RESULTS.get(function, ())) if name in self.given}
         arrays, made = self._made.arrange(function, self.n, self.given | tables, results)
-        for a in self._made.functions[function].arguments:
+        for a, memory in made:
             if a.direction == "out" and a.name not in results:
-                of_states = made[a.name].view(self._made.element).reshape(self.n, -1).T  # of a function without batch
-                self.found[function] = made[a.name] if a.order == "components" else of_states
+                memory.view(np.uint8)[...] = 0  # what a refused state leaves is a number
+                of_states = memory.view(self._made.element).reshape(self.n, -1).T  # of a function without batch
+                self.found[function] = memory if a.order == "components" else of_states
         if self._tables is None or not tables:  # a clamped carrier's forward
             return self._made.library.repeat_call(function, self.n, arrays, self._now)
         return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import TypeAdapter
 
-from mahovik.core.program.arrays import ArrayFunction, Member, fill_record, record
+from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
@@ -107,14 +107,15 @@ class CompiledLibrary:
 
     def arrange(
         self, function: str, n: int, given: Mapping[str, NDArray[Any]], results: Mapping[str, NDArray[Any]]
-    ) -> tuple[list[NDArray[Any]], dict[str, NDArray[Any]]]:
-        """Memory of all arguments of a function of n states in the order of the C, and that of results by name.
+    ) -> tuple[list[NDArray[Any]], list[tuple[ArgumentLayout, NDArray[Any]]]]:
+        """Memory of all arguments of a function of n states in the order of the C, and that of each result.
 
         given    memory of inputs, in the order of each; tables are those of the library where none are given, a carry
                  that is not given is null
         results  memory of results that the caller has; for the others it is made
         """
-        arrays, made = [], {}
+        arrays: list[NDArray[Any]] = []
+        made = []
         for a, layout in zip(self.functions[function].arguments, self._records[function], strict=True):
             if a.name in given and a.direction != "out":
                 memory = given[a.name]
@@ -122,13 +123,15 @@ class CompiledLibrary:
                 memory = self.tables[a.name]
             elif a.direction == "inout":
                 memory = _NULL
+            elif a.direction == "in":
+                raise KeyError(a.name)
             elif a.name in results:
                 memory = results[a.name]
             else:
-                memory = np.zeros((a.components, n), self.element) if a.order == "components" else np.zeros(n, layout)
+                memory = np.empty((a.components, n), self.element) if a.order == "components" else np.empty(n, layout)
             arrays.append(memory)
             if a.direction != "in" and memory is not _NULL:
-                made[a.name] = memory
+                made.append((a, memory))
         return arrays, made
 
     @cached_property

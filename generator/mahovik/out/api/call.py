@@ -58,15 +58,14 @@ class Caller:
         f = self._made.functions[function]
         memory: dict[str, Array] = {}
         for a in f.arguments:
-            if a.name in self._made.tables and tables is not None:
-                memory[a.name] = tables.block(a.name)
-            elif a.direction == "inout" and a.name in given:
-                memory[a.name] = given[a.name].copy()
-            elif a.direction == "in" and a.name not in self._made.tables:
+            if a.name in self._made.tables:
+                if tables is not None:
+                    memory[a.name] = tables.block(a.name)
+            elif a.name in given:
                 value = given[a.name]
-                memory[a.name] = value if a.order == "alike" else by_component(value, a.components, n, self._real)
-        arrays, made = self._made.arrange(function, n, memory, {})
-        outputs = [(a, made[a.name]) for a in f.arguments if a.name in made]
+                in_order = a.order == "alike" or a.direction != "in"
+                memory[a.name] = value if in_order else by_component(value, a.components, n, self._real)
+        arrays, outputs = self._made.arrange(function, n, memory, {})
         status = np.zeros(n, dtype=np.int32)
         same = tables is None or not any(a.name in self._made.tables for a in f.arguments)  # whatever the tables
         library = self._made.library if same else self._made.of_tables

@@ -296,18 +296,16 @@ class KeptBackend(FunctionBackend):
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
-        f, memory = self.made.functions[function], {}
+        f, given = self.made.functions[function], {}
         for a in f.arguments:
             if a.name == "table" and inputs.get("table") is not None:
-                memory[a.name] = inputs["table"]
+                given[a.name] = inputs["table"]
             elif a.direction == "in" and a.name not in self.made.tables:
-                memory[a.name] = _memory(a, self.made.element, inputs[a.name])
-        arrays, made = self.made.arrange(function, 1, memory, {})
+                given[a.name] = _memory(a, self.made.element, inputs[a.name])
+        arrays, results = self.made.arrange(function, 1, given, {})
         status = np.zeros(1, dtype=np.int32)
         self.made.library.call(function, 1, arrays, status)
-        return int(status[0]), {
-            a.name: _plain(a, made[a.name], self.made.element) for a in f.arguments if a.name in made
-        }
+        return int(status[0]), {a.name: _plain(a, memory, self.made.element) for a, memory in results}
 
 
 def _memory(a: ArgumentLayout, element: np.dtype[Any], value: Any) -> NDArray[Any]:

@@ -88,12 +88,16 @@ class CMotion:
         given, speeds, _ = self.case.motion(times)
         states, mean = wrap_phases(given), np.diff(speeds, axis=0) / h
         block.given["dt"][0] = h
+        step, everything = "step_driven" if len(self._phi) else "step", np.ones_like(self._held)
+        accelerations = block.given["phi_ddot"][:, 0]
         for k, begin in enumerate(times[:-1]):
             self._set_wrench(begin + h / 2)
             self._phi[:], self._phi_dot[:] = states[k], speeds[k]
-            self._forget_rounding(np.ones_like(self._held))
-            block.given["phi_ddot"][:, 0] = mean[k]
-            self._call("step_driven" if len(self._phi) else "step", begin)
+            if self.case.carried:
+                self._forget_rounding(everything)
+            accelerations[:] = mean[k]
+            if (status := block.run(step)) < 0:
+                raise self._refusal("a step", status, begin)
         self._phi[:], self._phi_dot[:] = states[-1], speeds[-1]
         return np.asarray(given[-1])
 
@@ -113,9 +117,11 @@ class CMotion:
                 self._phi[held] = wrap_phases(halfway[k])[held]
             self._set_wrench(middle, np.where(held, mean[k], 0.0))
             self._phi[held], self._phi_dot[held] = states[k][held], locked[k][held]
-            self._forget_rounding(held)
+            if case.carried:
+                self._forget_rounding(held)
             block.given["tau"][:, 0] = case.torques(middle, before + h / 2 * self._rate)
-            self._call("step", times[k])
+            if (status := block.run("step")) < 0:
+                raise self._refusal("a step", status, times[k])
             self._phi[held], self._phi_dot[held] = states[k + 1][held], speeds[k + 1][held]
             after = self._phi_dot.astype(np.float64)
             self._rate = (after - before) / h
@@ -125,8 +131,7 @@ class CMotion:
 
     def _forget_rounding(self, which: Array) -> None:
         """Phases and speeds that were set have no carry."""
-        if self.case.carried:
-            self._block.given["carry"]["rounding"][0, 13:][np.tile(which, 2)] = 0.0
+        self._block.given["carry"]["rounding"][0, 13:][np.tile(which, 2)] = 0.0
 
     def _set_wrench(self, t: float, accelerations: Array | None = None) -> None:
         """Set the run-time wrenches at a time; on the carrier also the reaction to given `accelerations`."""
@@ -139,16 +144,18 @@ class CMotion:
 
     def _call(self, function: str, t: float) -> None:
         """Call a function of the C at the present state. Raises StateError: it refuses."""
-        status = self._block.run(function)
-        if status < 0:
-            name = "a step" if function.startswith("step") else function
-            where = f"at t = {t:.6g} s {name} returned {status_words(status)}"
-            try:
-                x, y, z = self._x[:3].tolist()
-                stream_at(self.case.stand, (x, y, z))
-            except StateError as outside:
-                raise StateError(f"{where}: {outside}") from None
-            raise StateError(f"{where}: the motion leaves its ranges")
+        if (status := self._block.run(function)) < 0:
+            raise self._refusal(function, status, t)
+
+    def _refusal(self, function: str, status: int, t: float) -> StateError:
+        """Why a function refuses the present state, in words."""
+        where = f"at t = {t:.6g} s {function} returned {status_words(status)}"
+        try:
+            x, y, z = self._x[:3].tolist()
+            stream_at(self.case.stand, (x, y, z))
+        except StateError as outside:
+            return StateError(f"{where}: {outside}")
+        return StateError(f"{where}: the motion leaves its ranges")
 
     def _accelerations(self, t: float) -> tuple[Array, Array, Array]:
         """V_dot, phi_ddot and drive torques at the present state."""
