@@ -36,7 +36,7 @@ def _inputs(structure: Structure) -> tuple[Fact, ...]:
 
 
 @inline
-def race(lib: FunctionSet, k: int, u: float, a: float, n: float) -> float:
+def race(lib: FunctionSet, k: int, u: float, a: float, n: float) -> Any:
     """The race a |n| n / (sqrt(u u + a n n) + |u|) of one propeller, which loses no digits."""
     root = let(f"behind{k + 1}", lib["sqrt"](u * u + a * (n * n)), "speed in the race")
     both = let(f"both{k + 1}", root + abs(u))
