@@ -19,7 +19,6 @@ import pytest
 
 import mahovik
 from api.models import model, stand
-from mahovik.contract.functions import ALL
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain import compiled, compiler, store
 
@@ -58,7 +57,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Names of stands compiled from now on; what comes out lay in the store before."""
     model("bench8")
     bench8 = structure(stand("bench8")), "double", tuple(compiler.find_compiler()), False
-    key = store.library_key(*bench8, "batches", ALL)
+    key = store.library_key(*bench8)
     entry = store.find(key)
     assert entry is not None
     library, facts = entry[0].read_bytes(), entry[1]

@@ -129,7 +129,7 @@ def test_refused_arguments(bench: Path, tmp_path: Path) -> None:
     stand, data = str(bench / "two.toml"), str(bench / "run.csv")
     (tmp_path / "bad.toml").write_text("[all", encoding="utf-8")
     assert "not TOML" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "bad.toml"))
-    assert "No such file" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "none.toml"))
+    assert "no such file" in refused("balance", stand, "--data", data, "--plane", str(tmp_path / "none.toml"))
     assert "expected NAME=X,.." in refused("balance", stand, "--data", data, "--plane", "w1")
     assert "w1 is given twice" in refused("balance", stand, "--data", data, "--plane", "w1=0", "--plane", "w1=1mm")
     assert "expected" in refused("balance", stand, "--data", data, "--report", str(tmp_path / "page.pdf"))
