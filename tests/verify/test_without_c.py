@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.model import StreamProfile
+from mahovik.core.stand.hold import FREEDOMS
+from mahovik.core.stand.model import Hold, StreamProfile
 from mahovik.core.stand.random import BARE, Features, random_stand
+from mahovik.core.stand.state import rest_state
+from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.draw import draw
@@ -60,3 +63,12 @@ def test_program_reference_and_second_derivation_agree(name: str) -> None:
     seen = {row.quantity for row in rows if row.second is not None}
     expected = {"V_dot", "energy"} | ({"tau"} if stand.flywheels else set())
     assert expected | ({"points"} if stand.points or stand.instruments else set()) <= seen
+
+
+def test_couplings_whose_squares_underflow_are_solved() -> None:
+    """Phases of 1e-158 leave couplings of that size in the mass matrix of a carrier in the plane."""
+    plane = tuple(FREEDOMS[name] for name in ("x", "y", "yaw"))
+    stand = replace(load(path("bench8")), hold=Hold(plane, (0.05, -0.03, 0.02), (0.0,) * 3, (0.0,) * 3))
+    state = replace(rest_state(stand), phi=tuple(1e-158 * k for k in range(8)), tau=tuple(0.1 * k for k in range(8)))
+    expected = reference.evaluate(stand, state, ["coupled"])["phi_ddot"]
+    assert Second(stand).evaluate(state, ("coupled",))["phi_ddot"] == pytest.approx(expected, rel=1e-10)

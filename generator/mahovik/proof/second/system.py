@@ -292,14 +292,14 @@ def _motion(system: System, u_dot: Expr, phi_ddot: Expr) -> Results:
 def _solve(matrix: Expr, right: Expr) -> Expr:
     """The solution of equations with a symmetric definite matrix, scaled to a unit diagonal.
 
-    By Householder reflections: Gram-Schmidt, of "symbolicqr", loses the square of the condition, which a basis of
-    nearly the same rows has.
+    By L D L^T: Gram-Schmidt, of "symbolicqr", loses the square of the condition, which a basis of nearly the same rows
+    has, and Householder reflections, of "qr", divide by squares that underflow.
     """
     if not matrix.shape[0]:
         return right
     scale = 1 / ca.sqrt(ca.diag(matrix))
     scaled = ca.diag(scale) @ matrix @ ca.diag(scale)
-    return scale * ca.solve(ca.densify(scaled), scale * right, "qr")
+    return scale * ca.solve(ca.densify(scaled), scale * right, "ldl")
 
 
 def point_names(stand: Stand) -> tuple[str, ...]:
