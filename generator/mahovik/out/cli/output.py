@@ -55,10 +55,14 @@ def print_table(
     table += [
         [(cell, "") if isinstance(cell, str) else cell for cell in row] for row in (*rows, *filter(None, [total]))
     ]
-    widths = [max(len(line) for text, _ in column for line in text.split("\n")) for column in zip(*table, strict=True)]
+    texts_of = [[text for text, _ in column] for column in zip(*table, strict=True)]
+    widths = [max(len(line) for text in texts for line in text.split("\n")) for texts in texts_of]
+    words = [max((len(word) for text in texts for word in text.split()), default=1) for texts in texts_of]
     limit, between = _width(piped), 3 * len(widths) - 1
     while limit is not None and sum(widths) + between > limit and max(widths) > 1:
-        widths[widths.index(max(widths))] -= 1
+        # between words as long as any column can be folded there
+        foldable = [i for i, width in enumerate(widths) if width > words[i]] or range(len(widths))
+        widths[max(foldable, key=lambda i: widths[i])] -= 1
     width = sum(widths) + between
     empty, rule = " " * width, "─" if sys.stdout.encoding.lower().startswith("utf") else "-"
     lines = [_styled(line.ljust(width), "bold") for line in _folded(title, width)] if title else []
