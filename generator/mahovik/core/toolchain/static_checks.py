@@ -54,6 +54,7 @@ DEVIATIONS = {
     "8.7": "functions of the header that no other file of the folder calls: they are the interface",
     "8.9": "tables that one function of the recorder reads stand at the top of its file",
     "8.14": "`restrict`: results of internal functions overlap no argument, and the compiler may know",
+    "9.3": "a struct that begins as a copy of another, which the addon takes for a part of a list",
     "10.1": "a bit is chosen between by `?:`, an unsigned constant shifted by an int",
     "10.3": "the outcome of a comparison is kept as an int, 0 or 1, and chooses between reals",
     "10.4": "statuses are or-ed as bits, an int beside an enumerator; a size beside the constant 0",
