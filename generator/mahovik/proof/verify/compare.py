@@ -36,7 +36,7 @@ def _half_turns_as(expected: Any, q: Any) -> Any:
 
 
 def odd_one(judged: float, second: float, between: float, words: str) -> str:
-    """Which of three derivations differs, by their differences over what is accepted; "" where all agree.
+    """The one of three derivations that differs, by their differences over what is accepted; "" where all agree.
 
     The two that are nearest agree, if they do within what is accepted. `words`: what is judged.
     """

@@ -104,14 +104,14 @@ def _compiled_backend(stand: Stand, real: str) -> CBackend:
 
 
 def c_machine(stand: Stand, real: str, folder: Path | None = None) -> Machine:
-    """By the C of a stand, freshly generated or in `folder`. Raises as CBackend."""
+    """A machine that runs the C of a stand, freshly generated or in `folder`. Raises as CBackend."""
     backend = _compiled_backend(stand, real) if folder is None else CBackend(stand, real, folder)
     files = backend.generated.files if folder is None else _texts(folder, stand.name)
     return Machine(backend, source_hash(files, stand.name))
 
 
 def interpreter_machine(stand: Stand, real: str) -> Machine:
-    """By the interpreter of the program: it needs no compiler, and is a thousand times slower."""
+    """A machine that interprets the program: it needs no compiler, and is a thousand times slower."""
     generated = generate_all(stand, real)
     return Machine(InterpreterBackend(generated), source_hash(generated.files, stand.name))
 

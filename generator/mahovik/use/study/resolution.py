@@ -183,7 +183,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
 
 
 def _effects(stand: Stand, state: State, bodies: Bodies, others: Sequence[Flywheel]) -> dict[str, Array]:
-    """By want: effect of each flywheel's unbalance and rounding (Nx2), in the component that shows it best."""
+    """Effect of each flywheel's unbalance and rounding (Nx2) by want, in the component that shows it best."""
     try:
         at = reference.pieces(stand, state, bodies)
     except StateError:

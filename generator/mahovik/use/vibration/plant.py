@@ -41,7 +41,7 @@ class Linear(NamedTuple):
 
     @staticmethod
     def of(stand: Stand, rest: State, m: int) -> Linear:
-        """Of a carrier with m freedoms about a pose at rest. Raises StateError."""
+        """The matrices of a carrier with m freedoms about a pose at rest. Raises StateError."""
         N = len(stand.flywheels)
         if not m:
             return Linear(np.zeros((0, 0)), np.zeros((0, 0)), np.zeros((N, 0, 0)))

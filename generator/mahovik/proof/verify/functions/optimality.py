@@ -138,7 +138,7 @@ class Problem:
 
     @classmethod
     def of_torques(cls, question: Question, stand: Stand, at: Pieces) -> Problem:
-        """Of tau within what the motors have, for rows of a task; wanted speeds near zero are avoided."""
+        """The problem of torques: tau within what the motors have, for rows of a task; speeds near zero are avoided."""
         options, state, locked = question.options, question.state, cast(Flags, question.locked)
         target, end, speed = (np.array(x) for x in (options["target_speed"], options["avoid_speed"], at.phi_dot))
         backwards = np.where(target != 0, target, speed) < 0
@@ -201,7 +201,7 @@ def has_weak(kept: Array, regular: float) -> bool:
 
 
 def excess(W: Array, r: Array, error: Array, side: Array, regular: float) -> float:
-    """By how much the error r - W y exceeds the least within bounds, at most, over |r|.
+    """Upper bound of what the error r - W y has above the least within bounds, as a part of |r|.
 
     Flywheels that are free could still take away what of the error lies in the span of their columns; one that is held
     (`side` 1 or -1: at its upper or lower bound) what lies along its own, if that leads away from the bound. Of weak

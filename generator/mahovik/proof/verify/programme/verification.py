@@ -341,7 +341,7 @@ class ProgrammeCase:
         return simulate(self.stand, table.at, start, t, self.scale, longest, error=error, rows=rows)
 
     def runups(self) -> list[Check]:
-        """Of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier, bounds."""
+        """Checks of run-up and run-down: rows, joint with the programme, rest at the other end, end of the carrier."""
         items, begin = [], self.programme.at(np.zeros(1))
         for name, table in (("run-up", self.programme.runup), ("run-down", self.programme.rundown)):
             if table is None:
