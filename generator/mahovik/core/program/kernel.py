@@ -21,6 +21,7 @@ What the text may hold, and what it becomes:
 * `for i in range(...)` a loop; over anything else the body is repeated, with the value in its place. `if` and `else`,
   `return`; where the condition is a truth value of Python, one branch is taken, and its names stay. A status that an
   inline kernel returns is what the function returns, any other value that of its call.
+* `let(name, e)` and `local(name, e)` where a name is computed; `with block():` a scope of its own for names.
 * Numbers, + - * / % and those of words; comparisons; `and`, `or`, `not`, `a if c else b`, `abs`, `float` of an int.
 * Names from around the function (counts, numbers, functions, structs): their values now. Other Python functions are
   called while the text is compiled, with expressions as arguments; those that are `inline` are kernels that are put in.
