@@ -87,7 +87,7 @@ def test_what_is_left_out_now_and_then_or_not_allowed_to_be_is_missing(name: str
 
 @pytest.mark.parametrize(("attitude", "other"), [("quaternion", "angles"), ("angles", "quaternion")])
 def test_attitudes_are_given_in_one_form(attitude: str, other: str) -> None:
-    """Of free and of held carriers; the reference at the same attitude agrees to the last bit."""
+    """Free and held carriers; the reference at the same attitude agrees to the last bit."""
     command = changed(f'assert "{attitude}" in state and "{other}" not in state')
     for stand in (DEMO3, PENDULUM):
         options = ("--with", command, "--attitude", attitude, "--want", "forward,points", "--states", "9")

@@ -144,7 +144,7 @@ def test_the_right_program_has_no_fault() -> None:
 
 
 def test_the_command_names_a_number(tmp_path: Path) -> None:
-    """By a process and JSON, to the digits that it prints."""
+    """The program is a process that speaks JSON; the number is right to the digits that it prints."""
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(TEXT.replace("mass = 2.0\n", "mass = 2.01\n"), encoding="utf-8")
     file = tmp_path / "rig.toml"

@@ -68,7 +68,7 @@ def agrees(stand: Stand, seed: int) -> None:
 
 
 def slopes_are_those_of_differences(laws: LawArrays, at: dict[str, Array]) -> None:
-    """By a small pose and the twist, except where a stop begins within a step."""
+    """Slopes by a small pose and by the twist are differences, except where a stop begins within a step."""
     O1, C, V = at["position"], at["C"].reshape(-1, 3, 3), at["V"]
     step, slopes = 1e-6, laws.tied_slopes(O1, C, V)
     for k, e in enumerate(np.eye(12) * step):

@@ -62,7 +62,7 @@ angles = [0.1, 0.2, 0.3]
 
 
 def test_every_form_of_a_data_sheet_is_read_twice() -> None:
-    """Of the same file, by `core/stand` and by the second reading: faults are planted in both."""
+    """The same file is read by `core/stand` and by the second reading: faults are planted in both."""
     found = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
     assert max(found.values()) <= ACCEPTED, found
     assert {"sheet inertia", "disc center of mass", "arm axes", "sensor position", "added mass"} <= found.keys()

@@ -74,7 +74,7 @@ def difference(one: Ends, other: Ends) -> float:
 
 
 def moved_by_mujoco(stand: Stand, state: State) -> Ends:
-    """By its own Runge-Kutta method."""
+    """Where MuJoCo's own Runge-Kutta method moves the stand."""
     program = Mujoco(stand)
     u = state.V if stand.hold is None else state.u
     program.solve(state, np.array([*(program.rates * u), *state.phi_dot]))

@@ -57,7 +57,7 @@ QUANTITIES = {
     "velocity": Quantity("m/s", False, 1),
     "acceleration": Quantity("m/s2", False, 2),
 }
-"""Of a point."""
+"""Quantities of a point by name."""
 
 LOADS = {"force": Quantity("N", False, 0), "moment": Quantity("N m", False, 0)}
 
@@ -74,7 +74,7 @@ OF_FREEDOMS = {
         "acceleration": Quantity("1/s2", False, 2),
     },
 }
-"""Of a freedom by its kind."""
+"""Quantities of a freedom by its kind, then by name."""
 
 SIGHT = "line of sight"
 """Angle of a line of sight, by a matrix of sensitivities of several points."""
@@ -110,7 +110,7 @@ class FullMotion:
     push: Array
 
     def reaction(self) -> Array:
-        """Of the hold on the carrier (M, 6), about O1 in E1."""
+        """Wrench of the hold on the carrier (M, 6), about O1 in E1."""
         return np.asarray(self.scene.reaction(self.scene.drive(self.phi, self.phi_dot), self.y, self.V_dot) - self.push)
 
     def mount(self, s: int) -> Array:
