@@ -21,8 +21,8 @@ from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import Case, starting_state
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
+from mahovik.use.numeric import held_pose
 from mahovik.use.plan.certificate import make_programme
-from mahovik.use.plan.residual.held_kinematics import held_pose
 from plan.held_stands import HOLDS, stand, wheel
 
 SERVO = """

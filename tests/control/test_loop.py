@@ -23,7 +23,7 @@ from mahovik.use.control.loop import Case, close_loop, starting_state
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
 from mahovik.use.control.record import following
-from mahovik.use.plan.residual.spatial import mount_axes
+from mahovik.use.numeric import mount_axes
 from mahovik.use.plan.runup.boundary import transient_family
 from strategies import stands
 from verify.programme.programmes import shaker

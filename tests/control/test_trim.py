@@ -24,8 +24,7 @@ from mahovik.errors import ServoError, UsageError
 from mahovik.out.export.servo import trim_message
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
-from mahovik.use.plan.forward import course, drive
-from mahovik.use.plan.residual import Mechanics
+from mahovik.use.numeric import Mechanics, course, drive
 from toolchain.quick import quick
 from verify.programme.programmes import shaker
 

@@ -26,9 +26,8 @@ from mahovik.use.design.read import read_freedom
 from mahovik.use.design.search import Cost, Point, Search, pareto_points
 from mahovik.use.design.space import Space, flywheel_numbers
 from mahovik.use.design.task import Design, Task, Weighing
+from mahovik.use.numeric import Mechanics, Norm, mount_axes, prescribe, residual
 from mahovik.use.plan.problem import Periodic, uniform
-from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual
-from mahovik.use.plan.residual.spatial import mount_axes
 from plan.problems import required
 
 FREE = """

@@ -23,8 +23,8 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.coordinates import answer_generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import torque
+from mahovik.use.numeric import Mechanics
 from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.residual import Mechanics
 
 Array = NDArray[np.float64]
 

@@ -17,9 +17,9 @@ from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
 from mahovik.proof.verify.programme.verification import verify_programme
+from mahovik.use.numeric import held_pose, held_twists
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
 from mahovik.use.plan.smoothing import smoothing_warnings
 from plan.held_stands import HOLDS, stand, wheel
 

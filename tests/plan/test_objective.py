@@ -12,6 +12,7 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
+from mahovik.use.numeric import PrescribedMotion, linear, prescribe
 from mahovik.use.plan.objective import (
     KINDS,
     Cost,
@@ -19,7 +20,6 @@ from mahovik.use.plan.objective import (
     exceeded_bounds,
     utilisation,
 )
-from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 from plan.problems import RandomCourse, random_course, required
 
 OMEGA = 30.0

@@ -13,6 +13,7 @@ from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand import Stand
 from mahovik.errors import UsageError
+from mahovik.use.numeric import prescribe, residual, torques
 from mahovik.use.plan import PlanOptions, plan_motion, planner
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import Cost, Rows
@@ -21,7 +22,6 @@ from mahovik.use.plan.ocp.solve import ScaledProblem, Start, solve
 from mahovik.use.plan.ocp.structure import Mesh
 from mahovik.use.plan.ocp.transcription import node_functions
 from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.residual import prescribe, residual, torques
 from plan.held_stands import stand, wheel
 from plan.problems import example
 from plan.problems import problem as example_problem

@@ -16,14 +16,18 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import (
+from mahovik.use.numeric import (
+    Array,
     Chart,
+    Mechanics,
     course,
     drive,
     equilibrium,
+    linear,
+    prescribe,
+    residual,
+    torques,
 )
-from mahovik.use.plan.residual import Mechanics, linear, prescribe, residual, torques
 from plan.problems import literal, random_course
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]

@@ -33,13 +33,10 @@ from mahovik.proof.verify.programme.mechanics import (
     twist,
 )
 from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item, verify_programme
+from mahovik.use.numeric import Array, HeldChart, Mechanics, chart_at, drive, equilibrium
 from mahovik.use.plan import PlanOptions, plan_motion
-from mahovik.use.plan.array import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import drop_refused_tables, failed_items, make_programme
-from mahovik.use.plan.forward import drive, equilibrium
-from mahovik.use.plan.held_chart import HeldChart, chart_at
-from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.runup import solve as runups
 from plan.held_stands import HOLDS, stand, wheel

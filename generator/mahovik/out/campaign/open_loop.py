@@ -22,8 +22,7 @@ from mahovik.out.campaign.start import Start
 from mahovik.out.functions.given import motion_of, programme_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.plant import plant_state
-from mahovik.use.plan.forward import Chart
-from mahovik.use.plan.residual import Mechanics
+from mahovik.use.numeric import Chart, Mechanics
 from mahovik.use.plan.unbalance import twist_at_rest
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import allowed_start

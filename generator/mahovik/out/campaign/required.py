@@ -16,7 +16,7 @@ from mahovik.out.campaign.pose import Array, rotation
 from mahovik.proof.reference.coordinates import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from mahovik.use.control.coordinates import coordinates, held_coordinates
-from mahovik.use.plan.residual.held_kinematics import held_slopes
+from mahovik.use.numeric import held_slopes
 
 
 @dataclass(frozen=True, eq=False)

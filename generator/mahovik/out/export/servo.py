@@ -27,8 +27,7 @@ from mahovik.errors import UsageError
 from mahovik.out.export.programme import ProgrammeExport, check_belongs, export_programme
 from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
+from mahovik.use.numeric import Array, held_pose, held_twists
 from mahovik.use.simulate.held import home
 
 PERIODS = 10

@@ -15,7 +15,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.functions.equilibrium import rest_to_start
 from mahovik.out.functions.given import Keys, StandGiven, state_of
 from mahovik.out.functions.table import Column, Table, module
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric import uniform_stream
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.linear import LinearModel as CoreModel
 from mahovik.use.study.linear import Modes as CoreModes

@@ -11,10 +11,8 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.units import ANGLE
 from mahovik.errors import StateError
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_slopes
-from mahovik.use.plan.residual.spatial import attitude as attitude_of
+from mahovik.use.numeric import Array, Mechanics, held_pose, held_slopes
+from mahovik.use.numeric import attitude as attitude_of
 
 EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """SciPy's names of the stand's sequences: about axes that turn along."""

@@ -17,7 +17,7 @@ from mahovik.core.motion.required import Slew, rows_of
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.use.control.record import Errors, Following, Record, displacement_shares, following
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 
 
 @dataclass(frozen=True)

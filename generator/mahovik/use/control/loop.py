@@ -24,10 +24,7 @@ from mahovik.use.control.plant import Plant, plant, plant_state
 from mahovik.use.control.record import Record
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import equilibrium
-from mahovik.use.plan.held_chart import chart_at
-from mahovik.use.plan.residual import Mechanics
+from mahovik.use.numeric import Array, Mechanics, chart_at, equilibrium
 from mahovik.use.plan.unbalance import twist_at_rest
 
 STARTS = ("settled", "programme", "rest")

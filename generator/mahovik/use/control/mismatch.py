@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAx
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError, whole_number
-from mahovik.use.plan.residual.spatial import mount_axes
+from mahovik.use.numeric import mount_axes
 
 MOST = 0.2
 """Largest share: beyond it a stand is a different one, not a badly measured one."""

@@ -22,9 +22,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.rotation import quaternion_rotation
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart
-from mahovik.use.plan.residual.spatial import inertia
+from mahovik.use.numeric import Array, Chart, inertia
 from mahovik.use.simulate.by_c import compiled_backend
 from mahovik.use.simulate.by_scipy import quaternion_rate
 from mahovik.use.simulate.friction_steps import long_steps

@@ -19,7 +19,7 @@ from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of, twist
 from mahovik.use.control.plant import Plant
 from mahovik.use.control.reference_motion import ReferenceMotion
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.simulate.run import Run, identity_of
 
 _AXES = "xyz"

@@ -19,22 +19,25 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.use.plan.array import Array, Complex
-from mahovik.use.plan.forward import (
+from mahovik.use.numeric import (
     INTERVALS,
+    Array,
     BlockElimination,
     Chart,
+    Complex,
     Drive,
+    Mechanics,
     acceleration_rates,
+    chart_at,
     course,
     drive,
     equilibrium,
     integrate,
     linearise,
     linearise_along,
+    prescribe,
+    torques,
 )
-from mahovik.use.plan.held_chart import chart_at
-from mahovik.use.plan.residual import Mechanics, prescribe, torques
 
 TORQUES = 512
 """Samples per period for the torques' Fourier coefficients."""

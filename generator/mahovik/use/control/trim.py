@@ -28,9 +28,8 @@ from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.problem import Basis
-from mahovik.use.plan.residual import Mechanics
 
 QUICK = 8.0
 """Time constants of the corrections' smoothing during the settling."""

@@ -23,7 +23,7 @@ from mahovik.use.design.refusal import binding_words, refuse, relax_each
 from mahovik.use.design.search import EXACT, STARTS, Candidate, OnProgress, Search, pareto_front, search
 from mahovik.use.design.space import mounting_angles, nearest_two
 from mahovik.use.design.task import Task
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import certify, failed_items, figures, make_programme, torques_on
 from mahovik.use.plan.held import refuse_unplannable

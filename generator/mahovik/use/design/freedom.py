@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 
 Mask = NDArray[np.bool_]
 Key = Literal["position", "angles", "unbalance", "unbalance_at", "mass", "inertia"]

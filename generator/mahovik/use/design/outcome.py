@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.write import dumps
 from mahovik.use.design.freedom import NAMES, UNITS, WIDTH
 from mahovik.use.design.search import Candidate, Cost, Point
-from mahovik.use.plan.residual import by_design
+from mahovik.use.numeric import by_design
 from mahovik.writing import write_all
 
 SMALL_ERRORS = {

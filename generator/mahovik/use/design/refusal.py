@@ -13,13 +13,12 @@ from mahovik.errors import DesignError
 from mahovik.use.design.freedom import PARTS, Freedom, Key, Limits
 from mahovik.use.design.search import DesignFit, descend
 from mahovik.use.design.task import Design, Task, Weighing
+from mahovik.use.numeric import prescribe, twists
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.held import slide_directions
 from mahovik.use.plan.mean_pose import mean_pose
 from mahovik.use.plan.preflight import Preflight, check_mean_wrench, direction, reach, second_integral
 from mahovik.use.plan.problem import uniform
-from mahovik.use.plan.residual import prescribe
-from mahovik.use.plan.residual.kinematics import twists
 
 SLACK = 1.01
 """Margin: the carrier turns a little, and the mean pose may move."""

@@ -22,11 +22,10 @@ from mahovik.errors import StandError
 from mahovik.use.design.freedom import Weights
 from mahovik.use.design.space import limit_rows
 from mahovik.use.design.task import Design, Task, Weighing
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, prescribe, torques
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.mean_pose import mean_pose
 from mahovik.use.plan.problem import Periodic
-from mahovik.use.plan.residual import prescribe, torques
 from mahovik.use.plan.windings import Kind, draw_windings
 
 EXACT = 1e-9

@@ -15,9 +15,7 @@ from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.model import Flywheel, MountingAngles, Stand
 from mahovik.errors import DesignError
 from mahovik.use.design.freedom import NAMES, PARTS, WIDTH, Freedom, Limits, Mask, Tie
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import PARAMETERS
-from mahovik.use.plan.residual.spatial import flywheel_transfer, mount_axes, place, turn
+from mahovik.use.numeric import PARAMETERS, Array, flywheel_transfer, mount_axes, place, turn
 
 _ROUNDING = 1e-9
 

@@ -15,10 +15,9 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.use.design.freedom import WIDTH, Freedom
 from mahovik.use.design.space import Space, limit_rows
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Linear, Mechanics, Norm, PrescribedMotion, by_design, prescribe
 from mahovik.use.plan.objective import RHO, Rows, bias_hinges, has_bounds, hinge_rows
 from mahovik.use.plan.problem import Grid, Periodic, Problem, uniform
-from mahovik.use.plan.residual import Linear, Mechanics, Norm, PrescribedMotion, by_design, prescribe
 
 
 class Design(NamedTuple):

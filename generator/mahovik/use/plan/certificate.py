@@ -14,10 +14,8 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics, prescribe, torques, waves
 from mahovik.use.plan.problem import Grid, Periodic, Problem
-from mahovik.use.plan.residual import Mechanics, prescribe, torques
-from mahovik.use.plan.residual.flywheels import waves
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """Optional tables of a programme: key in the file, and name in messages."""

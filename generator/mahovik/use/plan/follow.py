@@ -10,10 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.functions import Samples
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, PrescribedMotion, linear, prescribe
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.residual import PrescribedMotion, linear, prescribe
 
 STEPS = 512
 """Least steps of Runge-Kutta in the duration."""

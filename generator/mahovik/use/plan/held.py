@@ -11,10 +11,7 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.held_kinematics import held_pose
-from mahovik.use.plan.residual.kinematics import Twists
-from mahovik.use.plan.residual.spatial import transfer
+from mahovik.use.numeric import Array, Twists, held_pose, transfer
 
 UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
 """What acts along a coordinate of a unit, and its own unit."""

@@ -18,10 +18,9 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from mahovik.core.motion.functions import Angles
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Linear, PrescribedMotion, linear, prescribe
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Grid, Periodic, Problem
-from mahovik.use.plan.residual import Linear, PrescribedMotion, linear, prescribe
 
 LONGEST = 1.5
 """rad: limit of the change of an angle in one step."""

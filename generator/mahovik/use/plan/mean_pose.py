@@ -11,10 +11,9 @@ import numpy as np
 
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, in_E1, twists
 from mahovik.use.plan.held import mean_along_freedoms
 from mahovik.use.plan.problem import Problem, uniform
-from mahovik.use.plan.residual.kinematics import in_E1, twists
 
 _STEPS = 60
 _TIMES = 32

@@ -30,9 +30,8 @@ from mahovik.core.motion.required import Bounds, Objective
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Linear, Mechanics
 from mahovik.use.plan.problem import Basis
-from mahovik.use.plan.residual import Linear, Mechanics
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,6 +15,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
+from mahovik.use.numeric import linear, prescribe
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import (
     certify,
@@ -32,7 +33,6 @@ from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.outcome import Candidates, Method, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.residual import linear, prescribe
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
 from mahovik.use.plan.windings import repeat_motion, with_shortest_period

@@ -13,12 +13,10 @@ from typing import Literal
 import numpy as np
 
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, PrescribedMotion, prescribe, twists
 from mahovik.use.plan.held import amount, slide_directions, wrench_of
 from mahovik.use.plan.mean_pose import MeanPose, mean_pose
 from mahovik.use.plan.problem import Problem, uniform
-from mahovik.use.plan.residual import PrescribedMotion, prescribe
-from mahovik.use.plan.residual.kinematics import twists
 
 Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH", "SINGULAR_ATTITUDE"]
 

@@ -18,9 +18,17 @@ from numpy.typing import NDArray
 from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Linear, Mechanics, Norm, PrescribedMotion, linear, prescribe, residual
-from mahovik.use.plan.residual.evaluate import flywheel_wrenches
+from mahovik.use.numeric import (
+    Array,
+    Linear,
+    Mechanics,
+    Norm,
+    PrescribedMotion,
+    flywheel_wrenches,
+    linear,
+    prescribe,
+    residual,
+)
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from typing import Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.levenberg import Rules, StartBatch, refine, refine_periodic
 from mahovik.use.plan.objective import Cost, ExceededBound, has_bounds

@@ -14,8 +14,7 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.kinematics import twists
+from mahovik.use.numeric import Array, twists
 
 STEEP = 10.0
 """Largest speed of a freedom over the smoothing of its friction, above which the search may be long."""

@@ -16,11 +16,8 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import INTERVALS, Array, Chart, Mechanics, drive, integrate, twists
 from mahovik.use.plan.certificate import mass_and_coupling
-from mahovik.use.plan.forward import INTERVALS, Chart, drive, integrate
-from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.kinematics import twists
 
 NODES = 24
 """Nodes in a turn of the fastest flywheel: two to the period of what shakes twice a turn would be the least."""

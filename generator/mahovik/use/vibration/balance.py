@@ -27,8 +27,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.use.plan.array import Array, Complex
-from mahovik.use.plan.forward import Drive
+from mahovik.use.numeric import Array, Complex, Drive
 from mahovik.use.vibration.conserved import Conserved, conserves, solve
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Linearised, Torus, Whole

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import UsageError
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 
 EDGE = 1e-9
 """Part of an end of a band by which a line may be beyond it: a line on an end is within, however it is rounded."""

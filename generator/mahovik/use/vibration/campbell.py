@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
 

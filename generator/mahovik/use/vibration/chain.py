@@ -11,8 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.use.plan.array import Array, Complex
-from mahovik.use.plan.residual.spatial import skew
+from mahovik.use.numeric import Array, Complex, skew
 from mahovik.use.vibration.lines import TABLE, LineName, Lines
 from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.vibration.plant import Plant

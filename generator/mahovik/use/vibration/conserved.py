@@ -18,9 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.use.plan.array import Array, Complex
-from mahovik.use.plan.forward import Drive
-from mahovik.use.plan.residual.spatial import motor_cross, rotation_vector_rate, skew
+from mahovik.use.numeric import Array, Complex, Drive, motor_cross, rotation_vector_rate, skew
 from mahovik.use.vibration.scene import Scene, left_jacobian
 from mahovik.use.vibration.torus import Linearised, Torus, Whole
 

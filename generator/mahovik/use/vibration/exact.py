@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.hold import wrenches
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.balance import SLOW, Balance
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.lines import COMBINATION, UNBALANCE, LineName, Lines

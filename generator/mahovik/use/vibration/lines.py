@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.band import in_band
 from mahovik.use.vibration.torus import Flags
 

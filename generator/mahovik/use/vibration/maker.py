@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.stand.units import Dimension
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.csv_table import PLAIN, TEXT, read_columns, refuse
 from mahovik.use.vibration.lines import SAME
 

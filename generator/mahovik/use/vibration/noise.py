@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.errors import CheckError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.maker import PARTS, Noise
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.campbell import crossings, natural_at
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan

@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.study.rest import rest
 from mahovik.use.vibration.balance import newton
 from mahovik.use.vibration.scene import FREE, Scene, coordinates

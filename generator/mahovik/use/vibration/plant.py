@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import bias
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.study.linear import linear_model
 from mahovik.use.vibration.scene import Scene
 

@@ -16,7 +16,7 @@ import numpy as np
 from mahovik.core.stand.content import is_file
 from mahovik.core.stand.units import Dimension, QuantityError, number
 from mahovik.errors import UsageError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.csv_table import TEXT, read_columns, refuse
 from mahovik.use.vibration.study import Jitter
 from mahovik.use.vibration.view import Quantity

@@ -21,15 +21,21 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, Drive, drive
-from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.by_carrier import by_carrier, slopes_of_residual
-from mahovik.use.plan.residual.evaluate import flywheel_damping
-from mahovik.use.plan.residual.flywheels import waves
-from mahovik.use.plan.residual.prescribed_motion import prescribed_at
-from mahovik.use.plan.residual.spatial import rotation_vector_rate, skew
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric import (
+    Array,
+    Chart,
+    Drive,
+    Mechanics,
+    by_carrier,
+    drive,
+    flywheel_damping,
+    prescribed_at,
+    rotation_vector_rate,
+    skew,
+    slopes_of_residual,
+    uniform_stream,
+    waves,
+)
 from mahovik.use.study.rest import accuracy, rest
 
 FREE = 1e-8

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.lines import COMBINATION, TABLE, coherent
 from mahovik.use.vibration.noise import Broadband
 from mahovik.use.vibration.study import Jitter

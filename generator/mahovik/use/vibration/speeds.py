@@ -16,7 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import SPEED, QuantityError, number
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 
 MOST_TURNS = 1000
 """Most turns of the fastest flywheel in a common period; longer periods count as none."""

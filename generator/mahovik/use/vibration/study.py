@@ -14,7 +14,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, whole_number
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.balance import Balance, balance
 from mahovik.use.vibration.campbell import orders_of
 from mahovik.use.vibration.chain import Chain, Makers, undamped_mode

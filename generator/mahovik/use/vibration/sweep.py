@@ -17,7 +17,7 @@ import numpy as np
 from mahovik.contract.quantities import RPM
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, UsageError
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.study.linear.model import encode_lines
 from mahovik.use.vibration.band import check_band, rms
 from mahovik.use.vibration.campbell import orders_of

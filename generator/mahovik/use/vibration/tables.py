@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.study.linear.model import encode_lines
 from mahovik.use.vibration.lines import COMBINATION, LineName
 from mahovik.use.vibration.requirement import Verdict

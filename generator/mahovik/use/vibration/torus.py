@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from mahovik.errors import CheckError
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 
 Whole = NDArray[np.int64]
 Flags = NDArray[np.bool_]

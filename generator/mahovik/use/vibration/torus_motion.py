@@ -12,7 +12,7 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import forward, reaction
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Torus
 from mahovik.use.vibration.view import FullMotion

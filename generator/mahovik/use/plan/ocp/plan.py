@@ -12,7 +12,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from mahovik.core.motion.functions import Angles
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution
 from mahovik.use.plan.levenberg import Rules, refine, refine_periodic

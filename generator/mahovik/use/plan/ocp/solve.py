@@ -13,14 +13,13 @@ import numpy as np
 
 from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, prescribe, residual
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.objective import KINDS, Cost
 from mahovik.use.plan.ocp.structure import Mesh, Structure
 from mahovik.use.plan.ocp.transcription import RunRecord, transcription
 from mahovik.use.plan.outcome import OnProgress
 from mahovik.use.plan.problem import Problem
-from mahovik.use.plan.residual import prescribe, residual
 
 
 @dataclass(frozen=True, eq=False)

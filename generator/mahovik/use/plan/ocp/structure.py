@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,11 +17,9 @@ from functools import cached_property
 import numpy as np
 
 from mahovik.core.motion.functions import Angles
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex, Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.problem import BiasPerturbations, Grid, Periodic, Problem
-from mahovik.use.plan.residual import Linear, PrescribedMotion, linear, prescribe
-from mahovik.use.plan.residual.evaluate import flywheel_wrenches
 
 
 def harmonic_coefficients(R: Array, first: int, last: int) -> Array:

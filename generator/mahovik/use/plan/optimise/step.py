@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import LinAlgError, cho_factor, cho_solve, qr, solve_triangular
 
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.optimise.merit import Model, Point, Stage
 from mahovik.use.plan.problem import Periodic

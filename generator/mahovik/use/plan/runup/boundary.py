@@ -16,15 +16,19 @@ from scipy.interpolate import BSpline
 from mahovik.core.motion.functions import Angles, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import (
+from mahovik.use.numeric import (
     INTERVALS,
+    Array,
     BlockElimination,
     CarrierCourse,
     Chart,
     Drive,
     Equilibrium,
+    Linear,
+    Mechanics,
+    able_at,
     acceleration_rates,
+    chart_at,
     course,
     drive,
     equilibrium,
@@ -32,9 +36,6 @@ from mahovik.use.plan.forward import (
     linearise,
     linearise_along,
 )
-from mahovik.use.plan.held_chart import chart_at
-from mahovik.use.plan.residual import Linear, Mechanics
-from mahovik.use.plan.residual.prescribed_motion import able_at
 
 SPLINES = 6
 """B-splines per flywheel."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.motion.required import Bounds
 from mahovik.errors import StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.runup.boundary import Boundary, Flight
 

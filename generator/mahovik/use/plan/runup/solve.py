@@ -14,9 +14,8 @@ from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
 from mahovik.use.plan.runup.newton import measure, nonzero_mask, reduce_excess, shares, shoot
 

@@ -22,11 +22,8 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Slew
 from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics, in_E1, linear, prescribe, prescribed_at, torques, twists
 from mahovik.use.plan.certificate import mass_and_coupling
-from mahovik.use.plan.residual import Mechanics, linear, prescribe, torques
-from mahovik.use.plan.residual.kinematics import in_E1, twists
-from mahovik.use.plan.residual.prescribed_motion import prescribed_at
 from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean
 

@@ -13,8 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.required import Slew
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Mechanics
+from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.slew.limits import Limits
 from mahovik.use.plan.slew.share import Mean
 

@@ -16,10 +16,9 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics, Norm, prescribe, residual, torques
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
-from mahovik.use.plan.residual import Mechanics, Norm, prescribe, residual, torques
 from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
 from mahovik.use.plan.slew.limits import Limits, LimitUse, limit_uses
 from mahovik.use.plan.slew.path import Path, PathTable

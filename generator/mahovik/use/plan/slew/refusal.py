@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.required import Slew
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 
 
 class NoSlewError(Exception):

@@ -14,8 +14,7 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import linprog, minimize
 
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Mechanics
+from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.slew.limits import Limits
 
 _REACH = 1e-9

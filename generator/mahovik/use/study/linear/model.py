@@ -24,13 +24,23 @@ from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.states import encode, state_object
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Linear, Mechanics, linear
-from mahovik.use.plan.residual.by_carrier import ByCarrier, by_carrier
-from mahovik.use.plan.residual.kinematics import Twists
-from mahovik.use.plan.residual.prescribed_motion import prescribed_at
-from mahovik.use.plan.residual.spatial import block_diagonal, fixed_axes, place, skew, transfer, turn
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric import (
+    Array,
+    ByCarrier,
+    Linear,
+    Mechanics,
+    Twists,
+    block_diagonal,
+    by_carrier,
+    fixed_axes,
+    linear,
+    place,
+    prescribed_at,
+    skew,
+    transfer,
+    turn,
+    uniform_stream,
+)
 from mahovik.use.simulate.held import rates
 from mahovik.writing import format_of
 

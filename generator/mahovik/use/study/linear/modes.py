@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.study.linear.model import Channel, LinearModel
 from mahovik.use.study.rest import reduced_basis
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
-from mahovik.use.plan.array import Complex
+from mahovik.use.numeric import Complex
 from mahovik.use.study.linear.modes import Modes
 
 SMALL = 5e-4

@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.use.plan.array import Array, Complex
+from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.band import in_band
 from mahovik.use.vibration.chain import Chain, Makers
 from mahovik.use.vibration.quiet.options import Interval, QuietOptions

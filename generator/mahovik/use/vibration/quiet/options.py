@@ -16,7 +16,7 @@ from mahovik.errors import CheckError, UsageError, whole_number
 from mahovik.nearest import suggestion
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.vibration.band import check_band
 from mahovik.use.vibration.view import REACTION
 

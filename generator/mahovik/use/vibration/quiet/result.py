@@ -16,8 +16,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError
 from mahovik.proof.verify.states import state_object
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric import Array, uniform_stream
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.modes import modes
 from mahovik.use.vibration.balance import balance

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.errors import CheckError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.vibration.band import EDGE, in_band
 from mahovik.use.vibration.quiet.lines import Amplitudes, best_phases, groups, uncontrolled_mean_square

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Sequence, Stand, Vec3
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric.array import Array
 
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes (0..2) that psi, theta, phi turn about, first to last."""

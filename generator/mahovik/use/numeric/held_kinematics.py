@@ -14,8 +14,8 @@ from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.spatial import attitude, motor_cross, skew
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.se3 import attitude, motor_cross, skew
 
 SMALL = 1e-2
 """rad: below it the translation of a screw is taken from a series."""

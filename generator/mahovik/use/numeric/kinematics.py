@@ -8,10 +8,10 @@ import numpy as np
 
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
-from mahovik.use.plan.residual.spatial import AXES, attitude, turn
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.held_kinematics import held_pose, held_twists
+from mahovik.use.numeric.se3 import AXES, attitude, turn
+from mahovik.use.numeric.stream import uniform_stream
 
 
 class Twists(NamedTuple):

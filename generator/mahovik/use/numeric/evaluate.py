@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.flywheels import Tables, f, waves
-from mahovik.use.plan.residual.prescribed_motion import PrescribedMotion
-from mahovik.use.plan.residual.spatial import block_diagonal, skew, turn
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.flywheels import Tables, f, waves
+from mahovik.use.numeric.prescribed_motion import PrescribedMotion
+from mahovik.use.numeric.se3 import block_diagonal, skew, turn
 
 _SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))  # [<e>] of (5)
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from mahovik.core.lower.law_arrays import LawArrays, TwistLaws
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.spatial import (
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.se3 import (
     block_diagonal,
     flywheel_transfer,
     gravity_wrench_matrix,

@@ -22,11 +22,11 @@ from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.carrier import Base
-from mahovik.use.plan.residual.flywheels import Tables, slope, tables_of
-from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
-from mahovik.use.plan.residual.spatial import motor_cross
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.carrier import Base
+from mahovik.use.numeric.flywheels import Tables, slope, tables_of
+from mahovik.use.numeric.kinematics import Twists, in_E1, twists
+from mahovik.use.numeric.se3 import motor_cross
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,14 +22,13 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.functions import Course
 from mahovik.errors import CheckError, StateError
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual import Linear, Mechanics, linear
-from mahovik.use.plan.residual.evaluate import flywheel_damping
-from mahovik.use.plan.residual.flywheels import waves
-from mahovik.use.plan.residual.kinematics import Twists, in_E1, twists
-from mahovik.use.plan.residual.prescribed_motion import prescribed_at
-from mahovik.use.plan.residual.spatial import motor_cross
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.evaluate import Linear, flywheel_damping, linear
+from mahovik.use.numeric.flywheels import waves
+from mahovik.use.numeric.kinematics import Twists, in_E1, twists
+from mahovik.use.numeric.prescribed_motion import Mechanics, prescribed_at
+from mahovik.use.numeric.se3 import motor_cross
+from mahovik.use.numeric.stream import uniform_stream
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,13 +11,13 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from mahovik.core.lower.law_arrays import TwistLaws
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.carrier import Base
-from mahovik.use.plan.residual.flywheels import Tables, f, waves
-from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.prescribed_motion import Mechanics
-from mahovik.use.plan.residual.spatial import block_diagonal, motor_cross, skew, turn
-from mahovik.use.plan.stream import uniform_stream
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.carrier import Base
+from mahovik.use.numeric.flywheels import Tables, f, waves
+from mahovik.use.numeric.kinematics import Twists, in_E1
+from mahovik.use.numeric.prescribed_motion import Mechanics
+from mahovik.use.numeric.se3 import block_diagonal, motor_cross, skew, turn
+from mahovik.use.numeric.stream import uniform_stream
 
 
 class Slopes(NamedTuple):

@@ -17,11 +17,11 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.units import ANGLE
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.forward import Chart, Drive
-from mahovik.use.plan.residual import Mechanics
-from mahovik.use.plan.residual.held_kinematics import held_pose, held_twists
-from mahovik.use.plan.residual.kinematics import Twists, twists
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.forward import Chart, Drive
+from mahovik.use.numeric.held_kinematics import held_pose, held_twists
+from mahovik.use.numeric.kinematics import Twists, twists
+from mahovik.use.numeric.prescribed_motion import Mechanics
 
 SIDEWAYS = 1.5
 """rad: the second of three angles beyond this is too near to the quarter turn where the first and third are one."""

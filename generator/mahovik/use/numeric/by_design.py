@@ -13,12 +13,12 @@ import numpy as np
 
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Flywheel, Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.evaluate import flywheel_wrenches
-from mahovik.use.plan.residual.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
-from mahovik.use.plan.residual.kinematics import Twists, twists
-from mahovik.use.plan.residual.prescribed_motion import Mechanics, PrescribedMotion, harmonics_at
-from mahovik.use.plan.residual.spatial import (
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.evaluate import flywheel_wrenches
+from mahovik.use.numeric.flywheels import Tables, f, inertia_harmonics, slope, waves, weight_harmonics
+from mahovik.use.numeric.kinematics import Twists, twists
+from mahovik.use.numeric.prescribed_motion import Mechanics, PrescribedMotion, harmonics_at
+from mahovik.use.numeric.se3 import (
     block_diagonal,
     flywheel_transfer,
     mount_axes,

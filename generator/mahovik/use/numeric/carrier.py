@@ -8,9 +8,9 @@ import numpy as np
 
 from mahovik.core.lower.law_arrays import LawArrays, TwistLaws
 from mahovik.core.stand.model import Carrier, Instrument, Stand
-from mahovik.use.plan.array import Array
-from mahovik.use.plan.residual.kinematics import Twists, in_E1
-from mahovik.use.plan.residual.spatial import (
+from mahovik.use.numeric.array import Array
+from mahovik.use.numeric.kinematics import Twists, in_E1
+from mahovik.use.numeric.se3 import (
     fixed_axes,
     gravity_wrench_matrix,
     inertia,
