@@ -115,9 +115,11 @@ class CarrierLaw(Law):
     header      fields that are keys of the file outside any table
     legend      sign in the drawing, and what it means
     at_origin   does it act at O1, as the drawing shows?
+    made_of     tables [[key]] of parts that its numbers are made of, by key
     """
 
     header: ClassVar[tuple[str, ...]] = ()
+    made_of: ClassVar[Mapping[str, type[Declared]]] = {}
     legend: ClassVar[tuple[str, str]] = ("", "")
     at_origin: ClassVar[bool] = False
 
@@ -136,6 +138,15 @@ class CarrierLaw(Law):
             given = {name: getattr(header, name) for name in cls.header if header is not None}
             found = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
         return next((law for law in found if law.acts), None)
+
+    @classmethod
+    def of_parts(cls, stand: Stand, raw: Any, tables: dict[str, list[Any]], note: Note) -> Stand:
+        """The stand with the law as its parts make it, by their valid tables; `raw`: the keys of [key] in the file."""
+        return stand
+
+    def as_tables(self) -> dict[str, Any]:
+        """Its tables in a stand file, by key."""
+        return {self.key: self.as_keys() if self.item is None else [item.as_keys() for item in self.items]}
 
     @classmethod
     def content(cls, law: Self | None) -> dict[str, Any]:

@@ -61,7 +61,8 @@ def arrays() -> dict[str, type[Table]]:
     own = [law for law in carrier_laws() if not issubclass(law, HeldLaw)]
     of_laws = {law.key: law.item.table() for law in (*own, *mounted_laws()) if law.item is not None}
     bodies = {"instrument": body_table(Instrument), "flywheel": body_table(Flywheel)}
-    return {**bodies, "point": Point.table(), **of_laws}
+    parts_of_laws = {key: part.table() for law in carrier_laws() for key, part in law.made_of.items()}
+    return {**bodies, "point": Point.table(), **of_laws, **parts_of_laws}
 
 
 def headers() -> list[type[Table]]:

@@ -140,6 +140,9 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         profile=profile,
         laws=tuple(law for law in (*laws, *held) if law is not None),
     )
+    for law in carrier_laws():
+        parts = {key: [table for *_, table in _array(problems, document, key)] for key in law.made_of}
+        stand = law.of_parts(stand, document.get(law.key), parts, problems.add)
     if physics:
         physical.check_stand(stand, problems)
     if problems.lines:
@@ -278,12 +281,12 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
     """No two bodies or points of one name; every mount is the carrier or an instrument."""
     taken = {"carrier": "the carrier"}
     mounted = ("flywheel", "point", *mounted_keys())
-    for key in ("instrument", *mounted):
+    for key in ("instrument", *mounted, *(key for law in carrier_laws() for key in law.made_of)):
         for name, _ in _tables_with_names(document, key):
             if name in taken:
                 problems.add(f"{key} {show(name)}", "name", f"taken by {taken[name]}")
             else:
-                taken[name] = f"{'an' if key == 'instrument' else 'a'} {key}"
+                taken[name] = f"{'an' if key[0] == 'i' else 'a'} {key}"
     mounts = ["carrier", *(name for name, _ in _tables_with_names(document, "instrument"))]
     flywheels = {name for name, _ in _tables_with_names(document, "flywheel")}
     for key in mounted:

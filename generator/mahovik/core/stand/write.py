@@ -23,11 +23,9 @@ def document_of(stand: Stand) -> dict[str, Any]:
     found = {"schema": 1, **header.as_keys()}
     tables: dict[str, Any] = {}
     for law in (law for law in laws if law.key not in held):
-        if law.item is None:
-            tables[law.key] = law.as_keys()
-        else:
+        if law.item is not None:
             found |= law.as_keys()
-            tables[law.key] = [item.as_keys() for item in law.items]
+        tables |= law.as_tables()
     if stand.profile is not None:
         found["stream_profile"] = stand.profile.as_keys()
     found |= {"carrier": stand.carrier.as_keys(), **tables}

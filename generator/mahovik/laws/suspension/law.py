@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Annotated, Any, ClassVar, Self
 
-from mahovik.core.stand.declare import AS_MATRIX, AS_VECTOR, BRAKES, PULLS_BACK, Default, Draw, Drawn, InC, normal
-from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Blocks, Length3, matrix
+from mahovik.core.stand.declare import (
+    AS_MATRIX,
+    AS_VECTOR,
+    BRAKES,
+    PULLS_BACK,
+    Declared,
+    Default,
+    Draw,
+    Drawn,
+    Errors,
+    InC,
+    Note,
+    normal,
+)
+from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Blocks, Length3, matrix, validator
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Mat6, Stand
-from mahovik.core.stand.units import Dimension
+from mahovik.core.stand.units import Dimension, QuantityError, show
+from mahovik.laws.suspension.isolators import Isolator, summed
 
 STIFFNESS: Blocks = (
     (Dimension("a stiffness", "N/m"), Dimension("a stiffness", "N/rad")),
@@ -18,11 +32,18 @@ STIFFNESS: Blocks = (
 )
 
 
+def _preload(raw: Any) -> bool:
+    if raw != "weight":
+        raise QuantityError(f'expected "weight", found {show(raw)}')
+    return True
+
+
 @dataclass(frozen=True)
 class Suspension(CarrierLaw):
     """Suspension of the carrier to E0: wrench `-(stiffness x + damping V)` at O1 in E1 axes.
 
-    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence.
+    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence. Where there
+    are `isolators`, all four are made of them; with `preload` they balance the weight in the pose that the file gives.
     """
 
     stiffness: Annotated[
@@ -35,6 +56,8 @@ class Suspension(CarrierLaw):
     ]  # fmt: skip
     position: Annotated[Length3, Default(ZERO3), InC("equilibrium of O1, in E0"), AS_VECTOR, normal(0.1)]
     angles: Annotated[Angle3, Default(ZERO3), normal(0.3)]
+    preload: Annotated[bool, validator(_preload, write=lambda on: "weight"), Default(False, written=False)] = False
+    isolators: tuple[Isolator, ...] = ()
 
     key: ClassVar[str] = "suspension"
     carries_weight: ClassVar[bool] = True
@@ -42,6 +65,7 @@ class Suspension(CarrierLaw):
         "dotted circle", "suspension: a 6x6 between O1 and the ground, it has no shape",
     )  # fmt: skip
     at_origin: ClassVar[bool] = True
+    made_of: ClassVar[dict[str, type[Declared]]] = {"isolator": Isolator}
 
     @property
     def rows(self) -> tuple[int, ...]:
@@ -56,7 +80,38 @@ class Suspension(CarrierLaw):
     @classmethod
     def content(cls, law: Self | None) -> dict[str, Any]:
         """All numbers; None without, as identities had it from the beginning."""
-        return {"suspension": None if law is None else asdict(law)}
+        sources = ("isolators", "preload")
+        numbers = {} if law is None else asdict(law)
+        return {"suspension": {key: x for key, x in numbers.items() if key not in sources} or None}
+
+    @classmethod
+    def of_parts(cls, stand: Stand, raw: Any, tables: dict[str, list[Any]], note: Note) -> Stand:
+        """The stand on the suspension that its isolators make; `raw`: the keys of [suspension] in the file."""
+        isolators = tuple(map(Isolator.of_table, tables["isolator"]))
+        beside = [key for key in raw or {} if key != "preload"]
+        if not isolators:
+            if "preload" in (raw or {}):
+                note(cls.key, "preload", "is of springs that stand as [[isolator]], but there is none")
+            return stand
+        if beside:
+            note(cls.key, beside[0], 'given beside [[isolator]], which make it: expected preload = "weight" alone')
+            return stand
+        made = summed(isolators, bool(raw), stand, note)
+        if made is None:
+            return stand
+        law = cls(made.stiffness, made.damping, made.position, made.angles, bool(raw), isolators)
+        return stand.with_laws(law) if law.acts else stand
+
+    def as_tables(self) -> dict[str, Any]:
+        """Its tables in a stand file: isolators as such."""
+        if not self.isolators:
+            return super().as_tables()
+        preload = {"suspension": {"preload": "weight"}} if self.preload else {}
+        return {**preload, "isolator": [each.as_keys() for each in self.isolators]}
+
+    def with_errors(self, errors: Errors) -> Self:
+        """One whose matrices and place are a little wrong, whatever they are made of."""
+        return replace(super().with_errors(errors), isolators=(), preload=False)
 
     @classmethod
     def structure(cls, law: Self | None, stand: Stand) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""A second reading of the stand file: masses, their centres and inertia, added mass, and where everything is mounted.
+"""A second reading of the stand file: masses, their centres, inertia, added mass, mountings, sums of isolators.
 
 All derivations begin with the numbers that `core/stand` has read, so that a wrong sign there is the same in all of
 them. This one reads the file's tables itself, by other ways: units by a table of its own; an unbalance as a complex
@@ -16,11 +16,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import casadi as ca
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.proof.second.rotation import Array
-from mahovik.proof.second.system import added_mass, columns, places
+from mahovik.core.stand.model import Stand, Vec3
+from mahovik.proof.second.rotation import Array, by_angles, rotation_vector
+from mahovik.proof.second.system import added_mass, columns, places, twists
 
 Table = Mapping[str, Any]
 """A table as `tomllib` gives it; numbers may be Decimals."""
@@ -196,7 +197,56 @@ def differences(stand: Stand, document: Table) -> dict[str, float]:
         found[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
         found[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
     Lambda = np.zeros((6, 6)) if fluid is None else fluid
-    return {**found, "added mass": _relative(Lambda, file.added_mass, np.abs(Lambda).max())}
+    found["added mass"] = _relative(Lambda, file.added_mass, np.abs(Lambda).max())
+    return found | (_isolators(stand, document, file) if "isolator" in document else {})
+
+
+def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]:
+    """Relative differences of a suspension from its isolators.
+
+    Energy and power of each are sums over its axes a: k (a (v + w x r))^2 for a twist (v, w). So each axis has the row
+    (a, r x a), and all of them the stiffness R^T k R. Weight is the force at a mean centre of mass of a body.
+    """
+    law: Any = next(law for law in stand.laws if law.key == "suspension")
+    rows, k, ratios, given = [], [], [], []
+    for table in document["isolator"]:
+        for axis in _axes(table).T:
+            rows.append(np.concatenate([axis, np.cross(_numbers(table["position"]), axis)]))
+        k += list(_numbers(table["stiffness"]))
+        given += list(_numbers(table.get("damping", [0, 0, 0])))
+        ratios += [_si(table.get("ratio", 0)) + _si(table.get("loss", 0)) / 2] * 3
+    R, springs = np.array(rows), np.array(k)
+    C, at = np.eye(3), np.zeros(3)
+    if stand.hold is not None:  # the pose of the file is then that of the hold
+        C, at = _attitude(stand, stand.hold.angles), np.array(stand.hold.position)
+    g = C.T @ np.array(stand.gravity)
+    weight = np.zeros(6)
+    for body in stand.bodies:
+        origin, axes = file.places[body.name]
+        spins = np.diag([1.0, 0.0, 0.0]) if body.name in {each.name for each in stand.flywheels} else np.eye(3)
+        numbers = file.bodies[body.name]
+        for mass, c in [(numbers.mass, numbers.center_of_mass), *((-m, np.array(c)) for m, c in body.displaced)]:
+            weight += mass * np.concatenate([g, np.cross(origin + axes @ spins @ c, g)])
+    S = twists(stand.hold)
+    K = R.T @ (springs[:, None] * R)
+    x = S @ np.linalg.pinv(S.T @ K @ S, rcond=1e-13, hermitian=True) @ S.T @ weight
+    lift = springs * (R @ x) * (R[:, :3] @ g)
+    borne = np.repeat(lift.reshape(-1, 3).sum(axis=1), 3) / max(float(g @ g), 1e-300)
+    c = np.array(given) + 2 * np.array(ratios) * np.sqrt(springs * np.maximum(borne, 0.0))
+    D = R.T @ (c[:, None] * R)
+    found = {"stiffness": (law.stiffness, K), "damping": (law.damping, D)}
+    if "preload" in document.get("suspension", {}):
+        turned = rotation_vector(_attitude(stand, law.angles).T @ C)
+        off = np.concatenate([C.T @ (at - np.array(law.position)), turned])
+        found["equilibrium"] = (S.T @ K @ off, S.T @ weight)
+    return {
+        f"suspension {name}": _relative(np.array(a), b, np.abs(b).max(initial=0.0)) for name, (a, b) in found.items()
+    }
+
+
+def _attitude(stand: Stand, angles: Vec3) -> Array:
+    """Attitude (3x3) by angles of the stand's sequence."""
+    return np.asarray(by_angles(stand.angles, ca.DM(angles)).full())
 
 
 def _relative(value: Any, expected: Any, scale: float) -> float:

@@ -1,0 +1,357 @@
+"""`[[isolator]]` of a stand file: air springs and rubber mounts, summed into the matrices of the suspension.
+
+An isolator has a stiffness and a damping along each of its axes, at a point of the carrier. To first order in the
+displacement x of the suspension it moves by T x, T = [E, -(r x)], and its force there is -A k A^T (T x). So the
+suspension has the stiffness sum of T^T A k A^T T. Sums are in a fixed order, and sines and cosines rounded correctly:
+a stand has the same bits on every machine.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import lru_cache
+from typing import Annotated, Any, TypeVar, cast
+
+import mpmath
+import numpy as np
+
+from mahovik.core.stand import units
+from mahovik.core.stand.columns import Column, polar
+from mahovik.core.stand.declare import Declared, Default, Note
+from mahovik.core.stand.fields import (
+    ZERO3,
+    Angle3,
+    Length3,
+    Mat6,
+    Name,
+    Vec3,
+    require_bounds,
+    scalar,
+    validator,
+    vector,
+)
+from mahovik.core.stand.hold import TWIST_NAMES, twists
+from mahovik.core.stand.model import Flywheel, Stand
+from mahovik.core.stand.model import Sequence as AngleSequence
+from mahovik.core.stand.units import Dimension, QuantityError
+
+Rows = list[list[float]]
+Value = TypeVar("Value")
+
+SOFT = 1e-12
+"""Stiffness along a direction, at unit diagonal, below which it carries nothing."""
+LEFT = 1e-9
+"""Part of the weight, at unit diagonal of the stiffness, that may be left over."""
+
+_AXES = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
+"""Axes that psi, theta, phi turn about."""
+
+
+def _along_axes(dimension: Dimension) -> Any:
+    """A validator of three numbers of at least zero."""
+
+    def read(raw: Any) -> tuple[float, ...]:
+        if isinstance(raw, dict) and {"ratio", "loss"} & raw.keys():
+            key = next(key for key in ("ratio", "loss") if key in raw)
+            raise QuantityError(f"expected 3 numbers; {key} is a key beside it: {key} = {raw[key]}")
+        values = vector(raw, (3,), dimension)
+        for i, value in enumerate(values):
+            try:
+                require_bounds(value, dimension.si, least=0.0)
+            except QuantityError as error:
+                raise QuantityError(f"[{i}]: {error}") from None
+        return values
+
+    return validator(read, dimension, least=0.0)
+
+
+@dataclass(frozen=True)
+class Isolator(Declared):
+    """A spring with damping between E0 and a point of the carrier.
+
+    position   of the point, in E1, m
+    stiffness  along each of its axes, N/m
+    damping    along each of its axes, N s/m; or instead:
+    ratio      of critical damping: 2 ratio sqrt(k m), with the mass m that it bears at rest
+    loss       loss factor at resonance: a ratio of loss / 2
+    angles     of its axes in E1, C3(psi) C2(theta) C1(phi), rad
+    """
+
+    name: Name
+    position: Length3
+    stiffness: Annotated[Vec3, _along_axes(units.STIFFNESS)]
+    damping: Annotated[Vec3 | None, _along_axes(units.LINEAR_DAMPING), Default(None)] = None
+    ratio: Annotated[float | None, scalar(units.PLAIN, least=0.0), Default(None)] = None
+    loss: Annotated[float | None, scalar(units.PLAIN, least=0.0), Default(None)] = None
+    angles: Annotated[Angle3, Default(ZERO3)] = ZERO3
+
+    @property
+    def damping_ratio(self) -> float | None:
+        """Its damping as a part of critical; None where it is given in N s/m, or not at all."""
+        return self.ratio if self.loss is None else 0.5 * self.loss
+
+
+@dataclass(frozen=True)
+class Summed:
+    """What a suspension takes of its isolators: matrices about O1 in E1 axes, SI, and its equilibrium in E0."""
+
+    stiffness: Mat6
+    damping: Mat6
+    position: Vec3
+    angles: Vec3
+
+
+def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand, note: Note) -> Summed | None:
+    """The suspension that isolators make under a stand; None where they cannot, which is noted.
+
+    `preload`: springs balance weight and buoyancy in the pose that the file gives. Numbers of the stand may be columns.
+    """
+    for each in isolators:
+        given = [key for key in ("damping", "ratio", "loss") if getattr(each, key) is not None]
+        if len(given) > 1:
+            note(f"isolator {each.name}", given[1], f"given together with {given[0]}: expected one of them")
+            return None
+    columns = list(_columns((isolators, stand)))
+    if not columns:
+        return _summed(isolators, preload, stand, note)
+    rows = []
+    for k in range(len(columns[0].values)):
+        # a sample that cannot be is noted when it is read by itself
+        sample = _summed(_sample(isolators, k), preload, _sample(stand, k), lambda *words: None)
+        rows.append([1.0, *[0.0] * 78] if sample is None else [0.0, *_numbers(sample)])
+    keys = frozenset[str]().union(*(x.keys for x in columns))
+    refused, *numbers = (Column(values, columns[0].run, keys) for values in np.array(rows).T)
+    if refused != 0.0:
+        _summed(_sample(isolators, 0), preload, _sample(stand, 0), note)
+        return None
+    matrices = [tuple(tuple(numbers[36 * m + 6 * i : 36 * m + 6 * i + 6]) for i in range(6)) for m in range(2)]
+    return Summed(*cast(Any, matrices), *cast(Any, (tuple(numbers[72:75]), tuple(numbers[75:]))))
+
+
+def _numbers(value: Summed) -> list[float]:
+    return [x for m in (value.stiffness, value.damping) for row in m for x in row] + [*value.position, *value.angles]
+
+
+def _columns(value: Any) -> Iterator[Column]:
+    """The columns among numbers."""
+    if isinstance(value, Column):
+        yield value
+    for part in _parts(value):
+        yield from _columns(part)
+
+
+def _parts(value: Any) -> Sequence[Any]:
+    if is_dataclass(value):
+        return [getattr(value, f.name) for f in fields(value)]
+    return value if isinstance(value, tuple | list) else ()
+
+
+def _sample(value: Value, k: int) -> Value:
+    """Numbers of one sample in place of columns."""
+    if isinstance(value, Column):
+        return cast(Value, float(value.values[k]))
+    if not any(True for _ in _columns(value)):
+        return value
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{f.name: _sample(getattr(value, f.name), k) for f in fields(value)})
+    return type(value)(_sample(part, k) for part in _parts(value))  # type: ignore[call-arg]  # a tuple or a list
+
+
+def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand, note: Note) -> Summed | None:
+    """As `summed`, of numbers."""
+    K, home = _matrix(isolators, lambda each: each.stiffness), _home(stand)
+    bearing = preload or any(each.damping_ratio is not None for each in isolators)
+    x = _displacement(K, _weight(stand, home), stand, note) if bearing else [0.0] * 6
+    if x is None:
+        return None
+    damping = {}
+    for each in isolators:
+        found = _damping(each, x, _times(_transposed(home), _column(stand.gravity)), note)
+        if found is None:
+            return None
+        damping[each.name] = found
+    D = _matrix(isolators, lambda each: damping[each.name])
+    position, angles = (ZERO3, ZERO3) if stand.hold is None else (stand.hold.position, stand.hold.angles)
+    if preload and any(x):
+        turn = math.sqrt(math.fsum(a * a for a in x[3:]))
+        if turn > 1.0:
+            note("suspension", "preload", f"the springs would be turned by {turn:.3g} rad, expected at most 1")
+            return None
+        shift = _times(home, _column(x[:3]))
+        position = cast(Vec3, tuple(p - s[0] for p, s in zip(position, shift, strict=True)))
+        angles = _angles(_times(home, _rotation([-a for a in x[3:]])), stand.angles)
+    return Summed(_as_tuples(K), _as_tuples(D), position, angles)
+
+
+def _matrix(isolators: Sequence[Isolator], numbers: Callable[[Isolator], Vec3]) -> Rows:
+    """Sum of T^T A diag(k) A^T T (6x6): each isolator's numbers k along its axes."""
+    total = [[0.0] * 6 for _ in range(6)]
+    for each in isolators:
+        A, T = _product_of_turns(each.angles, (2, 1, 0)), _at(each.position)
+        columns = _times(_transposed(A), T)
+        for i in range(6):
+            for j in range(6):
+                total[i][j] += math.fsum(columns[n][i] * k * columns[n][j] for n, k in enumerate(numbers(each)))
+    return total
+
+
+def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows, note: Note) -> Vec3 | None:
+    """Damping of an isolator along its axes, N s/m, where the suspension is displaced by x at rest."""
+    ratio = isolator.damping_ratio
+    if ratio is None:
+        return isolator.damping or ZERO3
+    A = _product_of_turns(isolator.angles, (2, 1, 0))
+    along = _times(_transposed(A), _times(_at(isolator.position), _column(x)))
+    lift = _times(A, [[-k * s[0]] for k, s in zip(isolator.stiffness, along, strict=True)])
+    square = math.fsum(g[0] * g[0] for g in gravity)
+    mass = -math.fsum(f[0] * g[0] for f, g in zip(lift, gravity, strict=True)) / square if square else 0.0
+    if not mass > 0.0:
+        key = "ratio" if isolator.loss is None else "loss"
+        bears = "there is no gravity, so that it bears" if not square else f"it bears {mass:.4g} kg at rest, and so"
+        note(f"isolator {isolator.name}", key, f"{bears} no mass to be damped critically: expected damping in N s/m")
+        return None
+    return cast(Vec3, tuple(2.0 * ratio * math.sqrt(k * mass) for k in isolator.stiffness))
+
+
+def _weight(stand: Stand, home: Rows) -> list[float]:
+    """Weight and buoyancy (6; N, N m) in the home pose about O1 in E1 axes; flywheels averaged over a turn."""
+    gravity = [g[0] for g in _times(_transposed(home), _column(stand.gravity))]
+    total = [0.0] * 6
+    for body in stand.bodies:
+        origin, axes = _place(stand, body)
+        for mass, (along, *across) in ((body.mass, body.center_of_mass), *((-m, c) for m, c in body.displaced)):
+            center = (along, 0.0, 0.0) if isinstance(body, Flywheel) else (along, *across)
+            r = [o + s[0] for o, s in zip(origin, _times(axes, _column(center)), strict=True)]
+            force = [mass * g for g in gravity]
+            moment = (
+                r[1] * force[2] - r[2] * force[1], r[2] * force[0] - r[0] * force[2], r[0] * force[1] - r[1] * force[0]
+            )  # fmt: skip
+            total = [a + b for a, b in zip(total, (*force, *moment), strict=True)]
+    return total
+
+
+def _place(stand: Stand, body: Any) -> tuple[list[float], Rows]:
+    """Origin of a body in E1, m, and its axes there as columns; of a flywheel the first axis alone is right."""
+    if body is stand.carrier:
+        return [0.0] * 3, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    if not isinstance(body, Flywheel):
+        axes = _product_of_turns(body.angles, (2, 1, 0))
+    elif hasattr(body.mounting, "axis"):
+        axis = body.mounting.axis
+        length = math.sqrt(math.fsum(a * a for a in axis))
+        axes = [[a / length, 0.0, 0.0] for a in axis]
+    else:
+        axes = _product_of_turns((body.mounting.psi, body.mounting.theta), (2, 1))
+    origin = list(body.position)
+    mount = next((each for each in stand.instruments if isinstance(body, Flywheel) and each.name == body.mount), None)
+    if mount is None:
+        return origin, axes
+    below, turned = _place(stand, mount)
+    return [o + s[0] for o, s in zip(below, _times(turned, _column(origin)), strict=True)], _times(turned, axes)
+
+
+def _displacement(K: Rows, weight: Sequence[float], stand: Stand, note: Note) -> list[float] | None:
+    """x = S y (6; m, rad) with S^T K S y = S^T w: the springs carry the weight. None where they cannot: noted."""
+    S: Rows = np.eye(6).tolist() if stand.hold is None else twists(stand.hold).tolist()
+    A, b = _times(_transposed(S), _times(K, S)), [w[0] for w in _times(_transposed(S), _column(weight))]
+    size = [math.sqrt(A[i][i]) or 1.0 for i in range(len(A))]
+    largest = max((abs(value) / s for value, s in zip(b, size, strict=True)), default=0.0)
+    L = [[A[i][j] / (size[i] * size[j]) for j in range(len(A))] for i in range(len(A))]
+    y = [value / s for value, s in zip(b, size, strict=True)]
+    for k in range(len(A)):  # elimination; what is soft must not be asked for
+        if L[k][k] <= SOFT:
+            if abs(y[k]) > LEFT * largest:
+                row = max(range(6), key=lambda i: abs(S[i][k]))
+                note(
+                    "isolator",
+                    f"nothing carries the weight along {TWIST_NAMES[row]}: springs have no stiffness there; "
+                    "expected springs that bear weight and buoyancy",
+                )
+                return None
+            y[k] = 0.0
+            for i in range(k + 1, len(A)):
+                L[i][k] = 0.0
+            continue
+        for i in range(k + 1, len(A)):
+            factor = L[i][k] / L[k][k]
+            y[i] -= factor * y[k]
+            for j in range(k + 1, len(A)):
+                L[i][j] -= factor * L[k][j]
+    for k in reversed(range(len(A))):
+        if L[k][k] > SOFT:
+            y[k] = (y[k] - math.fsum(L[k][j] * y[j] for j in range(k + 1, len(A)))) / L[k][k]
+    return [row[0] for row in _times(S, [[value / s] for value, s in zip(y, size, strict=True)])]
+
+
+def _home(stand: Stand) -> Rows:
+    """Attitude of the carrier (3x3, axes of E1 as columns in E0) in the pose that the file gives."""
+    return _product_of_turns(ZERO3 if stand.hold is None else stand.hold.angles, _AXES[stand.angles])
+
+
+def _at(position: Vec3) -> Rows:
+    """T (3x6): what a point of the carrier moves by."""
+    x, y, z = position
+    return [[1.0, 0.0, 0.0, 0.0, z, -y], [0.0, 1.0, 0.0, -z, 0.0, x], [0.0, 0.0, 1.0, y, -x, 0.0]]
+
+
+@lru_cache(maxsize=256)
+def _product_of_turns(angles: tuple[float, ...], about: tuple[int, ...]) -> Rows:
+    """Product of turns by some angles about axes."""
+    C: Rows = [[float(i == j) for j in range(3)] for i in range(3)]
+    for angle, axis in zip(angles, about, strict=True):
+        c, s = polar(1.0, angle, 1.0)
+        j, k = (axis + 1) % 3, (axis + 2) % 3
+        turn: Rows = [[float(i == n) for n in range(3)] for i in range(3)]
+        turn[j][j] = turn[k][k] = c
+        turn[k][j], turn[j][k] = s, -s
+        C = _times(C, turn)
+    return C
+
+
+def _rotation(v: Sequence[float]) -> Rows:
+    """Rotation (3x3) by a rotation vector, rad."""
+    x, y, z = v
+    angle = math.sqrt(math.fsum(a * a for a in v))
+    first = polar(1.0, angle, 1.0)[1] / angle if angle else 1.0
+    half = polar(1.0, 0.5 * angle, 1.0)[1] / angle if angle else 0.5
+    W: Rows = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]
+    square = _times(W, W)
+    return [[float(i == j) + first * W[i][j] + 2.0 * half * half * square[i][j] for j in range(3)] for i in range(3)]
+
+
+def _angles(C: Rows, sequence: AngleSequence) -> Vec3:
+    """psi, theta, phi of an attitude, rad, in the sequence of the stand; theta, phi from what psi leaves."""
+    first, _, _ = _AXES[sequence]
+    psi = {"ship": (C[1][0], C[0][0]), "aircraft": (-C[2][0], C[0][0]), "euler": (C[0][2], -C[1][2])}[sequence]
+    with mpmath.workdps(40):  # a libm rounds as it likes
+        angles = [float(mpmath.atan2(*psi))]
+        B = _times(_product_of_turns((-angles[0],), (first,)), C)
+        if sequence == "ship":
+            rest = (-B[2][0], B[0][0]), (-B[1][2], B[1][1])
+        elif sequence == "aircraft":
+            rest = (B[1][0], B[0][0]), (B[2][1], B[2][2])
+        else:
+            rest = (-B[1][2], B[2][2]), (-B[0][1], B[0][0])
+        angles += [float(mpmath.atan2(*pair)) for pair in rest]
+    return cast(Vec3, tuple(angle + 0.0 for angle in angles))
+
+
+def _times(A: Rows, B: Rows) -> Rows:
+    """Product of two matrices."""
+    return [
+        [math.fsum(a * b for a, b in zip(row, column, strict=True)) for column in zip(*B, strict=True)] for row in A
+    ]
+
+
+def _transposed(A: Rows) -> Rows:
+    return [list(column) for column in zip(*A, strict=True)]
+
+
+def _column(v: Sequence[float]) -> Rows:
+    return [[value] for value in v]
+
+
+def _as_tuples(A: Rows) -> Mat6:
+    return cast(Mat6, tuple(map(tuple, A)))
