@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from mahovik.core.stand import loads
@@ -219,7 +222,19 @@ OF_WHEEL = [
         "angles = [0, 0]\naxis = [1, 0, 0]\nzero = [0, 1, 0]",
         "angles: given together with axis, zero: expected one or the other",
     ),
-    ("axis = [1, 0, 0]", "zero: required with axis (direction of the second axis at phi_s = 0), but missing"),
+    *(
+        (
+            f"axis = [1, 0, 0]\n{key}",
+            f"zero: required with axis (direction of the second axis at phi_s = 0) for its {what}, but missing",
+        )
+        for key, what in (
+            ("wrench_input = true", "run-time wrench"),
+            ('center_of_mass = [0, "1 mm", 0]\ninertia_about = "origin"', "centre of mass off the axis"),
+            ("damping = { linear = [0, 1, 2, 0, 0, 0] }", "damping"),
+            ("damping = { quadratic = [0, 1, 1, 0, 0, 0] }", "damping"),
+            ("buoyancy = { displaced_mass = 1, center = [0, 0, 0.1] }", "buoyancy"),
+        )
+    ),
     ("zero = [1, 0, 0]", "axis: required with zero, but missing"),
     ("axis = [1, 2, 3]\nzero = [-2, -4, -6]", "zero: parallel to axis, expected another direction"),
     ("axis = [0, 0, 0]\nzero = [0, 1, 0]", "axis: [0, 0, 0] has no direction"),
@@ -455,6 +470,31 @@ def test_the_moments_that_a_message_names_are_those_of_a_body() -> None:
     assert line.endswith("at least 120 g cm^2, such as 40 and 80")
     loads(inertia(body.format(120, 80, 40)))
     assert refusal(inertia(body.format(120, 79.999, 40)))
+
+
+@pytest.mark.parametrize(
+    ("key", "answer"),
+    [
+        ('momentum = "0.4 N m s"', "it is spin_inertia times speed"),
+        ('grade = "G 2.5"', "static unbalance is mass times G over speed"),
+        ('unbalance = { grade = "G 2.5" }', "static unbalance is mass times G over speed"),
+        ('working_moment = "30 kg cm"', "twice the static one"),
+    ],
+)
+def test_keys_that_people_write_are_answered(key: str, answer: str) -> None:
+    (line,) = refusal(BASE + SHEET + key)
+    assert "unknown key" in line
+    assert answer in line
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 1), (-3, 0.2, 0.1), (1, 1, 0)])
+def test_a_round_flywheel_needs_no_zero(axis: tuple[float, ...]) -> None:
+    more = f"axis = {list(axis)}\ndamping = {{ linear = [0.1, 1, 1, 1e-3, 2, 2] }}\n"
+    wheel = loads(BASE + SHEET + more).flywheels[0]
+    other = loads(BASE + SHEET + more + "zero = [0.3, 0.2, 0.9]").flywheels[0]
+    spin, direction = (np.array(x) / np.linalg.norm(x) for x in (axis, wheel.mounting.zero))
+    assert abs(spin @ direction) < 0.9
+    assert replace(wheel, mounting=other.mounting) == other
 
 
 def test_flat_discs_and_rods_are_bodies_and_shapes_are_not_known() -> None:

@@ -104,7 +104,8 @@ SHEETS = (
     ("oz-in^2", INERTIA, "0.000018289978339325"), ("oz-in-s^2", INERTIA, "0.0070615518142260443750"),
     ("lb-in", TORQUE, "0.11298482902761671"), ("µm", LENGTH, "1e-6"), ("μm", LENGTH, "1e-6"),
     ("kg/m³", Dimension("a density", "kg/m^3"), "1"), ("kg m⁻³", Dimension("a density", "kg/m^3"), "1"),
-    ("1/min", Dimension("a frequency", "Hz"), "1/60"),
+    ("1/min", Dimension("a frequency", "Hz"), "1/60"), ("cpm", Dimension("a frequency", "Hz"), "1/60"),
+    ("lbm", MASS, "0.45359237"), ("lbm ft^2", INERTIA, "0.0421401100938048"),
 )  # fmt: skip
 
 
@@ -114,7 +115,7 @@ def test_units_of_data_sheets(unit: str, dimension: Dimension, factor: str) -> N
     assert number(Decimal(7), dimension, unit) == float(7 * Fraction(factor))
 
 
-@pytest.mark.parametrize("unit", ["1/min", "r/min", "U/min", "min^-1", "min-1", "min⁻¹"])
+@pytest.mark.parametrize("unit", ["RPM", "cpm", "tr/min", "1/min", "r/min", "U/min", "min^-1", "min-1", "min⁻¹"])
 def test_per_minute_is_rpm_where_a_speed_is_asked(unit: str) -> None:
     assert number(f"3000 {unit}", SPEED) == number("3000 rpm", SPEED)
 
@@ -145,7 +146,7 @@ HINTS = (
     ("kilos", MASS, "kg"), ("kilo", MASS, "kg"), ("kgs", MASS, "kg"), ("Kg", MASS, "kg"), ("G", MASS, "g"),
     ("grammes", MASS, "g"), ("kilogrm", MASS, "kilogram"), ("Metres", LENGTH, "m"), ("metrs", LENGTH, "meter"),
     ("MM", LENGTH, "mm"), ("Seconds", TIME, "s"), ("secnds", TIME, "second"), ("Degrees", ANGLE, "deg"),
-    ("Volt", VOLTAGE, "V"), ("R", RESISTANCE, "ohm"), ("RPM", SPEED, "rpm"), ("u/min", SPEED, "rpm"),
+    ("Volt", VOLTAGE, "V"), ("R", RESISTANCE, "ohm"), ("Rpm", SPEED, "rpm"), ("u/min", SPEED, "rpm"),
     ("nm", TORQUE, "N m"), ("kilos m^2", INERTIA, "kg m^2"), ("gm cm^2", INERTIA, "g cm^2"), ("Tesla", FIELD, "T"),
 )  # fmt: skip
 

@@ -7,6 +7,7 @@ Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. A
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated, Any
 
@@ -74,8 +75,12 @@ class FlywheelForm(Table):
     transverse_inertia: Annotated[tuple[float, ...], validator(_transverse, units.INERTIA)] | None = None
     unbalance: UnbalanceTable | None = None
 
-    def mounting(self, note: Note) -> MountingAngles | MountingAxes | None:
-        """The mounting; None where it is not known, which is noted."""
+    def mounting(self, note: Note, depends: Callable[[], str]) -> MountingAngles | MountingAxes | None:
+        """The mounting; None where it is not known, which is noted. `depends`: what depends on the phase; "", nothing.
+
+        Where nothing does and the file has no `zero`, it is the first axis of the mount, or the second where `axis` is
+        nearer than 26 degrees to the first.
+        """
         if self.axis is None and self.zero is None:
             psi, theta, *zero = self.angles or (0.0, 0.0)
             return MountingAngles(psi, theta, zero[0] if zero else 0.0)
@@ -84,7 +89,11 @@ class FlywheelForm(Table):
         elif self.axis is None:
             note("axis", "required with zero, but missing")
         elif self.zero is None:
-            note("zero", "required with axis (direction of the second axis at phi_s = 0), but missing")
+            if not (what := depends()):
+                x, y, z = self.axis
+                along_first = x * x > 0.8 * (x * x + y * y + z * z)
+                return MountingAxes(self.axis, (0.0, 1.0, 0.0) if along_first else (1.0, 0.0, 0.0))
+            note("zero", f"required with axis (direction of the second axis at phi_s = 0) for {what}, but missing")
         elif parallel(self.axis, self.zero):
             note("zero", "parallel to axis, expected another direction")
         else:

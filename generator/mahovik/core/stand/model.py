@@ -136,6 +136,11 @@ class Law(Declared):
         return False
 
     @property
+    def is_round(self) -> bool:
+        """Whether the wrench of a law of bodies is the same at every phase of a flywheel about its first axis."""
+        return False
+
+    @property
     def inputs(self) -> dict[str, float]:
         """Numbers of a law of bodies that may be set at run time, "rudder.deflection", in the order of the table."""
         return {}
@@ -296,11 +301,25 @@ class Flywheel(Body):
     @classmethod
     def read(cls, table: Any, note: Note, moments: Moments, **more: Any) -> Self | None:
         """The data of a valid table, and notes on it; None where its mounting or its inertia is not known."""
-        mounting, masses = table.mounting(note), table.masses(note, moments)
-        if mounting is None or masses is None:
+        masses = table.masses(note, moments)
+        if masses is None:
+            table.mounting(note, lambda: "its unbalance")
             return None
         about = {} if masses else {"inertia_about": _about(table, note)}
-        return cls.of_table(table, mounting=mounting, **masses, **about, **more)
+        wheel = cls.of_table(table, mounting=MountingAngles(0.0, 0.0, 0.0), **masses, **about, **more)
+        mounting = table.mounting(note, wheel.first_phase_dependence)
+        return None if mounting is None else replace(wheel, mounting=mounting)
+
+    def first_phase_dependence(self) -> str:
+        """What of its mass, inertia and wrenches is not the same at every phase; empty where all is."""
+        (_, y, z), J = self.center_of_mass, self.inertia
+        if self.mass and (y or z):
+            return "its centre of mass off the axis"
+        if J[0][1] or J[0][2] or J[1][2] or J[1][1] != J[2][2]:
+            return "its inertia"
+        if self.wrench_input:
+            return "its run-time wrench"
+        return next((f"its {law.key}" for law in self.laws if not law.is_round), "")
 
     def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI."""

@@ -68,18 +68,32 @@ class Problems:
             self.add(where, *_words(path), key, reason)
 
 
-OF_FLYWHEELS = {
-    "shape": "a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
-    "for a thin disc transverse_inertia = spin_inertia/2",
-    "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
+_GRADE = "static unbalance is mass times G over speed: G 2.5 at 3000 rpm of 2 kg is static = 2 * 2.5e-3 / 314.16 kg m"
+_WORKING = "a catalogue's working moment is twice the static one: unbalance = { static = half of it }"
+
+INSTEAD = {
+    "transverse_inertia": {
+        "shape": "a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
+        "for a thin disc transverse_inertia = spin_inertia/2",
+        "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
+        "momentum": "it is spin_inertia times speed: 0.4 N m s at 6000 rpm is spin_inertia = 0.4 / 628.32 kg m^2",
+        "grade": f"{_GRADE}, in unbalance = {{ static = ... }}",
+        "working_moment": _WORKING,
+        "static_moment": "unbalance = { static = ... } has it",
+        "static_unbalance": "unbalance = { static = ... } has it",
+        "dynamic_unbalance": "unbalance = { dynamic = ... } has it",
+    },
+    "static_at": {"grade": _GRADE, "working_moment": _WORKING},
+    "harmonics": {"frequency": "a motion has `period` = 1 / frequency, in seconds"},
 }
-"""Keys that flywheels do not have, and what there is instead."""
+"""Unknown keys that people write, by a key that the table does have, and what to write instead."""
 
 
 def _instead(key: str, known: list[str]) -> str:
     """What to write instead of an unknown key."""
-    if key in OF_FLYWHEELS and "transverse_inertia" in known:
-        return f": {OF_FLYWHEELS[key]}"
+    for present, answers in INSTEAD.items():
+        if present in known and key in answers:
+            return f": {answers[key]}"
     return suggestion(key, known)
 
 

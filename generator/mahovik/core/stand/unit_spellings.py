@@ -95,6 +95,8 @@ def readings(unit: str) -> list[str]:
     """
     plain = unit.translate(_SIGNS)
     found = ["rpm"] if plain.replace(" ", "") in _PER_MINUTE else []
+    if plain.lower() == "cpm":  # cycles per minute: of a shaft, or of what it shakes
+        found = ["rpm", "1/min"]
     product = as_product(unit)
     found += [product, _WEIGHT.sub(r"\1f", product)]
     return [each for k, each in enumerate(found) if each != unit and each not in found[:k]]

@@ -299,7 +299,9 @@ def _registry() -> Any:
     registry: Any = pint.UnitRegistry(non_int_type=Fraction)
     # as data sheets of motors and wheels write them
     for definition in (
-        "@alias turn = rev",
+        "@alias turn = rev = tr",
+        "@alias rpm = RPM",
+        "@alias pound = lbm",
         "newton_meter = newton * meter = Nm",
         "newton_meter_second = newton * meter * second = Nms",
     ):

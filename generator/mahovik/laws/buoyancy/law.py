@@ -36,6 +36,11 @@ class Buoyancy(BodyLaw):
         return bool(self.displaced_mass)
 
     @property
+    def is_round(self) -> bool:
+        """Whether its centre is on the axis."""
+        return not any(self.center[1:])
+
+    @property
     def displaced(self) -> tuple[float, Vec3]:
         """Mass (kg) of the displaced fluid, and its centre."""
         return self.displaced_mass, self.center

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import model_validator
 
 from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Default, Draw, Size, Tables
-from mahovik.core.stand.fields import LINEAR, QUADRATIC, Table, letter, matrix, one_word, refuse, text, validator
+from mahovik.core.stand.fields import LINEAR, QUADRATIC, ZERO6, Table, letter, matrix, one_word, refuse, text, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Carrier, Mat6, Stand
 from mahovik.core.stand.units import Dimension, QuantityError, number, show
@@ -106,6 +106,18 @@ class Damping(BodyLaw):
     keys: ClassVar[type[Table]] = DampingTable
     optional: ClassVar[bool] = False
     newer: ClassVar[tuple[str, ...]] = ("contains_products",)
+
+    @property
+    def is_round(self) -> bool:
+        """Whether each 3x3 of `linear` commutes with turns about the first axis, and nothing else acts across it."""
+        if self.terms or self.contains_products:
+            return False
+        D, Q = np.array(self.linear or ZERO6), np.array(self.quadratic or ZERO6)
+        along, across = [0, 3], [1, 2, 4, 5]
+        turned = np.kron(np.eye(2), np.array([[0.0, -1.0], [1.0, 0.0]]))  # by a quarter
+        inner = D[np.ix_(across, across)]
+        mixed = (*(M[np.ix_(*pair)] for M in (D, Q) for pair in ((along, across), (across, along))),)
+        return not any(map(np.any, (*mixed, Q[np.ix_(across, across)], inner @ turned - turned @ inner)))
 
     @property
     def nonlinear(self) -> bool:

@@ -31,7 +31,8 @@ UNITS = {
     "g": 1e-3, "t": 1e3, "oz": 0.028349523125, "lb": 0.45359237,
     "s": 1.0, "min": 60.0, "N": 1.0,
     "rad": 1.0, "deg": math.pi / 180, "°": math.pi / 180, "degree": math.pi / 180, "degrees": math.pi / 180,
-    "turn": 2 * math.pi, "rev": 2 * math.pi, "rpm": math.pi / 30,
+    "turn": 2 * math.pi, "rev": 2 * math.pi, "tr": 2 * math.pi,
+    "rpm": math.pi / 30, "RPM": math.pi / 30, "cpm": math.pi / 30, "lbm": 0.45359237,
     "arcmin": math.pi / 10800, "arcsec": math.pi / 648000,
 }  # fmt: skip
 """SI value of one of each."""
@@ -113,7 +114,9 @@ def _phasor(unbalance: Table, kind: str) -> complex:
 def _axes(table: Table) -> Array:
     """Axes (3x3, columns) in the mount's frame."""
     if "axis" in table:
-        spin, zero = _numbers(table["axis"]), _numbers(table["zero"])
+        spin = _numbers(table["axis"])
+        steep = abs(spin[0]) > math.sqrt(0.8) * np.linalg.norm(spin)
+        zero = _numbers(table.get("zero", [0, 1, 0] if steep else [1, 0, 0]))
         third = np.cross(spin / np.linalg.norm(spin), zero / np.linalg.norm(zero))
         return np.column_stack([arm / np.linalg.norm(arm) for arm in (spin, np.cross(third, spin), third)])
     arms = np.eye(3)
