@@ -12,16 +12,17 @@ where both ends of that interval round to one double it is the answer, elsewhere
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache
-from typing import Any
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cache, partial
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Tree = TypeVar("Tree")
 _COMPARISONS = (np.equal, np.not_equal, np.less, np.less_equal, np.greater, np.greater_equal)
 
 
@@ -107,6 +108,54 @@ def _by_sample(function: Callable[..., float], *numbers: Any) -> Any:
     n = len(columns[0].values)
     found = np.fromiter(map(function, *(values_of(x, n).tolist() for x in numbers)), np.float64, n)
     return Column(found, columns[0].run, _keys(columns))
+
+
+def numbers(value: Any) -> Iterator[Any]:
+    """Every number of a stand or a part of it."""
+    if is_dataclass(value):
+        for f in fields(value):
+            yield from numbers(getattr(value, f.name))
+    elif isinstance(value, tuple | list):
+        for each in value:
+            yield from numbers(each)
+    elif isinstance(value, float | Column):
+        yield value
+
+
+def by_sample(function: Callable[[Any], Tree], value: Any) -> Tree:
+    """A function of data, sample by sample where there are columns in it; its result has columns for its numbers.
+
+    Raises what it raises for the first sample; samples that part from the first in this have diverged.
+    """
+    columns = [x for x in numbers(value) if isinstance(x, Column)]
+    if not columns:
+        return function(value)
+    results: list[Any] = []
+    for k in range(len(columns[0].values)):
+        try:
+            results.append(function(_with_numbers(partial(_of_sample, k), value)))
+        except ValueError as error:
+            results.append(error)
+    columns[0].run.diverged |= [isinstance(x, ValueError) != isinstance(results[0], ValueError) for x in results]
+    if isinstance(results[0], ValueError):
+        raise results[0]
+    rows = [list(numbers(x if not isinstance(x, ValueError) else results[0])) for x in results]
+    stacked = iter(np.array(rows, dtype=np.float64).T)
+    keys = _keys(columns)
+    return cast(Tree, _with_numbers(lambda _: Column(next(stacked), columns[0].run, keys), results[0]))
+
+
+def _of_sample(k: int, number: Any) -> Any:
+    return number.values[k].item() if isinstance(number, Column) else number
+
+
+def _with_numbers(change: Callable[[Any], Any], value: Any) -> Any:
+    """The data with other numbers, in the order of `numbers`."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{f.name: _with_numbers(change, getattr(value, f.name)) for f in fields(value)})
+    if isinstance(value, tuple | list):
+        return type(value)(_with_numbers(change, each) for each in value)
+    return change(value) if isinstance(value, float | Column) else value
 
 
 # -- r cos(a), r sin(a) ----------------------------------------------------------------------------------------------

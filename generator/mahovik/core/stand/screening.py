@@ -12,13 +12,12 @@ second are at most three times their mean.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.columns import Column
+from mahovik.core.stand.columns import Column, numbers
 from mahovik.core.stand.frames import mount_of
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.physical import LARGEST, LEAST_EIGENVALUE, RELATIVE
@@ -48,18 +47,6 @@ def _places_of_tasks(stand: Stand) -> Iterator[Any]:
     named = {row.of for task in stand.tasks for row in task.rows}
     yield from (x for body in stand.instruments for x in numbers((body.position, body.angles)))
     yield from (x for p in stand.points if p.name in named for x in numbers((p.position, p.angles)))
-
-
-def numbers(value: Any) -> Iterator[Any]:
-    """Every number of a stand or a part of it."""
-    if is_dataclass(value):
-        for f in fields(value):
-            yield from numbers(getattr(value, f.name))
-    elif isinstance(value, tuple | list):
-        for each in value:
-            yield from numbers(each)
-    elif isinstance(value, float | Column):
-        yield value
 
 
 def _plain(value: Any) -> Any:

@@ -9,17 +9,17 @@ a stand has the same bits on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, Any, TypeVar, cast
+from typing import Annotated, Any, cast
 
 import mpmath
 import numpy as np
 
 from mahovik.core.stand import units
-from mahovik.core.stand.columns import Column, polar
-from mahovik.core.stand.declare import Declared, Default, Note
+from mahovik.core.stand.columns import by_sample, polar
+from mahovik.core.stand.declare import Declared, Default
 from mahovik.core.stand.fields import (
     ZERO3,
     Angle3,
@@ -38,7 +38,6 @@ from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.units import Dimension, QuantityError
 
 Rows = list[list[float]]
-Value = TypeVar("Value")
 
 SOFT = 1e-12
 """Stiffness along a direction, at unit diagonal, below which it carries nothing."""
@@ -103,86 +102,37 @@ class Summed:
     angles: Vec3
 
 
-def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand, note: Note) -> Summed | None:
-    """The suspension that isolators make under a stand; None where they cannot, which is noted.
+def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed:
+    """The suspension that isolators make under a stand; numbers may be columns.
 
-    `preload`: springs balance weight and buoyancy in the pose that the file gives. Numbers of the stand may be columns.
+    `preload`: springs balance weight and buoyancy in the pose that the file gives. Raises QuantityError with the place
+    and the reason where they cannot.
     """
     for each in isolators:
         given = [key for key in ("damping", "ratio", "loss") if getattr(each, key) is not None]
         if len(given) > 1:
-            note(f"isolator {each.name}", given[1], f"given together with {given[0]}: expected one of them")
-            return None
-    columns = list(_columns((isolators, stand)))
-    if not columns:
-        return _summed(isolators, preload, stand, note)
-    rows = []
-    for k in range(len(columns[0].values)):
-        # a sample that cannot be is noted when it is read by itself
-        sample = _summed(_sample(isolators, k), preload, _sample(stand, k), lambda *words: None)
-        rows.append([1.0, *[0.0] * 78] if sample is None else [0.0, *_numbers(sample)])
-    keys = frozenset[str]().union(*(x.keys for x in columns))
-    refused, *numbers = (Column(values, columns[0].run, keys) for values in np.array(rows).T)
-    if refused != 0.0:
-        _summed(_sample(isolators, 0), preload, _sample(stand, 0), note)
-        return None
-    matrices = [tuple(tuple(numbers[36 * m + 6 * i : 36 * m + 6 * i + 6]) for i in range(6)) for m in range(2)]
-    return Summed(*cast(Any, matrices), *cast(Any, (tuple(numbers[72:75]), tuple(numbers[75:]))))
+            raise QuantityError(f"isolator {each.name}", given[1], f"given beside {given[0]}: expected one of them")
+    return by_sample(lambda of: _summed(*of), (tuple(isolators), preload, stand))
 
 
-def _numbers(value: Summed) -> list[float]:
-    return [x for m in (value.stiffness, value.damping) for row in m for x in row] + [*value.position, *value.angles]
-
-
-def _columns(value: Any) -> Iterator[Column]:
-    """The columns among numbers."""
-    if isinstance(value, Column):
-        yield value
-    for part in _parts(value):
-        yield from _columns(part)
-
-
-def _parts(value: Any) -> Sequence[Any]:
-    if is_dataclass(value):
-        return [getattr(value, f.name) for f in fields(value)]
-    return value if isinstance(value, tuple | list) else ()
-
-
-def _sample(value: Value, k: int) -> Value:
-    """Numbers of one sample in place of columns."""
-    if isinstance(value, Column):
-        return cast(Value, float(value.values[k]))
-    if not any(True for _ in _columns(value)):
-        return value
-    if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{f.name: _sample(getattr(value, f.name), k) for f in fields(value)})
-    return type(value)(_sample(part, k) for part in _parts(value))  # type: ignore[call-arg]  # a tuple or a list
-
-
-def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand, note: Note) -> Summed | None:
+def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed:
     """As `summed`, of numbers."""
     K, home = _matrix(isolators, lambda each: each.stiffness), _home(stand)
     bearing = preload or any(each.damping_ratio is not None for each in isolators)
-    x = _displacement(K, _weight(stand, home), stand, note) if bearing else [0.0] * 6
-    if x is None:
-        return None
-    damping = {}
-    for each in isolators:
-        found = _damping(each, x, _times(_transposed(home), _column(stand.gravity)), note)
-        if found is None:
-            return None
-        damping[each.name] = found
+    x = _displacement(K, _weight(stand, home), stand) if bearing else [0.0] * 6
+    gravity = _times(_transposed(home), _column(stand.gravity))
+    damping = {each.name: _damping(each, x, gravity) for each in isolators}
     D = _matrix(isolators, lambda each: damping[each.name])
     position, angles = (ZERO3, ZERO3) if stand.hold is None else (stand.hold.position, stand.hold.angles)
     if preload and any(x):
         turn = math.sqrt(math.fsum(a * a for a in x[3:]))
         if turn > 1.0:
-            note("suspension", "preload", f"the springs would be turned by {turn:.3g} rad, expected at most 1")
-            return None
+            raise QuantityError("suspension", "preload", f"springs would turn by {turn:.3g} rad, expected at most 1")
         shift = _times(home, _column(x[:3]))
         position = cast(Vec3, tuple(p - s[0] for p, s in zip(position, shift, strict=True)))
         angles = _angles(_times(home, _rotation([-a for a in x[3:]])), stand.angles)
-    return Summed(_as_tuples(K), _as_tuples(D), position, angles)
+    stiffness, damping6 = (cast(Mat6, tuple(map(tuple, A))) for A in (K, D))
+    return Summed(stiffness, damping6, position, angles)
 
 
 def _matrix(isolators: Sequence[Isolator], numbers: Callable[[Isolator], Vec3]) -> Rows:
@@ -197,7 +147,7 @@ def _matrix(isolators: Sequence[Isolator], numbers: Callable[[Isolator], Vec3]) 
     return total
 
 
-def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows, note: Note) -> Vec3 | None:
+def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows) -> Vec3:
     """Damping of an isolator along its axes, N s/m, where the suspension is displaced by x at rest."""
     ratio = isolator.damping_ratio
     if ratio is None:
@@ -210,8 +160,8 @@ def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows, note: Note) 
     if not mass > 0.0:
         key = "ratio" if isolator.loss is None else "loss"
         bears = "there is no gravity, so that it bears" if not square else f"it bears {mass:.4g} kg at rest, and so"
-        note(f"isolator {isolator.name}", key, f"{bears} no mass to be damped critically: expected damping in N s/m")
-        return None
+        words = f"{bears} no mass to be damped critically: expected damping in N s/m"
+        raise QuantityError(f"isolator {isolator.name}", key, words)
     return cast(Vec3, tuple(2.0 * ratio * math.sqrt(k * mass) for k in isolator.stiffness))
 
 
@@ -252,8 +202,8 @@ def _place(stand: Stand, body: Any) -> tuple[list[float], Rows]:
     return [o + s[0] for o, s in zip(below, _times(turned, _column(origin)), strict=True)], _times(turned, axes)
 
 
-def _displacement(K: Rows, weight: Sequence[float], stand: Stand, note: Note) -> list[float] | None:
-    """x = S y (6; m, rad) with S^T K S y = S^T w: the springs carry the weight. None where they cannot: noted."""
+def _displacement(K: Rows, weight: Sequence[float], stand: Stand) -> list[float]:
+    """x = S y (6; m, rad) with S^T K S y = S^T w: the springs carry the weight. Raises QuantityError."""
     S: Rows = np.eye(6).tolist() if stand.hold is None else twists(stand.hold).tolist()
     A, b = _times(_transposed(S), _times(K, S)), [w[0] for w in _times(_transposed(S), _column(weight))]
     size = [math.sqrt(A[i][i]) or 1.0 for i in range(len(A))]
@@ -264,12 +214,8 @@ def _displacement(K: Rows, weight: Sequence[float], stand: Stand, note: Note) ->
         if L[k][k] <= SOFT:
             if abs(y[k]) > LEFT * largest:
                 row = max(range(6), key=lambda i: abs(S[i][k]))
-                note(
-                    "isolator",
-                    f"nothing carries the weight along {TWIST_NAMES[row]}: springs have no stiffness there; "
-                    "expected springs that bear weight and buoyancy",
-                )
-                return None
+                words = f"nothing carries the weight along {TWIST_NAMES[row]}: springs have no stiffness there"
+                raise QuantityError("isolator", f"{words}; expected springs that bear weight and buoyancy")
             y[k] = 0.0
             for i in range(k + 1, len(A)):
                 L[i][k] = 0.0
@@ -351,7 +297,3 @@ def _transposed(A: Rows) -> Rows:
 
 def _column(v: Sequence[float]) -> Rows:
     return [[value] for value in v]
-
-
-def _as_tuples(A: Rows) -> Mat6:
-    return cast(Mat6, tuple(map(tuple, A)))

@@ -96,8 +96,10 @@ class Suspension(CarrierLaw):
         if beside:
             note(cls.key, beside[0], 'given beside [[isolator]], which make it: expected preload = "weight" alone')
             return stand
-        made = summed(isolators, bool(raw), stand, note)
-        if made is None:
+        try:
+            made = summed(isolators, bool(raw), stand)
+        except QuantityError as error:
+            note(*error.args)
             return stand
         law = cls(made.stiffness, made.damping, made.position, made.angles, bool(raw), isolators)
         return stand.with_laws(law) if law.acts else stand

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.columns import numbers as numbers_of
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import put
 from mahovik.core.stand.read import read
 from mahovik.core.stand.screening import doubtful_samples
-from mahovik.core.stand.screening import numbers as numbers_of
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain.compiled import lower_structure
 from mahovik.errors import StandError, UsageError
