@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Annotated, Any, cast
 
-import mpmath
 import numpy as np
 
 from mahovik.core.stand import units
@@ -269,6 +268,8 @@ def _rotation(v: Sequence[float]) -> Rows:
 
 def _angles(C: Rows, sequence: AngleSequence) -> Vec3:
     """psi, theta, phi of an attitude, rad, in the sequence of the stand; theta, phi from what psi leaves."""
+    import mpmath  # of few stands
+
     first, _, _ = _AXES[sequence]
     psi = {"ship": (C[1][0], C[0][0]), "aircraft": (-C[2][0], C[0][0]), "euler": (C[0][2], -C[1][2])}[sequence]
     with mpmath.workdps(40):  # a libm rounds as it likes
