@@ -8,9 +8,10 @@ from the home pose, with zeros for what the hold blocks.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -190,6 +191,22 @@ def _winding(raw: Any, context: dict[str, Any]) -> Any:
     return rows(raw, short_integer)
 
 
+def _intervals(raw: Any) -> dict[str, Any]:
+    """Bounds by path; their units are those of the numbers there, which the planner knows. Raises QuantityError."""
+    pairs = raw if isinstance(raw, dict) else {}
+    if not isinstance(raw, dict) or not all(isinstance(pair, list) and len(pair) == 2 for pair in pairs.values()):
+        raise QuantityError(f"expected {{path: [low, high], ..}}, found {show(raw)}")
+    return pairs
+
+
+def _path_lists(raw: Any) -> tuple[tuple[str, ...], ...]:
+    """Lists of paths. Raises QuantityError."""
+    lists = raw if isinstance(raw, list) else [None]
+    if not all(isinstance(each, list) and all(isinstance(path, str) for path in each) for each in lists):
+        raise QuantityError(f"expected [[path, path, ..], ..], found {show(raw)}")
+    return tuple(map(tuple, lists))
+
+
 Row = Annotated[tuple[float, ...] | None, context_validator(_row)]
 Span = Annotated[float | None, validator(_span)]
 
@@ -274,6 +291,8 @@ class MotionTable(Table):
     runup: Annotated[float | None, scalar(TIME, above=0.0)] = None
     bounds: BoundsTable = BoundsTable()
     objective: Objective = Objective()
+    free: Annotated[Mapping[str, Any], validator(_intervals)] = MappingProxyType({})
+    same: Annotated[tuple[tuple[str, ...], ...], validator(_path_lists)] = ()
 
 
 _ONLY = {
@@ -364,10 +383,11 @@ def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Pr
     course = None if span is None else _course(table, periodic, span, along, problems)
     if problems.lines or span is None or course is None:
         raise MotionError(problems.lines)
-    free = along.of(tuple(map(float, table.free_mean or (True,) * coordinates.count)))
+    means = along.of(tuple(map(float, table.free_mean or (True,) * coordinates.count)))
     motion = RequiredMotion(
         table.name or name, periodic, span, np.array(along.of(table.mean or (0.0,) * coordinates.count)), course,
-        tuple(abs(x) > 0.5 for x in free), table.winding, bounds, table.objective.complete(N), table.runup,
+        tuple(abs(x) > 0.5 for x in means), table.winding, bounds, table.objective.complete(N), table.runup,
+        free=table.free, same=table.same,
     )  # fmt: skip
     return _checked(motion, stand, problems)
 

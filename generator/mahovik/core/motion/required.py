@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import Annotated, Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
@@ -187,6 +188,7 @@ class RequiredMotion:
     free_mean        which of the six a planner may shift by `bias`
     winding          turns per period: one number per flywheel, or which numbers a planner may choose
     runup            duration of a run-up that is wanted, s; None: none
+    free, same       bounds [low, high] by path, and lists of equal paths, of numbers of the stand that `plan` may move
     slew             what is demanded, where the course is one that `plan` found for a slew; else None
     """
 
@@ -201,6 +203,8 @@ class RequiredMotion:
     objective: Objective
     runup: float | None
     slew: Slew | None = None
+    free: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+    same: Sequence[Sequence[str]] = ()
 
     def at(self, t: Array, bias: Array | float = 0.0) -> Course:
         """q, q', q'' (M, 6 each) at the times t (M, s), any of a periodic motion; `bias` (6) shifts the mean."""

@@ -10,6 +10,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Winding
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
+from mahovik.use.plan.problem import Periodic
 
 Method = Literal["fourier", "ocp"]
 
@@ -26,6 +27,7 @@ class PlanOptions:
     verify   whether to verify the programmes independently
     steps    limit of steps of search and optimisation
     method   fourier; or ocp: (13) by IPOPT from its result, with (12) as constraints
+    start    motion of the flywheels over the shortest period, to be made a programme without a search
     """
 
     seed: int = 0
@@ -36,6 +38,7 @@ class PlanOptions:
     verify: bool = True
     steps: int = 20_000
     method: Method = "fourier"
+    start: Periodic | None = None
 
     def __post_init__(self) -> None:
         whole_number("seed", self.seed, 0)

@@ -102,7 +102,10 @@ def _plan_periodic(
     Run-ups have the time after the search, the verification has no limit.
     """
     improver, enough = Improver.of(problem), max(options.enough, options.keep)
-    found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
+    if options.start is not None:
+        found = improver.single(options.start, budget)
+    else:
+        found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
 
     def say(doing: str) -> None:
         found.doing = doing

@@ -229,6 +229,16 @@ class Improver:
             found = evaluate(self.problem, self.cost, exact, found.steps)
         return self.candidate(found, kind, near.motion)
 
+    def single(self, start: Periodic, budget: Budget) -> Search[Candidate]:
+        """The search whose only start is given."""
+        candidate = self.polish(start, "given", budget)
+        made = [] if candidate is None else [candidate]
+        inside = [each for each in made if each.is_programme]
+        best = made[0].residual if made else np.inf
+        return Search(
+            inside, [each for each in made if not each.is_programme], 1, best, tried={"given": 1}, cut=budget.cut
+        )
+
     def candidate(self, found: ImprovedMotion, kind: Kind, free: Periodic | None = None) -> Candidate:
         """The candidate with the bounds that it exceeds."""
         exceeded = exceeded_by(self.problem, self.cost, found.motion) if found.utilisation > 1.0 else ()

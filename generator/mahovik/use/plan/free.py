@@ -1,0 +1,404 @@
+"""Planning with numbers of the stand as further unknowns: places, mountings, inertias, whatever has a path.
+
+The unknowns are the free numbers inside their bounds, and the waves and the bias of `plan/problem`. Bounded least
+squares take the residual of (12) to zero: at constant speed first, then with more and more harmonics. Derivatives by
+the flywheels' motion are exact, those by numbers of the stand are differences of residuals of stands that are read
+anew, so any number may be free. The stand that results is planned for like every other, from the motion found here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
+from mahovik.core.stand.read import read
+from mahovik.core.stand.units import QuantityError, number
+from mahovik.errors import MotionError, StandError, StateError
+from mahovik.use.plan.array import Array
+from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.held import refuse_unplannable
+from mahovik.use.plan.levenberg import jacobian
+from mahovik.use.plan.mean_pose import mean_pose
+from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
+from mahovik.use.plan.planner import plan_motion
+from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.residual import Mechanics
+from mahovik.use.plan.windings import Kind, draw_windings, with_shortest_period
+
+SHARE = 0.1
+"""Part of its value by which a number moves that has no bounds of its own."""
+STARTS = 40
+KINDS: tuple[Kind, ...] = ("spin", "spin", "mixed", "rock")
+"""Windings of the starts, in order, if the motion leaves them open: few flywheels turn rather than rock."""
+HARMONICS = (0, 1, 2, 3, 5, 8)
+"""Numbers of harmonics, in rising order; without, flywheels that turn have constant speed."""
+STEPS = 100
+"""Evaluations with each number of harmonics."""
+STEP = 1e-6
+"""Step of the differences by a free number, in halves of its range."""
+BIAS = 0.03
+"""m, rad: size of a shift or turn of the mean pose."""
+EXACT = 1e-9
+"""Relative residual that more harmonics would not make better."""
+NEAR = 1e-2
+"""Relative residual from which the planner may make a motion exact by more harmonics."""
+HOPELESS = 0.5
+"""Relative residual at constant speed above which a start is given up."""
+KNEE = 0.97
+"""Part of a bound of the motion file that the least squares keep to."""
+_NO_LIMIT = 10**9
+
+
+@dataclass(frozen=True)
+class FreeNumber:
+    """Numbers of the stand file that move together, as one unknown between `low` and `high`; SI."""
+
+    numbers: tuple[StandNumber, ...]
+    low: float
+    high: float
+
+    @property
+    def value(self) -> float:
+        """Value in the file; of several the first one's."""
+        return self.numbers[0].value
+
+
+def free_numbers(
+    numbers: StandNumbers,
+    keys: Sequence[str],
+    bounds: Mapping[str, Sequence[Any]],
+    same: Sequence[Sequence[str]] = (),
+) -> list[FreeNumber]:
+    """The unknowns under paths or patterns `keys`.
+
+    Args:
+        numbers: of the stand file.
+        keys: paths, patterns with `*`, as `w*.position`.
+        bounds: `free` of the motion file: two numbers by path or pattern; a later one counts.
+        same: `same` of the motion file: lists of paths whose numbers are equal.
+
+    Raises:
+        UsageError: a path leads to no number.
+        MotionError: bounds are missing where the value is 0, are no interval, or contradict each other.
+    """
+    given = {each.path: interval for path, pair in bounds.items() for each, interval in _intervals(numbers, path, pair)}
+    moving = {each.path: each for key in keys for each in numbers.find(key)}
+    groups = {path: [each] for path, each in moving.items()}
+    for paths in same:
+        for tied in _tied(numbers, paths):
+            joined = {each.path: each for one in tied for each in groups.get(one.path, [one])}
+            if joined.keys() & moving.keys():
+                group = list(joined.values())
+                groups |= dict.fromkeys(joined, group)
+    once = {id(group): group for group in groups.values()}
+    return [_unknown(group, [x.path for x in group if x.path in moving], given) for group in once.values()]
+
+
+def _intervals(
+    numbers: StandNumbers, path: str, pair: Sequence[Any]
+) -> Iterator[tuple[StandNumber, tuple[float, float]]]:
+    """The bounds of all numbers under a path."""
+    for each in numbers.find(path):
+        try:
+            low, high = (number(x, each.dimension) for x in exact(list(pair)))
+        except QuantityError as error:
+            raise MotionError([f"free: {path}: {error}"]) from None
+        least, most = each.least if each.above is None else each.above, each.most
+        if low > high or (least is not None and low < least) or (most is not None and high > most):
+            accepted = f"{least if least is not None else '-inf'} to {most if most is not None else 'inf'}"
+            found = f"found [{low:g}, {high:g}] {each.dimension.si}".rstrip()
+            raise MotionError([f"free: {path}: {found}, expected [low, high] within {accepted}"])
+        yield each, (low, high)
+
+
+def _tied(numbers: StandNumbers, paths: Sequence[str]) -> list[tuple[StandNumber, ...]]:
+    """Numbers that are equal: those of each path, and of each match of a pattern, element by element."""
+    owners: dict[str, list[StandNumber]] = {}
+    for path in paths:
+        for each in numbers.find(path):
+            owners.setdefault(
+                re.sub(r"(\[\d+\])+$|\.J\d\d$", "", each.path) if "[" not in path else each.path, []
+            ).append(each)
+    if len({len(each) for each in owners.values()}) > 1:
+        raise MotionError([f"same: {', '.join(paths)}: found different counts of numbers, expected as many in each"])
+    return list(zip(*owners.values(), strict=True))
+
+
+def _unknown(group: list[StandNumber], free: list[str], given: Mapping[str, tuple[float, float]]) -> FreeNumber:
+    low, high = -np.inf, np.inf
+    for each in group:
+        if each.path in given:
+            pair = given[each.path]
+        elif each.path not in free:
+            continue
+        elif each.value == 0.0:
+            words = "its value is 0, of which 10 % is nothing; expected its bounds, [low, high], in the motion file"
+            raise MotionError([f"free: {each.path}: {words}"])
+        else:
+            pair = (each.value - SHARE * abs(each.value), each.value + SHARE * abs(each.value))
+        low, high = max(low, pair[0]), min(high, pair[1])
+    if low > high:
+        names = ", ".join(each.path for each in group)
+        raise MotionError([f"same: {names}: no value is within the bounds of all; expected intervals that overlap"])
+    return FreeNumber(tuple(group), low, high)
+
+
+@dataclass
+class FreeSearch:
+    """State of the search: starts made, the least relative residual, whether Ctrl-C or time ended it."""
+
+    starts: int = 0
+    best: float = np.inf
+    interrupted: bool = False
+    cut: bool = False
+    doing: str = "searching a stand"
+
+    @property
+    def words(self) -> str:
+        """One line of progress."""
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}"
+
+
+@dataclass(frozen=True)
+class FreePlan:
+    """A plan with the stand that it is for.
+
+    plan      of the stand that results, or without programme
+    document  keys of its file; None: there is none
+    changes   path, unit, value before and after, SI, of every free number
+    """
+
+    plan: Plan
+    document: dict[str, Any] | None = None
+    changes: tuple[tuple[str, str, float, float], ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class FreeProblem:
+    """The unknowns of stand and motion together, as one vector z, and the rows that are to vanish.
+
+    z: the free numbers (P) in halves of their ranges, then waves, those of harmonic k times sqrt(1 + k^2), and the
+    free bias in `BIAS`. Rows: the relative residual at the nodes, then what is beyond the bounds of the motion file.
+    """
+
+    stand: Stand
+    numbers: StandNumbers
+    unknowns: Sequence[FreeNumber]
+    start: Problem
+    _latest: dict[bytes, Problem] = field(default_factory=dict)
+
+    @property
+    def box(self) -> tuple[Array, Array]:
+        """Bounds of the free numbers (P each)."""
+        return np.array([each.low for each in self.unknowns]), np.array([each.high for each in self.unknowns])
+
+    @property
+    def size(self) -> Array:
+        """Half the range of each free number (P); 1 where there is no range."""
+        half = np.subtract(*self.box[::-1]) / 2.0
+        return np.where(half > 0.0, half, 1.0)
+
+    def document(self, y: Array) -> dict[str, Any]:
+        """Keys of the stand file with the free numbers y (P, SI)."""
+        values = zip(self.unknowns, np.clip(y, *self.box).tolist(), strict=True)
+        return self.numbers.with_values({each: value for free, value in values for each in free.numbers})
+
+    def problem(self, y: Array) -> Problem:
+        """The problem of the stand with y (P, SI), in the norm of the given stand. Raises StandError, StateError."""
+        if (key := y.tobytes()) not in self._latest:
+            stand = read(self.document(y), self.stand.name, physics=False)
+            self._latest.clear()
+            self._latest[key] = replace(self.start, stand=stand, mechanics=Mechanics.of(stand))
+        return self._latest[key]
+
+    def rows(self, y: Array, motion: Periodic, grid: Grid) -> Array:
+        """The rows at a point."""
+        problem = self.problem(y)
+        return np.concatenate([problem.rows(grid, motion).ravel(), self._beyond(problem, motion, grid)[0]])
+
+    def slopes(self, y: Array, motion: Periodic, grid: Grid) -> Array:
+        """Derivatives of the rows by free numbers, waves, free bias; not scaled."""
+        problem, here = self.problem(y), self.rows(y, motion, grid)
+        J = jacobian(problem, grid, motion, problem.by_bias(grid, motion))
+        beyond = self._beyond(problem, motion, grid)[1]
+        J = np.vstack([J, np.pad(beyond, ((0, 0), (0, J.shape[1] - beyond.shape[1])))])
+        columns = np.zeros((len(here), len(y)))
+        for k, size in enumerate(self.size * STEP):
+            moved = y.copy()
+            moved[k] += size if y[k] + size <= self.box[1][k] else -size
+            with contextlib.suppress(StandError, StateError):
+                columns[:, k] = (self.rows(moved, motion, grid) - here) / (moved[k] - y[k])
+        return np.hstack([columns, J])
+
+    def _beyond(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
+        """Hinge rows of speed, acceleration and torque, and their derivatives by the waves."""
+        bounds, angles, I = problem.motion.bounds, motion.at(grid.basis), np.eye(motion.N)
+        one, none = np.ones_like(angles.phi), np.zeros_like(angles.phi)
+        kinds = {"speed": (angles.phi_dot, none, one, none), "acceleration": (angles.phi_ddot, none, none, one)}
+        if bounds.torque is not None:
+            at = problem.linear(grid, motion)[1]
+            kinds["torque"] = (at.tau, at.tau_by_phi, at.tau_by_phi_dot, at.tau_by_phi_ddot)
+        rows, slopes = [np.zeros(0)], [np.zeros((0, motion.waves.size))]
+        for kind, (value, *by) in kinds.items():
+            if (limit := getattr(bounds, kind)) is not None:
+                over = np.abs(value) / np.array(limit) - KNEE
+                factor = np.where(over > 0.0, np.sign(value), 0.0) / np.array(limit)
+                rows.append(np.maximum(over, 0.0).ravel())
+                slopes.append(grid.basis.chain(*((factor * x)[:, :, None] * I for x in by)))
+        return np.concatenate(rows), np.vstack(slopes)
+
+    def descend(self, y: Array, motion: Periodic, budget: Budget) -> tuple[Array, Periodic]:
+        """Bounded least squares of the rows from a point; the end of the budget gives the best so far."""
+        highest = max(self.start.highest, int(np.abs(motion.winding).max(initial=0)))
+        grid = self.start.grid(max(16, 2 * (2 * highest + motion.H) + 4), motion.H)
+        P, free = len(y), self.start.free
+        waves = np.tile(1.0 / np.sqrt(1.0 + grid.basis.orders**2), motion.N)
+        scale = np.concatenate([self.size, waves, np.full(int(free.sum()), BIAS)])
+        low, high = (
+            np.pad(each, (0, len(scale) - P), constant_values=end) / scale
+            for each, end in zip(self.box, (-np.inf, np.inf), strict=True)
+        )
+        still = replace(motion, waves=np.zeros_like(motion.waves), bias=np.where(free, 0.0, motion.bias))
+
+        def parts(z: Array) -> tuple[Array, Periodic]:
+            return z[:P] * scale[:P], still.step(z[P:] * scale[P:], free)
+
+        def rows(z: Array) -> Array:
+            try:
+                found = self.rows(*parts(z), grid)
+            except (StandError, StateError):  # a body that cannot be: the step is taken back
+                return np.full_like(best[1], 1e3)
+            if found @ found < best[1] @ best[1]:
+                best[:] = z.copy(), found
+            return found
+
+        def slopes(z: Array) -> Array:
+            if not budget.step():
+                raise _OverError
+            return self.slopes(*parts(z), grid) * scale
+
+        room = np.where(np.isfinite(high - low), 1e-10 * (high - low), 0.0)
+        first = np.clip(np.concatenate([y, motion.waves.ravel(), motion.bias[free]]) / scale, low + room, high - room)
+        best = [first, self.rows(*parts(first), grid)]
+        with contextlib.suppress(_OverError):
+            least_squares(rows, first, slopes, (low, high), ftol=1e-5, xtol=1e-13, gtol=1e-15, max_nfev=STEPS)
+        return parts(best[0])
+
+    def relative(self, y: Array, motion: Periodic) -> float:
+        """Relative residual between the nodes, in the norm of the stand's own."""
+        return Problem.of(self.problem(y).stand, self.start.motion).relative(motion)
+
+    def solve(self, y: Array, motion: Periodic, budget: Budget) -> tuple[Array, Periodic, float]:
+        """A start refined with rising numbers of harmonics, and its relative residual; inf: given up."""
+        reached = (y, motion, np.inf)
+        turning = bool(np.any(motion.winding))
+        for H in HARMONICS if turning else HARMONICS[1:]:
+            y, motion = self.descend(y, motion.with_harmonics(H), budget)
+            residual = self.relative(y, motion)
+            if H == 0 and residual > HOPELESS:
+                break
+            if residual < reached[2]:
+                reached = (y, motion, residual)
+            if residual < EXACT or budget.exhausted:
+                break
+        return reached
+
+
+class _OverError(Exception):
+    """The budget ran out during a run."""
+
+
+def plan_free(
+    stand: Stand,
+    document: Mapping[str, Any],
+    motion: RequiredMotion,
+    keys: Sequence[str],
+    options: PlanOptions | None = None,
+    on_progress: OnProgress = lambda _: None,
+) -> FreePlan:
+    """A stand like this one but for the numbers under `keys`, with a programme that makes its carrier do the motion.
+
+    The first start is the stand as it is, the others are drawn inside the bounds. A start that solves (12) is planned
+    for from there: bounds and objective of the motion, run-up and verification are the planner's. Ctrl-C gives the
+    best so far. Raises MotionError, UsageError.
+    """
+    options = options or PlanOptions()
+    refuse_unplannable(stand, motion)
+    if not motion.periodic:
+        raise MotionError([f"{motion.name}: free: found a finite motion, expected a periodic one"])
+    numbers = StandNumbers(stand, document)
+    unknowns = free_numbers(numbers, keys, motion.free, motion.same)
+    short = with_shortest_period(motion)
+    own = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
+    budget, state, beyond = Budget(_NO_LIMIT, options.seconds), FreeSearch(), None
+    try:
+        for k in range(STARTS):
+            on_progress(state)
+            if budget.exhausted:
+                break
+            state.starts += 1
+            y, course, residual = own.solve(*_start(own, options.seed, k), budget)
+            state.best = min(state.best, residual)
+            if residual < NEAR:
+                made = _planned(
+                    own, motion, y, replace(options, start=course, seconds=budget.seconds_left()), on_progress
+                )
+                if made.plan.status == "OK" or made.plan.interrupted:
+                    return made
+                beyond = beyond or (made if made.document is not None else None)
+    except KeyboardInterrupt:
+        state.interrupted = True
+    return beyond or _nothing(own, state, budget, options.seed)
+
+
+def _start(own: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
+    """Start k of a seed: free numbers and constant speed."""
+    rng, problem, motion = np.random.default_rng([seed, k]), own.start, own.start.motion
+    low, high = own.box
+    y = rng.uniform(low, high) if k else np.clip([each.value for each in own.unknowns], low, high)
+    winding = motion.winding
+    kind: Kind = "given" if isinstance(winding, tuple) else KINDS[k % len(KINDS)] if winding == "any" else winding
+    turns = draw_windings(kind, motion, problem.N, 1, rng)[0]
+    waves = rng.uniform(-np.pi, np.pi, (problem.N, 1))
+    return y, Periodic(motion.span, turns, waves, mean_pose(problem).bias)
+
+
+def _planned(
+    own: FreeProblem, motion: RequiredMotion, y: Array, options: PlanOptions, on_progress: OnProgress
+) -> FreePlan:
+    """The plan of the stand with y; without a programme where its file is refused."""
+    document = own.document(y)
+    try:
+        stand = read(document, own.stand.name)
+    except StandError as error:
+        return FreePlan(Plan("NO_PROGRAM", "SEARCH", (str(error).splitlines()[0],), (), ()))
+    plan = plan_motion(stand, motion, options, on_progress)
+    if not plan.programmes:
+        return FreePlan(plan)
+    pairs = zip(own.unknowns, np.clip(y, *own.box).tolist(), strict=True)
+    changes = [(x.path, x.dimension.si, x.value, after) for each, after in pairs for x in each.numbers]
+    return FreePlan(plan, document, tuple(changes))
+
+
+def _nothing(own: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> FreePlan:
+    """The outcome without a stand: how near the search came, and what the stand as it is lacks."""
+    ended = "cut by time" if budget.cut else "interrupted" if state.interrupted else "out of budget"
+    words = [
+        f"no stand was found (this does not prove that there is none): {state.starts} starts, {ended}, least relative "
+        f"residual {state.best:.3g}; free more numbers, widen their bounds, or make the motion smaller"
+    ]
+    first = preflight(own.start)
+    if first.refusal is not None:
+        words.append(f"the stand as it is: {first.refusal.words}")
+    effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": budget.cut}
+    return FreePlan(Plan("NO_PROGRAM", "SEARCH", tuple(words), (), (), effort, state.interrupted))
