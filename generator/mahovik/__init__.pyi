@@ -28,7 +28,6 @@ from mahovik.out.functions.linear import linearize as linearize
 from mahovik.out.functions.linear import modes as modes
 from mahovik.out.functions.notices import MahovikWarning as MahovikWarning
 from mahovik.out.functions.notices import Progress as Progress
-from mahovik.out.functions.programmes import design as design
 from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate

@@ -43,10 +43,6 @@ class ProgrammeError(FileError):
     """A programme file was refused."""
 
 
-class DesignError(FileError):
-    """A file of what is free was refused, or what it asks contradicts itself."""
-
-
 class ServoError(FileError):
     """A servo file was refused."""
 

@@ -172,9 +172,9 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("verify", "demo3", {"real": "half"}, "real: unknown 'half', expected one of double, float"),
     ("verify", "demo3", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
     ("verify", "demo3", {"judges": True, "states": 0}, "states 0: expected a whole number of at least 1"),
-    ("plan", "demo3", {"keep": 0}, "keep 0: expected a whole number from 1 to 99"),
     ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp'),
-    ("plan", "demo3", {"winding": (1.5, 0, 0)}, "expected any, spin, rock or 3 whole numbers"),
+    ("plan", "demo3", {"free": "w9.mass"}, 'w9.mass: demo3 has no "w9"'),
+    ("plan", "demo3", {"free": "w1.position[0]"}, "expected its bounds, [low, high], in the motion file"),
     ("judge", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
     ("judge", "demo3", {"tolerance": math.nan}, "tolerance nan: expected a number above 0"),
     ("judge", "demo3", {"timeout": 0}, "timeout 0: expected a number above 0"),
@@ -207,7 +207,6 @@ TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
 
 SEARCHES: dict[str, Callable[[str], object]] = {
     "plan": lambda limit: mahovik.plan(SHAKER2, TILT, seconds=limit),
-    "design": lambda limit: mahovik.design(SHAKER2, TILT, "phase", seconds=limit),
     "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), seconds=limit),
 }
 

@@ -18,7 +18,7 @@ from mahovik.stands import path
 from report.evidence import BAD, GOOD
 
 SAT4, SHAKER2 = str(path("sat4")), str(path("shaker2"))
-SPIN, TILT = (str(Path(SHAKER2).with_name(f"shaker2{name}.motion.json")) for name in ("_spin", ""))
+SPIN = str(Path(SHAKER2).with_name("shaker2_spin.motion.json"))
 BAND = ("30..40Hz", "--momentum", "1 0 0")
 
 WITHOUT = {
@@ -47,7 +47,7 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
     "balance": (0, ("--influence", "rotor.json")),
     "simulate": (0, (DEMO3, "--until", "0.001", "--backend", "scipy", "-o", "run.csv")),
     "plan, far": (1, (DEMO3, "--motion", "far.json", "-o", "p.json")),
-    "design, reach": (1, (SHAKER2, "--motion", TILT, "--free", "phase", "-o", "d.toml", "--time", "0.1")),
+    "plan, free": (0, (SHAKER2, "--motion", SPIN, "--free", "*t.mass", "--stand", "new.toml")),
     "judge, cat": (1, (DEMO3, "--with", "cat", "--states", "2")),
     "verify": (0, (DEMO3, "--states", "2")),
     "verify-programme, other": (1, (SHAKER2, "--motion", SPIN, "--programme", "still.json")),

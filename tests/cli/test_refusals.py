@@ -81,7 +81,7 @@ CASES = [
     ("quiet", "--band 0..200Hz --measure angle", "--band from 0 Hz: a drift has no angle"),
     ("quiet", "-o $sat4", "is read by this command"),
     ("quiet", "-o both --state ./both", "-o and --state ./both: one file for both"),
-    ("plan", "--winding turn", "expected any, spin, rock or 3 whole numbers"),
+    ("plan", "--stand new.toml", "--stand: writes what --free changes; expected --free KEYS"),
     ("plan", "-o .", ".: is a directory, expected a file to write"),
     ("plan", "--method ocp", "(13) needs at least 6"),
     ("plan", "--time 0", "--time"),

@@ -18,7 +18,6 @@ from cli.run import BENCH8, DEMO3, refused
         (("identify", DEMO3, "--data", "d.csv", "-o", "new.toml", "--free"), "a file that names free numbers"),
         (("balance", DEMO3, "--data"), "measured data"),
         (("balance", DEMO3, "--data", "d.csv", "--plane"), "a file of correction planes"),
-        (("design", DEMO3, "--motion", "m.json", "-o", "new.toml", "--free"), "a file that names free numbers"),
         (("judge", DEMO3, "--fmu", "a.fmu", "--map"), "a map of variables"),
         (("verify", DEMO3, "--against", "c", "--servo"), "a servo file"),
     ],

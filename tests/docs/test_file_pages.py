@@ -35,8 +35,6 @@ from mahovik.out.campaign.vary import KINDS
 from mahovik.out.campaign.wanted import STATISTICS
 from mahovik.proof.verify.programme.verification import JOINT, TABLE, tolerance_for
 from mahovik.stands import path
-from mahovik.use.design.freedom import PARTS
-from mahovik.use.design.read import FreedomTable, read_freedom
 
 DOCS = ROOT / "docs"
 
@@ -60,8 +58,6 @@ def fields(*tables: type) -> set[str]:
         ("campaign-quantities.md", "signal", {*SIGNALS}),
         ("campaign-quantities.md", "statistic", {*STATISTICS, "band"}),
         ("campaign-quantities.md", "`[over]`", {*RUNS, "servo"}),
-        ("design.md", "key of `[[free]]`", {*PARTS}),
-        ("design.md", "other key", fields(FreedomTable) - {"free"}),
     ],
 )
 def test_a_table_has_the_keys_of_the_reader(page: str, head: str, keys: set[str]) -> None:
@@ -103,13 +99,6 @@ def test_motions_are_read() -> None:
     assert read_motion(motion, load(path("bench8"))).name == json.loads(motion)["name"]
     slew = read_motion_or_slew(turn, load(path("sat4")))
     assert isinstance(slew, Slew) and slew.name == json.loads(turn)["name"]
-
-
-def test_the_file_of_a_design_is_read() -> None:
-    (example,) = (b for b in blocks(DOCS / "design.md") if b.language == "toml" and not b.file)
-    freedom = read_freedom(example.text, load(path("shaker2")))
-    assert freedom.number == (1, 2)
-    assert freedom.ties[0].mirror == "y"
 
 
 def campaign(page: str, name: str, folder: Path) -> Campaign:

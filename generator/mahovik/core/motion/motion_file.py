@@ -11,10 +11,10 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
 import numpy as np
+from pydantic import Field
 
 from mahovik.core.motion.document import (
     NOT_NULL,
@@ -291,7 +291,7 @@ class MotionTable(Table):
     runup: Annotated[float | None, scalar(TIME, above=0.0)] = None
     bounds: BoundsTable = BoundsTable()
     objective: Objective = Objective()
-    free: Annotated[Mapping[str, Any], validator(_intervals)] = MappingProxyType({})
+    free: Annotated[Mapping[str, Any], validator(_intervals)] = Field(default_factory=dict)
     same: Annotated[tuple[tuple[str, ...], ...], validator(_path_lists)] = ()
 
 

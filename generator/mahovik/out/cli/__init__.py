@@ -18,7 +18,7 @@ SECTIONS = {
         *("eval", "simulate", "replay", "modes", "linearize", "response", "jitter", "quiet", "balance", "identify"),
         "campaign",
     ),
-    "Programmes of the flywheels": ("plan", "design", "verify-programme"),
+    "Programmes of the flywheels": ("plan", "verify-programme"),
     "Interfaces and tools": ("report", "plot", "export", "doctor", "completion"),
 }
 """Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""

@@ -1,18 +1,17 @@
-"""`plan`: motions of the flywheels that make the carrier move as required; `verify_programme`; `design`."""
+"""`plan`: motions of the flywheels that make the carrier move as required; `verify_programme`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from operator import index
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme as CoreProgramme
 from mahovik.core.motion.programme import programme_text
-from mahovik.core.motion.required import RequiredMotion, Slew, Winding
+from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
@@ -36,13 +35,19 @@ from mahovik.use.plan.smoothing import smoothing_warnings
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel
     from mahovik.proof.verify.check import Check
-    from mahovik.use.design import Freedom, Outcome
 
 _KINDS = (("phi", "rad"), ("phi_dot", "rad/s"), ("phi_ddot", "rad/s2"))
+
+_FIGURES = (
+    "residual", "simulation_error", "objective", "least_singular_value", "det_I_sign_changes", "least_duration",
+    "strayed",
+)  # fmt: skip
+_EFFECT = (("angle", "rad"), ("shift", "m"))
 
 ROWS = 400
 """Rows of a programme's table."""
 
+Change = tuple[str, str, float, float]
 MotionGiven = RequiredMotion | Keys | str | Path
 ProgrammeGiven = CoreProgramme | Keys | str | Path
 
@@ -73,6 +78,29 @@ class Programme(Table):
         """Figures: residual, simulation error, peaks, objective."""
         return self.programme.report
 
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """The report in lines of text."""
+        own = self.report
+        first = f"slew, {own['goal']}, {own['duration']:.6g} s" if own["kind"] == "slew" else str(own["kind"])
+        if self.programme.periodic:
+            first += f", winding {list(self.programme.winding)}"
+        lines = [first, ", ".join(f"{key} {own[key]:.3g}" for key in _FIGURES if own.get(key) is not None)]
+        lines += own.get("hardest", ())
+        if own.get("through_zero"):
+            lines.append(f"passes zero speed: {', '.join(own['through_zero'])}")
+        if (effect := own.get("unbalance")) is not None:
+            shown = (f"{name} {key} {effect[name][key]:.3g} {unit}" for name, unit in _EFFECT for key in effect[name])
+            lines.append(f"unbalance adds: {', '.join(shown)}")
+        if (solved := own.get("ocp")) is not None:
+            J = f"J {solved['objective_of_start']:.6g} of the start, {solved['objective']:.6g} now"
+            lines.append(f"IPOPT: {solved['ipopt']}, {solved['iterations']} iterations; {J}")
+        for key in ("runup", "rundown"):
+            if "deviation" in own.get(key, {}):
+                most = (f"{part} {x['largest']:.3g}" for part, x in own[key]["deviation"].items())
+                lines.append(f"{key}: terminal error {own[key]['terminal_error']:.2g}, deviation {', '.join(most)}")
+        return tuple(lines)
+
     def at(self, t: Any) -> tuple[Any, Any, Any]:
         """phi (rad), phi_dot, phi_ddot (M, N) at times t (M, s)."""
         phi, phi_dot, phi_ddot = self.programme.at(np.atleast_1d(np.asarray(t, dtype=np.float64)))
@@ -99,12 +127,15 @@ class Plan(Table):
     """Outcome of planning: a row per flywheel with the peaks of the best programme; none without one.
 
     `status` is OK, OK_LIMIT (a bound is exceeded), NO_PROGRAM or SINGULAR_ATTITUDE; `reason` and `words` say why.
+    `stand` is the one planned for, `changes` (path, unit, before, after) what is other than in the one given.
     """
 
     index = "flywheel"
 
-    def __init__(self, stand: CoreStand, motion: RequiredMotion | Slew, result: CorePlan) -> None:
-        self.stand, self.motion, self.result = stand, motion, result
+    def __init__(
+        self, stand: Stand, motion: RequiredMotion | Slew, result: CorePlan, changes: Sequence[Change] = ()
+    ) -> None:
+        self.stand, self.motion, self.result, self.changes = stand, motion, result, tuple(changes)
 
     @property
     def columns(self) -> tuple[Column, ...]:
@@ -172,60 +203,51 @@ def plan(
     stand: StandGiven,
     motion: MotionGiven | Slew,
     *,
+    free: Sequence[str] = (),
     seconds: Number | None = None,
     seed: int = 0,
-    winding: str | Sequence[int] | None = None,
-    keep: int = 1,
     method: Method = "fourier",
     progress: OnProgress | None = None,
 ) -> Plan:
     """Plan a programme: motions of the flywheels that make the carrier move exactly as required; (12), (13).
 
+    free       paths of numbers of the stand that move too, as "w*.position"; `stand` of the result has them
     seconds    limits the search, also as "1 min"; None: a budget of starts and steps alone
-    winding    "any", "spin", "rock" or turns per period; None: that of the motion
-    keep       programmes to find; method: "fourier", or from it "ocp" by IPOPT
+    method     "fourier", or from it "ocp" by IPOPT
 
-    A slew, a motion file of `type` slew, has one programme and no search: seconds and seed do nothing.
+    Numbers that are free stay within `free` of the motion, or 10 % of their value. A slew, a motion file of `type`
+    slew, has one programme and no search: seconds and seed do nothing.
 
     Programmes are verified by the literal reference. Ctrl-C gives the best so far. Raises StandError, MotionError,
     UsageError.
     """
-    own, limit = Stand.of(stand), time_limit("seconds", seconds)
+    from mahovik.use.plan.free import plan_free
+
+    own, options = Stand.of(stand), PlanOptions(seed, time_limit("seconds", seconds), method=method)
     required = required_of(motion, own)
-    chosen = read_winding(winding, len(own.flywheels), required.periodic)
+
+    def on_progress(state: Any) -> None:
+        tell(progress, Progress(state.words))
+
     if isinstance(required, Slew):
         from mahovik.use.plan.slew import plan_slew
 
-        if method != "fourier" or keep != 1:
-            raise UsageError("--method, --keep: not for a slew, which has one programme")
+        if method != "fourier" or free:
+            raise UsageError("method, free: not for a slew, whose course is found with its programme")
         return Plan(own, required, plan_slew(own, required, tell=lambda words: tell(progress, Progress(words))))
-    options = PlanOptions(seed, limit, chosen, keep, method=method)
     refuse_unplannable(own, required)
     for line in smoothing_warnings(own, required):  # before the search, which may be long
         warn(line)
-    return Plan(own, required, plan_motion(own, required, options, lambda state: tell(progress, Progress(state.words))))
+    if free:
+        found = plan_free(own, own.to_dict(), required, [free] if isinstance(free, str) else free, options, on_progress)
+        made = own if found.document is None else Stand.from_dict(found.document, own.name)
+        return Plan(made, required, found.plan, found.changes)
+    return Plan(own, required, plan_motion(own, required, options, on_progress))
 
 
 def _of_course(motion: RequiredMotion | Slew, programme: CoreProgramme) -> RequiredMotion:
     """The motion; of a slew, with the course that the programme keeps."""
     return motion_of_slew(motion, programme) if isinstance(motion, Slew) else motion
-
-
-def read_winding(given: str | Sequence[int] | None, N: int, periodic: bool) -> Winding | None:
-    """The winding of a motion. Raises UsageError."""
-    if given is None:
-        return None
-    if not periodic:
-        raise UsageError("--winding needs a periodic motion; this one is finite")
-    if isinstance(given, str) and given in {"any", "spin", "rock"}:
-        return cast("Winding", given)
-    try:
-        turns = tuple(int(each) for each in given.split(",")) if isinstance(given, str) else tuple(map(index, given))
-    except (TypeError, ValueError):
-        raise UsageError(f"--winding {given}: expected any, spin, rock or {N} whole numbers, as 1,-1,0") from None
-    if len(turns) != N:
-        raise UsageError(f"--winding {given}: {len(turns)} numbers, but the stand has {N} flywheels")
-    return turns
 
 
 class Verdict(Table):
@@ -298,94 +320,3 @@ def given_programme(given: ProgrammeGiven | Programme | Plan) -> CoreProgramme:
     if isinstance(given, Plan):
         given = given.programme
     return given.programme if isinstance(given, Programme) else programme_of(given)
-
-
-class Design(Table):
-    """Outcome of a design: a row per number that was free, before and after; `stand` and `programme`, or None."""
-
-    def __init__(self, result: Outcome) -> None:
-        self.result = result
-
-    @property
-    def columns(self) -> tuple[Column, ...]:
-        changes = self.result.changes
-        return (
-            Column("flywheel", "", np.array([each.flywheel for each in changes], dtype=object)),
-            Column("key", "", np.array([each.name for each in changes], dtype=object)),
-            Column("unit", "", np.array([each.unit for each in changes], dtype=object)),
-            Column("before", "", np.array([each.before for each in changes])),
-            Column("after", "", np.array([each.after for each in changes])),
-        )
-
-    @property
-    def status(self) -> str:
-        """OK, OK_LIMIT, APPROXIMATE, NO_DESIGN."""
-        return self.result.status
-
-    @property
-    def words(self) -> tuple[str, ...]:
-        """Reasons, a line each."""
-        return self.result.words
-
-    @property
-    def stand(self) -> Stand | None:
-        """The stand, or None."""
-        return None if self.result.stand is None else Stand.of(self.result.stand)
-
-    @property
-    def programme(self) -> Programme | None:
-        """The programme that was found, or None."""
-        found = self.result
-        return None if found.stand is None or found.programme is None else Programme(found.stand, None, found.programme)
-
-    @property
-    def interrupted(self) -> bool:
-        """Whether Ctrl-C ended the search."""
-        return self.result.interrupted
-
-    def _panels(self) -> Sequence[Panel]:
-        if self.programme is None:
-            return super()._panels()
-        return self.programme._panels()
-
-    def __repr__(self) -> str:
-        return f"<Design: {self.status}, {len(self)} free numbers>"
-
-
-def design(
-    stand: StandGiven,
-    motion: MotionGiven,
-    free: str | Path | Freedom,
-    *,
-    seconds: Number | None = None,
-    seed: int = 0,
-    pareto: int = 0,
-    progress: OnProgress | None = None,
-) -> Design:
-    """Design a stand together with its programme: choose free numbers so that the carrier moves as required.
-
-    free     "position,angles,unbalance" of all flywheels, or a file FREE.toml
-    seconds  limits the search, also as "1 min"; None: a budget of starts and steps alone
-    pareto   number of weights of unbalance against torque; 0: no front
-
-    Ctrl-C gives the best so far. Raises StandError, MotionError, DesignError, UsageError.
-    """
-    from mahovik.use.design import DesignOptions, design_stand
-
-    own = Stand.of(stand)
-    freedom = read_freedom(free, own)
-    options = DesignOptions(seed, time_limit("seconds", seconds), pareto=pareto)
-
-    def report_progress(state: Any) -> None:
-        tell(progress, Progress(state.words))
-
-    return Design(design_stand(own, lambda part: motion_of(motion, part), freedom, options, report_progress))
-
-
-def read_freedom(free: str | Path | Freedom, stand: CoreStand) -> Freedom:
-    """The numbers that are free: of keys, or of a file .toml. Raises DesignError."""
-    from mahovik.use.design import Freedom, freedom_of_keys, load_freedom
-
-    if isinstance(free, Freedom):
-        return free
-    return load_freedom(free, stand) if str(free).endswith(".toml") else freedom_of_keys(str(free), stand)

@@ -6,7 +6,6 @@
 
 from mahovik.use.numeric.array import Array, Complex
 from mahovik.use.numeric.by_carrier import ByCarrier, by_carrier, slopes_of_residual
-from mahovik.use.numeric.by_design import PARAMETERS, by_design
 from mahovik.use.numeric.evaluate import Linear, flywheel_damping, flywheel_wrenches, linear, residual, torques
 from mahovik.use.numeric.flywheels import waves
 from mahovik.use.numeric.forward import (
@@ -46,7 +45,6 @@ from mahovik.use.numeric.stream import uniform_stream
 
 __all__ = [
     "INTERVALS",
-    "PARAMETERS",
     "Array",
     "BlockElimination",
     "ByCarrier",
@@ -66,7 +64,6 @@ __all__ = [
     "attitude",
     "block_diagonal",
     "by_carrier",
-    "by_design",
     "chart_at",
     "course",
     "drive",

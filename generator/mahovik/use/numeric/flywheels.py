@@ -1,8 +1,7 @@
 """Flywheels as short Fourier polynomials of their phases, in E1: the one place that knows their masses and mountings.
 
 Theta(phi) = T0 + T1 cos phi + T2 sin phi + T3 cos 2 phi + T4 sin 2 phi, five constant matrices; likewise I_s and the
-weight's moment. They are linear in every mass property: derivatives by design (positions, mountings, unbalance) are
-tables of the same shape, `by_design`, of `inertia_harmonics` and `weight_harmonics`.
+weight's moment.
 """
 
 from __future__ import annotations

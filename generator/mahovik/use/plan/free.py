@@ -23,7 +23,7 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.read import read
 from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import MotionError, StandError, StateError
-from mahovik.use.plan.array import Array
+from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.levenberg import jacobian
@@ -32,7 +32,6 @@ from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Grid, Periodic, Problem
-from mahovik.use.plan.residual import Mechanics
 from mahovik.use.plan.windings import Kind, draw_windings, with_shortest_period
 
 SHARE = 0.1
@@ -285,11 +284,11 @@ class FreeProblem:
         def slopes(z: Array) -> Array:
             if not budget.step():
                 raise _OverError
-            return self.slopes(*parts(z), grid) * scale
+            return np.asarray(self.slopes(*parts(z), grid) * scale)
 
         room = np.where(np.isfinite(high - low), 1e-10 * (high - low), 0.0)
         first = np.clip(np.concatenate([y, motion.waves.ravel(), motion.bias[free]]) / scale, low + room, high - room)
-        best = [first, self.rows(*parts(first), grid)]
+        best: list[Array] = [first, self.rows(*parts(first), grid)]
         with contextlib.suppress(_OverError):
             least_squares(rows, first, slopes, (low, high), ftol=1e-5, xtol=1e-13, gtol=1e-15, max_nfev=STEPS)
         return parts(best[0])
