@@ -61,7 +61,7 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
         (("evidence", BENCH8, "--only", "slftest"), "selftest"),
         (("export", "target", BENCH8, "--target", "m77"), "m7"),
         (("export", "tagret", "m7", BENCH8), "target"),
-        (("design", DEMO3, "--motion", "m.json", "--free", "postion", "-o", "o.toml"), "position"),
+        (("plan", DEMO3, "--motion", DEMO3.replace(".toml", ".motion.json"), "--free", "w1.postion"), "position"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--regime", "regime.toml"), "w1"),
         (("simulate", BENCH8, "--until", "1", "-o", "r.csv", "--start", "state.json"), "phi_dot"),
     ],

@@ -174,7 +174,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("verify", "demo3", {"judges": True, "states": 0}, "states 0: expected a whole number of at least 1"),
     ("plan", "demo3", {"method": "x"}, 'method: unknown "x", expected one of fourier, ocp'),
     ("plan", "demo3", {"free": "w9.mass"}, 'w9.mass: demo3 has no "w9"'),
-    ("plan", "demo3", {"free": "w1.position[0]"}, "expected its bounds, [low, high], in the motion file"),
+    ("plan", "demo3", {"free": "w2.center_of_mass[0]"}, "expected its bounds, [low, high], in the motion file"),
     ("judge", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
     ("judge", "demo3", {"tolerance": math.nan}, "tolerance nan: expected a number above 0"),
     ("judge", "demo3", {"timeout": 0}, "timeout 0: expected a number above 0"),

@@ -6,7 +6,7 @@ mahovik verify-programme shaker2.toml $spin --programme p.json | sed '/^ *\(resi
 mahovik verify-programme shaker2.toml --motion shaker2.motion.json --programme p.json | sed '/^ *\(residual\|simulation\|0\.0\)/d'
 mahovik verify-programme shaker2.toml --motion p.json --programme shaker2_spin.motion.json
 mahovik plan shaker2.toml --motion missing.json -o q.json
-mahovik plan shaker2.toml $spin -o q.json --winding 1,2,3
+mahovik plan shaker2.toml $spin -o q.json --stand n.toml
 mahovik plan shaker2.toml $spin -o q.json --method guess
 mahovik plot --programme p.json -o p.svg
 printf 'schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n' > servo.toml

@@ -180,23 +180,18 @@ class Plan(Table):
         return self.result.interrupted
 
     @property
-    def programmes(self) -> tuple[Programme, ...]:
-        """The programmes, best first."""
-        return tuple(Programme(self.stand, _of_course(self.motion, each), each) for each in self.result.programmes)
-
-    @property
     def programme(self) -> Programme:
-        """The best programme. Raises UsageError without one."""
+        """The programme. Raises UsageError without one."""
         if not self.result.programmes:
             raise UsageError(f"{self.status} {self.reason or ''}: {'; '.join(self.words)}")
-        return self.programmes[0]
+        first = self.result.programmes[0]
+        return Programme(self.stand, _of_course(self.motion, first), first)
 
     def _panels(self) -> Sequence[Panel]:
         return self.programme._panels()
 
     def __repr__(self) -> str:
-        found = f"{self.status}, programmes: {len(self.result.programmes)}"
-        return f"<Plan of {self.stand.name} for {self.motion.name}: {found}>"
+        return f"<Plan of {self.stand.name} for {self.motion.name}: {self.status}>"
 
 
 def plan(

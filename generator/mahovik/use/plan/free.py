@@ -223,13 +223,13 @@ class FreeProblem:
     def rows(self, y: Array, motion: Periodic, grid: Grid) -> Array:
         """The rows at a point."""
         problem = self.problem(y)
-        return np.concatenate([problem.rows(grid, motion).ravel(), self._beyond(problem, motion, grid)[0]])
+        return np.concatenate([problem.rows(grid, motion).ravel(), self._excess(problem, motion, grid)[0]])
 
     def slopes(self, y: Array, motion: Periodic, grid: Grid) -> Array:
         """Derivatives of the rows by free numbers, waves, free bias; not scaled."""
         problem, here = self.problem(y), self.rows(y, motion, grid)
         J = jacobian(problem, grid, motion, problem.by_bias(grid, motion))
-        beyond = self._beyond(problem, motion, grid)[1]
+        beyond = self._excess(problem, motion, grid)[1]
         J = np.vstack([J, np.pad(beyond, ((0, 0), (0, J.shape[1] - beyond.shape[1])))])
         columns = np.zeros((len(here), len(y)))
         for k, size in enumerate(self.size * STEP):
@@ -239,7 +239,7 @@ class FreeProblem:
                 columns[:, k] = (self.rows(moved, motion, grid) - here) / (moved[k] - y[k])
         return np.hstack([columns, J])
 
-    def _beyond(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
+    def _excess(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
         """Hinge rows of speed, acceleration and torque, and their derivatives by the waves."""
         bounds, angles, I = problem.motion.bounds, motion.at(grid.basis), np.eye(motion.N)
         one, none = np.ones_like(angles.phi), np.zeros_like(angles.phi)
