@@ -87,7 +87,7 @@ def test_what_travels(wheel: Path) -> None:
 
 @pytest.mark.slow
 def test_the_installed_package_generates_the_same_c(installed: Callable[..., str], tmp_path: Path) -> None:
-    code = "from mahovik.out.cli import main; main()"
+    code = "from mahovik.out.command_line import main; main()"
     found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
     installed("-c", code, "generate", found, "--with", "selftest", "-o", "out")
     files = [file for file in (tmp_path / "out").rglob("*") if file.is_file()]
@@ -98,7 +98,7 @@ def test_the_installed_package_generates_the_same_c(installed: Callable[..., str
 
 
 def test_the_installed_command_knows_its_version_and_examples(installed: Callable[..., str], tmp_path: Path) -> None:
-    code = "from mahovik.out.cli import main; main()"
+    code = "from mahovik.out.command_line import main; main()"
     assert __version__ in installed("-c", code, "--version")
     installed("-c", code, "new", "sat4", "-o", "mine.toml")
     example = examples.path("sat4").read_bytes()

@@ -17,7 +17,9 @@ import click
 
 from mahovik.contract.evaluation import text_lines
 from mahovik.contract.functions import CHOSEN, ROWS
-from mahovik.out.cli import SECTIONS, main
+from mahovik.out.cli import OLD
+from mahovik.out.command_line import COMMANDS as SECTIONS
+from mahovik.out.command_line import main
 
 ROOT = Path(__file__).resolve().parents[1]
 COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
@@ -34,15 +36,14 @@ EVALUATION = "<!-- contract: tools/pages.py -->\n\n", "\n<!-- end of contract --
 
 HEAD = """# Commands
 
-Look up what every command and option does: what `mahovik COMMAND --help` prints. `mahovik completion bash|zsh|fish`
-makes a shell complete names. `mahovik doctor` says which compilers, emulators and extras are installed, and how to
-install the others.
+Look up what every command and option does: what `mahovik COMMAND --help` prints. `mahovik check --tools`
+says which compilers, emulators and extras are installed, and how to install the others. For completion in bash, put
+`eval "$(_MAHOVIK_COMPLETE=bash_source mahovik)"` into ~/.bashrc; zsh and fish have `zsh_source` and `fish_source`.
 
 ```sh
 mahovik new bench8
 mahovik check bench8.toml
 mahovik check bench8.toml --json
-mahovik new --list --json
 ```
 
 | exit status | meaning |
@@ -84,7 +85,7 @@ def commands_page() -> str:
         main, info_name="mahovik", max_content_width=WIDTH, terminal_width=WIDTH, **main.context_settings
     )
     parts = [HEAD]
-    for title, commands in SECTIONS.items():
+    for title, commands in (SECTIONS | OLD).items():
         parts.append(f"## {title}\n\n")
         for name in commands:
             parts += help_texts(main, name, root)

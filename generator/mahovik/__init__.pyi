@@ -10,24 +10,21 @@ from mahovik.errors import UsageError as UsageError
 from mahovik.out.api.identifying import identifiable as identifiable
 from mahovik.out.api.model import Model as Model
 from mahovik.out.api.model import build as build
-from mahovik.out.api.results import Result as Result
 from mahovik.out.api.stands import Stand as Stand
 from mahovik.out.api.stands import example as example
 from mahovik.out.api.stands import examples as examples
 from mahovik.out.api.stands import load as load
 from mahovik.out.api.states import States as States
 from mahovik.out.campaign.face import Campaign as Campaign
+from mahovik.out.commands.check import check as check
+from mahovik.out.commands.eval import eval as eval
+from mahovik.out.commands.modes import modes as modes
 from mahovik.out.functions.balancing import balance as balance
-from mahovik.out.functions.equilibrium import rest as rest
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.jitter import jitter as jitter
 from mahovik.out.functions.judging import judge as judge
-from mahovik.out.functions.linear import linearize as linearize
-from mahovik.out.functions.linear import modes as modes
-from mahovik.out.functions.notices import MahovikWarning as MahovikWarning
-from mahovik.out.functions.notices import Progress as Progress
 from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate
@@ -36,5 +33,8 @@ from mahovik.out.functions.stand_report import report as report
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
 from mahovik.out.identify.face import identify as identify
+from mahovik.out.notices import MahovikWarning as MahovikWarning
+from mahovik.out.notices import Progress as Progress
+from mahovik.out.result import Result as Result
 
 __version__: str

@@ -23,7 +23,7 @@ def run() -> None:
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # none is needed, and to look for them takes time
     gc.set_threshold(ALLOCATIONS)
     try:
-        from mahovik.out.cli import main
+        from mahovik.out.command_line import main
 
         main()
     except KeyboardInterrupt:

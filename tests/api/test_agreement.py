@@ -14,6 +14,7 @@ from mahovik.core.stand import State
 from mahovik.core.stand.random import random_state, random_wrenches
 from mahovik.core.toolchain.compiled import Real
 from mahovik.errors import StateError
+from mahovik.out.api.results import Answer
 from mahovik.proof.verify.backends import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.quick import quick
@@ -45,17 +46,15 @@ def offered(name: str) -> set[str]:
     return {f.name for f in model(name).functions}
 
 
-def results(name: str, function: str, states: list[State]) -> mahovik.Result:
+def results(name: str, function: str, states: list[State]) -> Answer:
     """Result of a function on all states at once."""
     x, inputs, wrench = given(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
-    call: Callable[..., mahovik.Result] = getattr(model(name), function)
+    call: Callable[..., Answer] = getattr(model(name), function)
     return call(x, **{key: inputs[key] for key in ASKED[function][1]}, **more)
 
 
-def pairs(
-    name: str, function: str, result: mahovik.Result, expected: dict[str, Any], j: int
-) -> Iterator[tuple[str, Any, Any]]:
+def pairs(name: str, function: str, result: Answer, expected: dict[str, Any], j: int) -> Iterator[tuple[str, Any, Any]]:
     """Each quantity of the contract by name: its value for state j, and the expected one."""
     if function == "points":
         for k, sensor in enumerate(model(name).sensors):

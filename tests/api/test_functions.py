@@ -38,9 +38,6 @@ def results() -> dict[str, Table]:
         "simulate": mahovik.simulate(shaker(), 0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy"),
         "response": mahovik.response(shaker(), {"left": "0..600rpm", "right": "-1*left"}, "carrier", steps=3),
         "jitter": mahovik.jitter(shaker(), {"left": "0..600rpm", "right": "-100rpm"}, "carrier", steps=3),
-        "rest": mahovik.rest(shaker()),
-        "modes": mahovik.modes(shaker()),
-        "linearize": mahovik.linearize(shaker()),
         "plan": planned(),
         "programme": made,
         "verify_programme": mahovik.verify_programme(shaker(), SPIN, made),
@@ -49,7 +46,7 @@ def results() -> dict[str, Table]:
 
 
 NAMES = (
-    "simulate", "response", "jitter", "rest", "modes", "linearize", "plan", "programme", "verify_programme", "generate",
+    "simulate", "response", "jitter", "plan", "programme", "verify_programme", "generate",
 )  # fmt: skip
 
 
@@ -64,18 +61,17 @@ def test_a_result_has_columns_with_units_in_every_form(name: str) -> None:
         held = frame.index if column.name == found.index else frame[column.name]
         assert len(held) == len(column.values)
     assert frame.attrs["units"] == found.units
-    if name != "linearize":  # its dataset holds the four matrices
-        for column in found.columns:
-            assert column.name in dataset and (
-                dataset[column.name].attrs.get("units", "") == column.unit or column.name == found.index
-            )
+    for column in found.columns:
+        assert column.name in dataset and (
+            dataset[column.name].attrs.get("units", "") == column.unit or column.name == found.index
+        )
     html = found._repr_html_()
     assert html.count("<table>") == 1 and all(column.name in html for column in found.columns[:2])
     assert repr(found).startswith("<") and "\n" not in repr(found)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["simulate", "response", "modes"])
+@pytest.mark.parametrize("name", ["simulate", "response"])
 def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

@@ -17,6 +17,7 @@ import mahovik
 from api import typed_script
 from api.models import model, stand
 from docs.pages import ROOT
+from mahovik.out.api.results import Answer
 
 RECORD = Path(__file__).parent / "public.txt"
 PUBLIC: tuple[str, ...] = tuple(vars(mahovik)["__all__"])
@@ -34,7 +35,7 @@ def signatures() -> list[str]:
                 lines += [f"{name}.{line}" for line in attributes(value)]
         else:
             lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)
-    for result in mahovik.Result.__subclasses__():
+    for result in Answer.__subclasses__():
         lines += [f"results.{result.__name__}.{field}" for field in result.__annotations__]
     return sorted(lines)
 

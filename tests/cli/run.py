@@ -10,7 +10,7 @@ from typing import Any
 
 from click.testing import CliRunner, Result
 
-from mahovik.out.cli import main
+from mahovik.out.command_line import main
 from mahovik.stands import path
 
 BENCH8, DEMO3, AUV6 = (str(path(name)) for name in ("bench8", "demo3", "auv6"))
@@ -48,7 +48,7 @@ def process(*arguments: str, stdin: str = "", cwd: Path | None = None, **env: st
     """Run the command in its own process, like a user."""
     options: dict[str, Any] = {"capture_output": True, "text": True, "cwd": cwd, "timeout": 120}
     done = subprocess.run(
-        [sys.executable, "-c", "from mahovik.out.cli import main; main()", *arguments],
+        [sys.executable, "-c", "from mahovik.out.command_line import main; main()", *arguments],
         input=stdin,
         check=False,
         env={**os.environ, **env},

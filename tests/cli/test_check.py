@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import run
 from mahovik import stands
-from mahovik.out.cli.fitting import column_that_fits
+from mahovik.core.toolchain.targets import TARGETS
 
 SAT4 = str(stands.path("sat4"))
 
@@ -33,37 +33,18 @@ def table(text: str, head: str) -> dict[str, list[str]]:
 def test_all_of_it_is_in_json() -> None:
     found = json.loads(run("check", SAT4, "--json").stdout)
     assert found["mass"] == pytest.approx(60.0)
-    assert sum(found["principal_inertia"]) == pytest.approx(sum(found["inertia"][i][i] for i in range(3)))
-    row = found["unbalance"][1]
+    assert sum(each["inertia"] for each in found["principal"]) == pytest.approx(
+        sum(found["inertia"][i][i] for i in range(3))
+    )
+    row = found["unbalance"][1] | found["effects"][1]
     assert (row["static_at"], row["dynamic_at"]) == pytest.approx((math.radians(70), math.radians(-20)))
     assert row["grade"] == "G 0.4" and row["eccentric_velocity"] == pytest.approx(0.3927e-3, rel=1e-4)
     assert found["torque"]["each"] == [0.2] * 4
     assert found["momentum"]["direction"] == pytest.approx(48 / math.sqrt(6), rel=1e-4)
-    first = {"where": "rw1", "key": "unbalance.static", "text": "0.15 g cm", "value": 1.5e-6, "unit": "kg m"}
+    first = {"key": "unbalance.static", "value": "0.15 g cm", "SI": "1.5e-06 kg m", "of": "rw1, rw2, rw3, rw4"}
     assert first in found["written"]
-    place = {"where": "acc1", "key": "position", "text": "[0, 40, 260] mm", "value": [0.0, 0.04, 0.26], "unit": "m"}
-    assert place in found["written"]
-
-
-@pytest.mark.parametrize(
-    ("values", "quantity", "title", "cells"),
-    [
-        ([1.5e-6, 0.0], "kg m", "x, g mm>", ["1.5", "0"]),
-        ([5e-11], "kg m", "x, mg mm>", ["0.05"]),
-        ([5e-8, 1e-9], "kg m", "x, mg mm>", ["50", "1"]),
-        ([0.0, None], "kg m", "x, g mm>", ["0", "-"]),
-        ([2.0], "kg m", "x, kg mm>", ["2000"]),
-        ([500.0], "kg m", "x, kg m>", ["500"]),
-        ([2.8e-4, 1.6e-4], "kg m2", "x, kg cm2>", ["2.8", "1.6"]),
-        ([-3e-6], "N m", "x, uN m>", ["-3"]),
-        ([0.59], "N", "x, N>", ["0.59"]),
-        ([2e5, 1.0], "N", "x, kN>", ["200", "0.001"]),
-    ],
-)
-def test_figures_are_in_a_unit_that_fits(
-    values: list[float | None], quantity: str, title: str, cells: list[str]
-) -> None:
-    assert column_that_fits("x", values, quantity) == (title, cells)
+    assert {"key": "position", "value": "[0, 40, 260] mm", "SI": "[0, 0.04, 0.26] m", "of": "acc1"} in found["written"]
+    assert "position" not in found["rest"]["state"] and len(found["rest"]["free"]) == 6
 
 
 CUBE = """schema = 1
@@ -89,13 +70,14 @@ def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
 ) -> None:
     """Half of 1 g mm at each of two planes 40 mm apart, and 30 g mm2 over 40 mm: 0.75 g mm; on 1 kg at 1000 rad/s."""
     (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
-    (row,) = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)["unbalance"]
+    found = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)
+    row = found["unbalance"][0] | found["effects"][0]
     assert row["eccentric_velocity"] == pytest.approx(1e-3)
     assert row["plane_velocity"] == pytest.approx(2e-3 * residual)
     assert (row["grade"], row["plane_grade"]) == ("G 1", "G 2.5")
     assert (row["static"], row["dynamic"]) == (pytest.approx(1e-6), pytest.approx(30e-9))
     assert row["couple"] == pytest.approx(30e-9 * 1e6)
-    cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "flywheel   at")["w1"]
+    cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "name   speed")["w1"]
     assert cells[-1] == "G 2.5" and "G 1" in cells
 
 
@@ -138,5 +120,18 @@ def test_the_place_of_a_hold_its_friction_and_stops_are_shown_and_in_json(own_fo
     ):
         assert expected in lines
     found = json.loads(run("check", "cart.toml", "--json").stdout)
-    assert {"of": "friction of x", "name": "coulomb", "value": 1.2, "unit": "N"} in found["hold_numbers"]
-    assert "hold_numbers" not in json.loads(run("check", SAT4, "--json").stdout)
+    assert {"by": "friction of x", "number": "coulomb", "value": "1.2", "unit": "N"} in found["hold"]
+    assert json.loads(run("check", SAT4, "--json").stdout)["hold"] == []
+
+
+def test_a_machine_without_anything_is_told_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CC", raising=False)
+    result = run("check", "--tools", "--json")
+    assert result.exit_code == 1
+    found = {each["what"]: each for each in json.loads(result.output)["tools"]}
+    assert found["C compiler"] == {
+        "what": "C compiler", "serves": "verify, simulate", "found": "", "install": "apt-get install gcc libc6-dev",
+    }  # fmt: skip
+    assert found["qemu-system-arm"]["install"] == f"apt-get install {' '.join(TARGETS['m7'].packages)}"
+    assert not any(each["found"] for each in found.values() if not each["what"].startswith("extra"))

@@ -2,27 +2,45 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import resource
 import subprocess
 import sys
+from importlib import import_module
+from itertools import chain
 from pathlib import Path
 
 import click
 import pytest
 
+import mahovik
 from cli.run import BENCH8, process, refused, run
 from mahovik import stands
 from mahovik.core.stand import load
-from mahovik.out.cli import main
+from mahovik.out.command_line import COMMANDS, make_command, read_docstring
 
 
 def test_help_fits_on_a_screen() -> None:
     lines = run("--help").output.splitlines()
     assert len(lines) <= 40
     assert all(len(line) <= 80 for line in lines)
-    for command in main.list_commands(click.Context(main)):
+    for command in chain.from_iterable(COMMANDS.values()):
         assert sum(line.startswith(f"  {command} ") and not line.endswith("...") for line in lines) == 1, command
+
+
+@pytest.mark.parametrize("name", [*chain.from_iterable(COMMANDS.values())])
+def test_a_command_says_what_each_of_its_arguments_is(name: str) -> None:
+    """The function has an entry for each argument, and the help shows it; no option has two names."""
+    function = getattr(import_module(f"mahovik.out.commands.{name}"), name)
+    assert getattr(mahovik, name) is function
+    words, entries = read_docstring(function)
+    hidden = {"progress", "states"} if name == "eval" else {"progress"}
+    assert set(inspect.signature(function).parameters) - hidden <= entries.keys()
+    assert entries.keys() <= inspect.signature(function).parameters.keys()
+    assert words and all(words[-1] == "." for words in entries.values())
+    made = make_command(name)
+    assert all(getattr(one, "help", "") for one in made.params if isinstance(one, click.Option))
 
 
 def test_help_answers_at_once() -> None:

@@ -1,4 +1,4 @@
-"""mahovik completion."""
+"""What a shell completes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ import pytest
     ("words", "found"),
     [
         ("mahovik veri", ["plain,verify", "plain,verify-programme"]),
-        ("mahovik new be", ["plain,bench8"]),
         ("mahovik generate --rea", ["plain,--real"]),
         ("mahovik generate --real ", ["plain,double", "plain,float"]),
     ],
@@ -22,7 +21,11 @@ def test_what_is_completed(words: str, found: list[str]) -> None:
     """Completion is driven by the variables that the bash script sets."""
     typed = words.split(" ")
     done = subprocess.run(
-        [sys.executable, "-c", "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.cli import main; main()"],
+        [
+            sys.executable,
+            "-c",
+            "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.command_line import main; main()",
+        ],
         env={
             **os.environ,
             "_MAHOVIK_COMPLETE": "bash_complete",

@@ -56,7 +56,15 @@ def test_no_compiler_is_one_line_that_says_what_to_install() -> None:
 
 
 def test_a_conversation_is_answered_line_by_line() -> None:
-    command = [sys.executable, "-c", "from mahovik.out.cli import main; main()", "eval", DEMO3, "--backend", "numpy"]
+    command = [
+        sys.executable,
+        "-c",
+        "from mahovik.out.command_line import main; main()",
+        "eval",
+        DEMO3,
+        "--backend",
+        "numpy",
+    ]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1) as program:
         assert program.stdin is not None
         assert program.stdout is not None
@@ -68,7 +76,7 @@ def test_a_conversation_is_answered_line_by_line() -> None:
         assert program.wait(30) == 0
 
 
-@pytest.mark.parametrize("command", [("check", BENCH8), ("rest", BENCH8, "--json"), ("eval", "--help"), ("--help",)])
+@pytest.mark.parametrize("command", [("check", BENCH8), ("check", BENCH8, "--json"), ("eval", "--help"), ("--help",)])
 def test_a_closed_reader_is_no_failed_check(command: tuple[str, ...]) -> None:
     """141, as of a program that SIGPIPE ends; 1 would say that a check failed."""
     reader, writer = os.pipe()

@@ -49,7 +49,7 @@ def test_another_order_works_and_is_noted(case: str) -> None:
     assert told == ["mahovik", *command, *words, "..."]
 
 
-NO_STAND = {"new", "import urdf", "import mjcf", "doctor", "completion"}
+NO_STAND = {"new", "import urdf", "import mjcf"}
 """Commands without a stand file."""
 
 

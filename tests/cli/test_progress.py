@@ -10,11 +10,11 @@ import sys
 import pytest
 
 from cli.terminal import on_terminal
-from mahovik.out.cli.progress import PATIENCE, Stage
+from mahovik.out.progress import PATIENCE, Stage
 
 WORK = """
 import sys, time
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 steps, unknown = sys.argv[1] == "known", sys.argv[2:]
 with progress("verify bench8 with a name that is too long for the narrowest of terminals", 20 if steps else None) as s:
     for k in range(20):
@@ -63,7 +63,7 @@ def test_nothing_before_a_second() -> None:
 
 def test_remaining_time_is_of_the_steps_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     now = [0.0]
-    monkeypatch.setattr("mahovik.out.cli.progress.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("mahovik.out.progress.time.monotonic", lambda: now[0])
     stage = Stage("verify", 101)
     now[0] = 10.0  # a compiler ran
     stage.at(1)

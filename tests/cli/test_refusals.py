@@ -32,7 +32,7 @@ COMMANDS = {
     "judge": "judge $demo3 --log log.csv",
     "program": "judge $demo3",
     "new": "new adapter",
-    "linearize": "linearize $shaker2 --at state.json -o model.json",
+    "modes": "modes $shaker2 --at state.json -o model.json",
 }
 """Arguments that are right; those of a case come after them."""
 
@@ -105,7 +105,7 @@ CASES = [
     ("judge", "--states 3", "--states"),
     ("judge", "--log missing.csv", "no such file"),
     ("judge", "--log log.txt", "expected .csv or .parquet"),
-    ("linearize", "", '"tau" is not part of a start, expected some of'),
+    ("modes", "", '"tau" is not part of a start, expected some of'),
 ]
 
 

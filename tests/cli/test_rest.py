@@ -1,4 +1,4 @@
-"""mahovik rest: tables, JSON, refusals."""
+"""What starts from rest."""
 
 from __future__ import annotations
 
@@ -29,7 +29,6 @@ buoyancy = { displaced_mass = 1e-9 }
     "command",
     [
         ("modes",),
-        ("linearize", "-o", "a.json"),
         ("simulate", "--until", "0.02", "--every", "0.01", "-o", "a.csv", "--backend", "scipy"),
         ("response", "--speed", "w=600rpm", "--at", "carrier"),
         ("jitter", "--speed", "w=600rpm", "--at", "carrier"),
@@ -39,7 +38,7 @@ def test_what_starts_from_a_turned_rest_pose_says_so(
     command: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The centre of buoyancy is below the centre of mass, so that the box hangs upside down; above it, it does not."""
-    line = "warning: starts from rest, where the stand is turned by 180 deg from E0: see mahovik rest"
+    line = "warning: starts from rest, turned by 180 deg from E0: see mahovik check"
     name, *options = command
     monkeypatch.chdir(tmp_path)
     for text, warned in ((TURNS, True), (TURNS.replace('"-50 mm"', '"50 mm"'), False)):

@@ -16,7 +16,7 @@ SLOW = ("sympy", "casadi", "scipy", "pint", "jinja2", "cffi", "numpy", "pydantic
 
 CODE = f"""
 import json, sys
-from mahovik.out.cli import main
+from mahovik.out.command_line import main
 try:
     main()
 except SystemExit:
@@ -34,9 +34,9 @@ CASES = {
     ("verify", "--help"): NOTHING,
     ("new", "--list"): NOTHING,
     ("new", "demo3"): NOTHING,
-    ("check", BENCH8): NUMBERS,
+    ("check", BENCH8): NUMBERS | {"rich"},
+    ("modes", "--help"): {"numpy"},
     ("check", BENCH8, "--json"): NUMBERS,
-    ("rest", BENCH8): NUMBERS,
     ("eval", BENCH8, "--backend", "numpy"): NUMBERS,
     ("eval", BENCH8, "--backend", "casadi"): NUMBERS | {"casadi"},
     ("judge-log", "--log", "log"): NUMBERS | {"jinja2"},

@@ -13,7 +13,7 @@ import pytest
 
 from docs.execute import Session, name, steps
 from docs.pages import PAGES, ROOT, prose
-from mahovik.out.cli import main
+from mahovik.out.command_line import main
 from toolchain.tools import require
 
 NOT_RUN = {

@@ -17,7 +17,7 @@ from mahovik import __version__
 from mahovik.core.stand import load
 from mahovik.core.stand.identity import identities
 from mahovik.errors import UsageError
-from mahovik.out.cli import main
+from mahovik.out.command_line import main
 from mahovik.proof.evidence import PIECES, Subject, Verdict, check, conclusion, failures
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, piece

@@ -11,7 +11,7 @@ from click.testing import CliRunner, Result
 from mahovik import stands
 from mahovik.contract.quantities import RPM
 from mahovik.core.motion.programme import save_programme
-from mahovik.out.cli import main
+from mahovik.out.command_line import main
 from mahovik.out.report.plot import run, waterfall
 from mahovik.out.report.plot.panel import Panel
 from mahovik.out.report.plot.programme import panels

@@ -5,4 +5,4 @@ mahovik evidence --check out
 mahovik evidence $STANDS/demo3.toml --only deliver -o other
 mahovik cost $STANDS/demo3.toml --targets m8
 mahovik cost $STANDS/demo3.toml --check
-ONLY_PATH=/nowhere mahovik doctor | grep -v 'extra\|───'
+ONLY_PATH=/nowhere mahovik check --tools | grep -v 'extra\|───'

@@ -26,13 +26,13 @@ from mahovik.out.api.call import Caller, OnError
 from mahovik.out.api.fields import Array, field, functions
 from mahovik.out.api.inputs import Given, wrenches
 from mahovik.out.api.making_states import MakesStates
-from mahovik.out.api.results import Result
+from mahovik.out.api.results import Answer
 from mahovik.out.api.states import States
 from mahovik.out.api.tables import Tables, make_tables
 
 Wrenches = Mapping[str, ArrayLike] | None
 Locks = Sequence[str] | ArrayLike
-AnyResult = TypeVar("AnyResult", bound=Result)
+AnyAnswer = TypeVar("AnyAnswer", bound=Answer)
 
 
 @dataclass(frozen=True)
@@ -134,14 +134,14 @@ class Built(MakesStates):
 
     def _result(
         self,
-        kind: type[AnyResult],
+        kind: type[AnyAnswer],
         function: str,
         x: Any,
         on_error: OnError,
         wrench: Wrenches,
         tables: Tables | None,
         **given: Any,
-    ) -> AnyResult:
+    ) -> AnyAnswer:
         found, status, single = self._calculate(function, x, on_error, wrench, tables, given)
         return kind(self._call.fields(function), found, status, single)
 

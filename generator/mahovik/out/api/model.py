@@ -23,7 +23,7 @@ from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.reaction import WithReaction
 from mahovik.out.api.regressor import WithRegressor
-from mahovik.out.api.results import Result
+from mahovik.out.api.results import Answer
 from mahovik.out.api.states import States
 from mahovik.out.api.tables import Tables
 
@@ -35,7 +35,7 @@ def add_methods(model: type[Built]) -> None:
             setattr(model, row.name, _method(row))
 
 
-def _method(row: PublicFunction) -> Callable[..., Result]:
+def _method(row: PublicFunction) -> Callable[..., Answer]:
     inputs = [name for name in row.takes if name not in ("x", "wrench") and not is_shared(name)]
     positional, keyword = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
     parameters = [Parameter(name, positional) for name in ("self", "x")]
@@ -44,12 +44,12 @@ def _method(row: PublicFunction) -> Callable[..., Result]:
     parameters += [Parameter("tables", keyword, default=None), Parameter("on_error", keyword, default="raise")]
     signature = Signature(parameters)
 
-    def method(*arguments: object, **named: object) -> Result:
+    def method(*arguments: object, **named: object) -> Answer:
         bound = signature.bind(*arguments, **named)
         bound.apply_defaults()
         given = dict(bound.arguments)
         model, x, tables, on_error = (given.pop(name) for name in ("self", "x", "tables", "on_error"))
-        found: Result = model._result(Result, row.name, x, on_error, given.pop("wrench", None), tables, **given)
+        found: Answer = model._result(Answer, row.name, x, on_error, given.pop("wrench", None), tables, **given)
         return found
 
     results = (f"`{name}`" + (f", {q.unit}: {q.axes}" if (q := QUANTITIES.get(name)) else "") for name in row.gives)

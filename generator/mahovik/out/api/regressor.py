@@ -11,12 +11,12 @@ from mahovik.out.api.call import OnError
 from mahovik.out.api.core import Built
 from mahovik.out.api.fields import Array, Field
 from mahovik.out.api.inputs import Given
-from mahovik.out.api.results import Result
+from mahovik.out.api.results import Answer
 from mahovik.out.api.states import States
 from mahovik.use.regressor.parameters import Parameter, assemble, parameters, row_names
 
 
-class Regressor(Result):
+class Regressor(Answer):
     """`Y` (6 + N, P): rows are the wrench on the carrier (N, N m) and the drive torques (N m), columns parameters.
 
     `rows` and `parameters` say what stands along its two axes.

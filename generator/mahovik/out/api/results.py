@@ -17,7 +17,7 @@ from mahovik.out.api.fields import Array, Field, Named, arrays
 Real = NDArray[Any]
 
 
-class Result(Named):
+class Answer(Named):
     """Arrays by name; `status` has the shape of the batch: 0 is good, positive are bits, negative is refused (NaN)."""
 
     status: NDArray[np.int32]
@@ -52,26 +52,26 @@ class Result(Named):
         return arrays(repr(self), self)
 
 
-class Forward(Result):
+class Forward(Answer):
     """`V_dot` (6): derivative of the components of V, m/s2, rad/s2; (8)."""
 
     V_dot: Real
 
 
-class Coupled(Result):
+class Coupled(Answer):
     """`V_dot` (6) and `phi_ddot` (N), rad/s2, under given drive torques."""
 
     V_dot: Real
     phi_ddot: Real
 
 
-class Torque(Result):
+class Torque(Answer):
     """`tau` (N): drive torques, N m, mount on flywheel about the spin axis."""
 
     tau: Real
 
 
-class Matrices(Result):
+class Matrices(Answer):
     """The matrices of (8): `K`, `K_dot`, `M` (6, 6), `I`, `J` (6, N), and `F` (6)."""
 
     K: Real
@@ -82,7 +82,7 @@ class Matrices(Result):
     F: Real
 
 
-class Momentum(Result):
+class Momentum(Answer):
     """`Z` (6) in E1 about O1, `Z0` (6) in E0 about its origin, `energy` (kinetic, J), `center_of_mass` (3) in E1,
     `center_of_mass_velocity` (3) in E0."""
 
@@ -93,7 +93,7 @@ class Momentum(Result):
     center_of_mass_velocity: Real
 
 
-class Inverse(Result):
+class Inverse(Answer):
     """`phi_ddot` (N) for a wanted motion, and how good it is; (12). Of a task also `V_dot`, the motion that results."""
 
     phi_ddot: Real
@@ -106,7 +106,7 @@ class Inverse(Result):
     hardest: Real
 
 
-class TorqueFor(Result):
+class TorqueFor(Answer):
     """`tau` (N) for the demand of a task within what the motors have, and the motion that results.
 
     `share`: part of the demand that is met where its direction is kept, else 1.
@@ -120,19 +120,19 @@ class TorqueFor(Result):
     limited: NDArray[np.int32]
 
 
-class Mounts(Result):
+class Mounts(Answer):
     """`mount_wrench` (N, 6): of the mount on each flywheel, N, N m, about Os in the axes of Es at phi = 0."""
 
     mount_wrench: Real
 
 
-class Reaction(Result):
+class Reaction(Answer):
     """`reaction` (6): wrench of the hold on a held carrier, N, N m, in E1 about O1; (8)."""
 
     reaction: Real
 
 
-class Points(Result):
+class Points(Answer):
     """Readings at each instrument and point: `position` (S, 3), `C` (S, 3, 3), `twist` (S, 6), ...; S sensors."""
 
     position: Real
@@ -142,7 +142,7 @@ class Points(Result):
     angular_acceleration: Real
 
 
-class ForwardJacobian(Result):
+class ForwardJacobian(Answer):
     """Derivatives of `forward`: `V_dot_V` (6, 6), `V_dot_phi`, `V_dot_phi_dot`, `V_dot_phi_ddot` (6, N)."""
 
     V_dot_V: Real
@@ -151,7 +151,7 @@ class ForwardJacobian(Result):
     V_dot_phi_ddot: Real
 
 
-class CoupledJacobian(Result):
+class CoupledJacobian(Answer):
     """Derivatives of `coupled`: of `V_dot` and of `phi_ddot`, by V, phi, phi_dot and tau."""
 
     V_dot_V: Real
@@ -164,7 +164,7 @@ class CoupledJacobian(Result):
     phi_ddot_tau: Real
 
 
-class Generalized(Result):
+class Generalized(Answer):
     """(10), (11): `A`, `D`, `I0`, `J0` (6, 6), `q_dot`, `q_ddot` (6).
 
     Of a held carrier with m freedoms `q`, `q_dot`, `q_ddot` (m). Of one that turns about a point, the quaternion

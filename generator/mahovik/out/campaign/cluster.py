@@ -14,7 +14,7 @@ from importlib import import_module
 from typing import Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.notices import OnProgress, Progress, tell
 
 REACH = 8.0
 """s in which a scheduler must answer."""

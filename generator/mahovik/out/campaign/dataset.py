@@ -23,7 +23,7 @@ from mahovik.out.campaign.shards import (
     shard_path,
     units_text,
 )
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.notices import OnProgress, Progress, tell
 from mahovik.writing import drafts_below, write_synced
 
 OLD = 300.0

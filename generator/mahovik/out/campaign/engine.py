@@ -19,7 +19,7 @@ from mahovik.out.campaign.folder import Load, load_campaign, make_shard
 from mahovik.out.campaign.manifest import Manifest
 from mahovik.out.campaign.reached import Accuracy
 from mahovik.out.campaign.shards import Record
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 
 IN_FLIGHT = 3
 """Shards that each worker has at a time: it never waits, and the scheduler holds few."""

@@ -20,7 +20,7 @@ from mahovik.out.campaign.shards import Record, read_shard
 
 if TYPE_CHECKING:
     from mahovik.out.campaign.report.page import CampaignReport
-    from mahovik.out.functions.notices import OnProgress
+    from mahovik.out.notices import OnProgress
 
 WORST = 3
 """Samples with the largest value of each quantity that a report writes as stand files."""

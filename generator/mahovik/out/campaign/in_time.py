@@ -15,6 +15,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
+from mahovik.out.arguments import regime_of, state_of
 from mahovik.out.campaign.driven import DrivenByTorque
 from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.holds import Holds
@@ -27,8 +28,7 @@ from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.signals import ties
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
-from mahovik.out.functions.equilibrium import warn_of_turn
-from mahovik.out.functions.given import regime_of, state_of
+from mahovik.out.notices import warn_of_turn
 from mahovik.use.simulate.by_c import Steepness, mobility
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, wrap_phases
 

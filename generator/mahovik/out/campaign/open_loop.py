@@ -14,12 +14,12 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
+from mahovik.out.arguments import motion_of, programme_of
 from mahovik.out.campaign.in_time import TimeRunner, course_of
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.required import Required
 from mahovik.out.campaign.start import Start
-from mahovik.out.functions.given import motion_of, programme_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.plant import plant_state
 from mahovik.use.numeric import Chart, Mechanics

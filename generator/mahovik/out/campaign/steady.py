@@ -11,12 +11,12 @@ from mahovik.core.stand.units import show
 from mahovik.errors import MahovikError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
+from mahovik.out.arguments import by_flywheel
 from mahovik.out.campaign.over import OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import OF_POINTS, Quantity
 from mahovik.out.campaign.signals import AXES
 from mahovik.out.campaign.values import Signal
-from mahovik.out.functions.given import by_flywheel
 from mahovik.out.functions.vibration import speed_text
 from mahovik.use.vibration.band import rms
 from mahovik.use.vibration.periodic import Periodic, periodic_response

@@ -1,39 +1,51 @@
-"""The command line: one thin module per command. Nothing is computed here.
-
-Exit status: 0 good; 1 a check failed, or some states; 2 bad input or usage; 130 Ctrl-C. Slow modules are imported
-inside the commands, and of a command only its own module, so that it answers at once.
-"""
+"""Commands that are not yet functions of `mahovik.out.commands`."""
 
 from __future__ import annotations
 
+import contextlib
+import warnings
+from collections.abc import Iterator
+from importlib import import_module
+
 import click
 
-from mahovik import __version__
-from mahovik.out.cli.group import Commands
+from mahovik.errors import MahovikError
 
-SECTIONS = {
-    "A stand": ("new", "import", "check", "derive", "rest"),
-    "Its C, and the evidence": ("generate", "verify", "judge", "cost", "evidence", "judge-log"),
-    "Motion, vibration": (
-        *("eval", "simulate", "replay", "modes", "linearize", "response", "jitter", "quiet", "balance", "identify"),
-        "campaign",
-    ),
-    "Programmes of the flywheels": ("plan", "verify-programme"),
-    "Interfaces and tools": ("report", "plot", "export", "doctor", "completion"),
+OLD = {
+    "Not yet functions": (
+        *("new", "import", "derive", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
+        *("simulate", "replay", "response", "jitter", "quiet", "balance", "identify", "campaign"),
+        *("plan", "verify-programme", "report", "plot", "export"),
+    )
 }
-"""Commands under the headings of `--help`, in the order of use; all fit on a screen of 40 lines."""
+
+_MODULES = {"import": "import_model"}
 
 
-@click.group(
-    cls=Commands,
-    sections=SECTIONS,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    options_metavar="[-h | --version]",
-    subcommand_metavar="COMMAND ...",
-)
-@click.version_option(__version__, prog_name="mahovik")
-def main() -> None:
-    """\b
-    Verified C of carriers with unbalanced flywheels; try: mahovik new bench8
-    Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
-    """
+def old_command(name: str) -> click.Command:
+    """The command of a name."""
+    module = import_module(f"{__package__}.{_MODULES.get(name, name.replace('-', '_'))}")
+    commands = (each for each in vars(module).values() if isinstance(each, click.Command))
+    return next(each for each in commands if each.name == name)
+
+
+@contextlib.contextmanager
+def old_ends(ctx: click.Context) -> Iterator[None]:
+    """Warnings as lines, and the reasons of a failed check as JSON."""
+    from mahovik.out.cli.output import print_failure
+    from mahovik.out.notices import MahovikWarning
+
+    with warnings.catch_warnings():
+        others = warnings.showwarning
+        warnings.simplefilter("always", MahovikWarning)
+        warnings.showwarning = lambda message, category, *more: (
+            click.echo(f"warning: {message}", err=True)
+            if issubclass(category, MahovikWarning)
+            else others(message, category, *more)
+        )
+        try:
+            yield
+        except MahovikError as error:
+            if error.exit_status == 1:
+                print_failure(ctx, str(error).splitlines())
+            raise

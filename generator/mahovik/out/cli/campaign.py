@@ -11,7 +11,7 @@ from mahovik.errors import UsageError
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import argument, command, file_option, flag, json_option, option
 from mahovik.out.cli.output import INTERRUPTED, print_json, print_paths, require_suffix
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.campaign.engine import Outcome

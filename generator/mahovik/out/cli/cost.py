@@ -11,7 +11,7 @@ import click
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.cli.options import STAND_FILE, choice, command, file_option, flag, json_option, load_stand, option
 from mahovik.out.cli.output import print_json_text
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand

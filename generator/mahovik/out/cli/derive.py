@@ -8,7 +8,7 @@ import click
 
 from mahovik.out.cli.options import STAND_FILE, command, file_option, load_stand
 from mahovik.out.cli.output import print_paths, require_suffix
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 
 @command()

@@ -21,7 +21,7 @@ from mahovik.out.cli.options import (
     option,
 )
 from mahovik.out.cli.output import print_json, print_line, print_table
-from mahovik.out.cli.progress import can_show_line, progress
+from mahovik.out.progress import can_show_line, progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand

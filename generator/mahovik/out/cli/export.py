@@ -26,8 +26,8 @@ from mahovik.out.cli.options import (
     whole_number,
 )
 from mahovik.out.cli.output import print_paths, require_suffix
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
+from mahovik.out.progress import progress
 
 FOLDER = file_option("-o", "DIR", "Write into this folder; default ./NAME of the stand.")
 TABLE = choice("--table", ["quintic", "fourier"], "Choose the kind of table.", default="quintic")
@@ -81,7 +81,7 @@ def fmu(
     binary for this machine if it has a C compiler. It is in double, as FMI is, and has all functions that it calls.
     """
     from mahovik.out.export.fmu import export_fmu
-    from mahovik.out.functions.equilibrium import warn_of_turn
+    from mahovik.out.notices import warn_of_turn
     from mahovik.proof.verify.delivery import with_prefix
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write

@@ -11,7 +11,7 @@ import click
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import load_stand
 from mahovik.out.cli.output import INTERRUPTED, print_json, print_table
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.use.control.causes import Contribution

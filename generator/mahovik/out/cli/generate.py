@@ -20,7 +20,7 @@ from mahovik.out.cli.options import (
     load_stand,
 )
 from mahovik.out.cli.output import print_paths, print_table
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand

@@ -16,7 +16,7 @@ import click
 from mahovik.errors import MahovikError
 from mahovik.nearest import suggestion
 from mahovik.out.cli.output import CLOSED, INTERRUPTED, print_failure
-from mahovik.out.functions.notices import MahovikWarning
+from mahovik.out.notices import MahovikWarning
 
 _MODULES = {"import": "import_model", "eval": "evaluate", "modes": "linear", "linearize": "linear"}
 """Modules of this folder that have another name than their command."""

@@ -57,8 +57,8 @@ def identify(
     read = [stand_file, *data, *check, *([free] if free.endswith(".toml") else [])]
     require_other_file(Path(output), read, f"-o {output}", "stand file")
     from mahovik.out.api.stands import load
-    from mahovik.out.cli.progress import progress
     from mahovik.out.identify.face import identify as estimate
+    from mahovik.out.progress import progress
     from mahovik.writing import probe, write
 
     probe(Path(output))

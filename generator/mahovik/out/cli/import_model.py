@@ -12,7 +12,7 @@ from mahovik.errors import UsageError
 from mahovik.out.cli.group import Commands
 from mahovik.out.cli.options import argument, command, file_option, flag, option
 from mahovik.out.cli.output import new_file
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.foreign.agreement import Original

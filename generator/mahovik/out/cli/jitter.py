@@ -21,11 +21,11 @@ from mahovik.out.cli.options import (
     is_given,
     load_stand,
     option,
+    read_phases,
 )
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
-from mahovik.out.cli.progress import progress
-from mahovik.out.cli.rest import read_phases
 from mahovik.out.cli.sweep import PICTURES, SHOWN, STEPS, SUFFIXES, TimeLimit, check_place
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.functions.jitter import Jitter

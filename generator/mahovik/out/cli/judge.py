@@ -23,8 +23,8 @@ from mahovik.out.cli.options import (
     json_option,
     option,
 )
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verify import finish
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.proof.verify.foreign import Attitude

@@ -197,3 +197,29 @@ def is_given(name: str) -> bool:
     """Whether the user gave an option of the running command, by its name in Python."""
     source = click.get_current_context().get_parameter_source(name)
     return source not in (None, click.core.ParameterSource.DEFAULT)
+
+
+def read_phases(stand: Stand, given: tuple[str, ...]) -> list[float]:
+    """Phases (rad) by flywheel. Raises UsageError."""
+    from mahovik.contract.quantities import BOUNDS
+    from mahovik.core.stand.units import ANGLE, QuantityError, number
+    from mahovik.nearest import suggestion
+
+    names = [s.name for s in stand.flywheels]
+    phi = [0.0] * len(names)
+    for each in given:
+        name, _, text = each.partition("=")
+        if name not in names:
+            raise UsageError(
+                f'--phase {each}: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}'
+            )
+        try:
+            phi[names.index(name)] = float(text)
+        except ValueError:
+            try:
+                phi[names.index(name)] = number(text, ANGLE)
+            except QuantityError as error:
+                raise UsageError(f"--phase {each}: {error}") from None
+        if not abs(phi[names.index(name)]) <= BOUNDS["MAX_PHASE"].value:
+            raise UsageError(f"--phase {each}: out of range")
+    return phi

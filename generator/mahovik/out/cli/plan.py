@@ -20,7 +20,7 @@ from mahovik.out.cli.options import (
     option,
 )
 from mahovik.out.cli.output import end_of_search, print_json, print_line, print_table, require_other_file
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.functions.programmes import Plan

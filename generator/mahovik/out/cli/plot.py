@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.cli.options import STAND_FILE_OR_NONE, command, file_option, load_stand, option
 from mahovik.out.cli.output import require_suffix
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import note_order
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel

@@ -10,7 +10,7 @@ import click
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
-from mahovik.out.functions.motor_limits import FAST, rpm_question
+from mahovik.out.notices import FAST, rpm_question
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?(?![\d./])")  # the 1 of 1/min is its unit's
 

@@ -10,8 +10,8 @@ import click
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import JSON, STAND_FILE_OR_NONE, choice, command, file_option, load_stand, option
 from mahovik.out.cli.output import print_json
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand

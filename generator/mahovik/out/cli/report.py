@@ -8,7 +8,7 @@ import click
 
 from mahovik.out.cli.options import STAND_FILE, command, file_option, option
 from mahovik.out.cli.output import require_suffix
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 
 @command(short_help="Write one page on a stand, its proof and its motion.")

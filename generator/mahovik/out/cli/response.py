@@ -10,11 +10,21 @@ import click
 from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.cli import quantities
-from mahovik.out.cli.options import JSON, PHASES, STAND_FILE, choice, command, file_option, is_given, load_stand, option
+from mahovik.out.cli.options import (
+    JSON,
+    PHASES,
+    STAND_FILE,
+    choice,
+    command,
+    file_option,
+    is_given,
+    load_stand,
+    option,
+    read_phases,
+)
 from mahovik.out.cli.output import INTERRUPTED, print_json_text, print_table, require_suffix
-from mahovik.out.cli.progress import progress
-from mahovik.out.cli.rest import read_phases
 from mahovik.out.cli.sweep import SHOWN, STEPS, SUFFIXES, TimeLimit, check_place
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.use.vibration.sweep import Sweep

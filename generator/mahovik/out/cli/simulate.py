@@ -22,7 +22,7 @@ from mahovik.out.cli.options import (
     option,
 )
 from mahovik.out.cli.output import INTERRUPTED, print_json
-from mahovik.out.cli.progress import progress
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.out.functions.simulation import Simulation

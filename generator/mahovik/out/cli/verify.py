@@ -25,8 +25,8 @@ from mahovik.out.cli.options import (
     option,
 )
 from mahovik.out.cli.output import print_json_text
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.verdicts import print_report
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand

@@ -9,8 +9,8 @@ import click
 from mahovik.errors import UsageError
 from mahovik.out.cli.options import STAND_FILE, command, file_option, is_given, json_option, load_stand, option
 from mahovik.out.cli.output import print_json, print_line, print_table
-from mahovik.out.cli.progress import progress
 from mahovik.out.cli.stand_first import FURTHER, STAND, needed_option, stand_first
+from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

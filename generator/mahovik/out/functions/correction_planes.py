@@ -20,7 +20,7 @@ from mahovik.core.stand.units import LENGTH, MASS, Dimension, show
 from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, quantity
+from mahovik.out.arguments import Number, quantity
 from mahovik.use.balance.by_model import Planes
 from mahovik.use.balance.choices import Choice, read_choices
 

@@ -16,9 +16,9 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.nearest import names_in
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import StandGiven
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.arguments import StandGiven
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
     from mahovik.out.report.plot.panel import Panel

@@ -11,11 +11,11 @@ import numpy as np
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, StandGiven, motion_of, servo_of
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.arguments import Number, StandGiven, motion_of, servo_of
 from mahovik.out.functions.programmes import MotionGiven, Plan, Programme, ProgrammeGiven, given_programme
 from mahovik.out.functions.simulation import Simulation
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 from mahovik.use.control.causes import Contribution, contributions
 from mahovik.use.control.finite import Tracking, errors_of
 from mahovik.use.control.loop import Case, close_loop, step_error

@@ -12,11 +12,10 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.equilibrium import warn_of_turn
-from mahovik.out.functions.given import Number, StandGiven, by_flywheel
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.arguments import Number, StandGiven, by_flywheel
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import planned_speeds
+from mahovik.out.notices import OnProgress, Progress, tell, warn_of_turn
 from mahovik.use.vibration.chain import Makers
 from mahovik.use.vibration.lines import LineName
 from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise

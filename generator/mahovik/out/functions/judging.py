@@ -14,9 +14,9 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError, above_zero
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
+from mahovik.out.arguments import Number, time
 from mahovik.out.functions.evidence import Verification
-from mahovik.out.functions.given import Number, time
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
     from mahovik.proof.diagnose.diagnosis import Diagnosis

@@ -15,7 +15,7 @@ from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import (
+from mahovik.out.arguments import (
     Keys,
     Number,
     StandGiven,
@@ -24,8 +24,8 @@ from mahovik.out.functions.given import (
     required_of,
     time_limit,
 )
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.held import refuse_unplannable

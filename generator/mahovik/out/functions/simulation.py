@@ -15,9 +15,9 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Keys, Number, StandGiven, regime_of, state_of, time
-from mahovik.out.functions.notices import OnProgress, Progress, tell, warn
+from mahovik.out.arguments import Keys, Number, StandGiven, regime_of, state_of, time
 from mahovik.out.functions.table import Column, Table, split_unit
+from mahovik.out.notices import OnProgress, Progress, tell, warn
 from mahovik.use.simulate.case import HINT, START_KEYS, Case
 from mahovik.use.simulate.friction_steps import long_steps
 from mahovik.use.simulate.held import allowed_start
@@ -123,7 +123,7 @@ def simulate(
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
     from mahovik.core.motion.regime import steady_regime
-    from mahovik.out.functions.equilibrium import rest_to_start
+    from mahovik.out.notices import rest_to_start
 
     if not (math.isfinite(until) and until > 0.0):
         raise UsageError(f"--until {until:g}: expected a time above 0, in s")

@@ -11,10 +11,10 @@ import numpy as np
 
 from mahovik.errors import CheckError
 from mahovik.out.api.stands import Stand
+from mahovik.out.arguments import StandGiven
 from mahovik.out.functions.correction_planes import PlanesGiven, load_planes, read_planes
-from mahovik.out.functions.equilibrium import warn_of_turn
-from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.notices import warn_of_turn
 from mahovik.use.balance.by_model import HALF_WIDTH, Change, WheelBalance, balance_wheels
 from mahovik.use.balance.first_order import first_order
 from mahovik.use.balance.simulated import simulate_balance

@@ -23,11 +23,11 @@ from mahovik.core.stand.model import Carrier, Instrument
 from mahovik.core.stand.summary import Summary, summarize
 from mahovik.errors import CheckError, MahovikError, StateError, UsageError
 from mahovik.out.api.stands import Stand
+from mahovik.out.arguments import StandGiven
+from mahovik.out.commands.modes import modes
 from mahovik.out.functions.evidence import verify
-from mahovik.out.functions.given import StandGiven
 from mahovik.out.functions.jitter import jitter
-from mahovik.out.functions.linear import Modes, modes
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.notices import OnProgress, Progress, tell
 from mahovik.out.report.page import Part, Row, figure, page, table
 from mahovik.out.report.plot.campbell import panel as campbell_panel
 from mahovik.out.report.plot.draw import require as require_drawing
@@ -37,6 +37,7 @@ from mahovik.out.report.plot.run import SUFFIXES, identity, read
 from mahovik.out.report.plot.run import panels as run_panels
 from mahovik.out.report.stand.drawing import drawing
 from mahovik.out.report.stand.run import Run, refuse_foreign_run
+from mahovik.out.result import Result
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.vibration.campbell import campbell
 from mahovik.use.vibration.growth import compare_growth
@@ -257,14 +258,15 @@ def modes_part(subject: Subject) -> Part | None:
         found = modes(stand)
     except (CheckError, UsageError) as error:
         return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
-    swinging = [k for k in range(len(found)) if found.frequency[k] > 0.0][:MOST_ROWS]
-    rows = [[_largest_part(found, k), figure(found.frequency[k]), figure(found.damping[k], 3)] for k in swinging]
-    still = sum(found.frequency[k] == 0.0 for k in range(len(found)))
-    words = f"{still} of the {len(found)} small motions about rest do not oscillate: free, or damped too much." * bool(
+    frequency, damping = np.nan_to_num(found["frequency"]), found["damping"]
+    swinging = np.flatnonzero(frequency > 0.0).tolist()[:MOST_ROWS]
+    rows = [[_largest_part(found, k), figure(frequency[k]), figure(damping[k], 3)] for k in swinging]
+    still = int(np.sum(frequency == 0.0))
+    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much." * bool(
         still
     )
     head = ("moves most", "frequency, Hz>", "damping ratio>") if rows else ()
-    ends = [figure(found.frequency[k], 3) for k in (swinging[:1] + swinging[-1:])]
+    ends = [figure(frequency[k], 3) for k in (swinging[:1] + swinging[-1:])]
     part = Part(
         "Modes", words, head, tuple(rows), summary=f"{' to '.join(dict.fromkeys(ends))} Hz at rest" if rows else ""
     )
@@ -280,10 +282,9 @@ def modes_part(subject: Subject) -> Part | None:
     return Part("Modes", words.strip(), head, tuple(rows), (campbell_panel(diagram),), summary=part.summary)
 
 
-def _largest_part(found: Modes, k: int) -> str:
+def _largest_part(found: Result, k: int) -> str:
     """The coordinate that a mode moves most, by its row of the table."""
-    shape = np.abs(found.shapes[k])
-    return str(found.result.coordinates[int(shape.argmax())].name)
+    return str(found["coordinates"][int(np.abs(found["shape"][k]).argmax())]).partition(" [")[0]
 
 
 def vibration_part(subject: Subject) -> Part | None:

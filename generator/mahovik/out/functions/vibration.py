@@ -13,11 +13,9 @@ from mahovik.core.stand.units import SPEED
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.fields import Array
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.equilibrium import warn_of_turn
-from mahovik.out.functions.given import Number, StandGiven, by_flywheel, quantity, time_limit
-from mahovik.out.functions.motor_limits import warn_of_speeds
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.arguments import Number, StandGiven, by_flywheel, quantity, time_limit
 from mahovik.out.functions.table import Column, Table
+from mahovik.out.notices import OnProgress, Progress, tell, warn_of_speeds, warn_of_turn
 from mahovik.use.vibration.speeds import ALL, SpeedPlan, read_speeds
 from mahovik.use.vibration.sweep import Sweep
 from mahovik.use.vibration.sweep import sweep as sweep_speeds

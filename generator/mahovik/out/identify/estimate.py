@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.errors import StandError, StateError, UsageError
-from mahovik.out.functions.notices import OnProgress, Progress, tell
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_of
 from mahovik.out.identify.jacobian import slopes, values
 from mahovik.out.identify.run import Run, noise_of
 from mahovik.out.identify.sight import undetermined_directions
+from mahovik.out.notices import OnProgress, Progress, tell
 
 Array = NDArray[np.float64]
 

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.given import Number, StandGiven, quantity
-from mahovik.out.functions.notices import OnProgress
+from mahovik.out.arguments import Number, StandGiven, quantity
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.identify.figures import ChannelFit, Parameter
 from mahovik.out.identify.run import LEAST_NOISE, has_signal
+from mahovik.out.notices import OnProgress
 
 if TYPE_CHECKING:
     from mahovik.core.stand.numbers import StandNumber

@@ -151,8 +151,8 @@ def wrap_phases(phi: Array) -> Array:
 START_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot")
 """Keys of a state that a start may have."""
 
-REST_KEYS = ("name", "state", "V_dot", "free", "unstable")
-"""Keys printed by `mahovik rest --json`."""
+REST_KEYS = ("state", "V_dot", "free", "unstable")
+"""Keys of the rest pose in the JSON of `mahovik check`."""
 
 
 HINT = "; the regime gives torques and wrenches"
@@ -177,6 +177,8 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
     try:
         found = read_object(text)
         refuse_duplicates(found)
+        if isinstance(found.get("rest"), dict):  # what `mahovik check --json` printed
+            found = found["rest"]
         if "state" in found:
             _refuse_unknown(found, REST_KEYS, "")
             found = found["state"]

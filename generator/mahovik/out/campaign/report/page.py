@@ -10,7 +10,7 @@ from mahovik.out.campaign.dataset import status
 from mahovik.out.campaign.report.query import Query
 from mahovik.out.campaign.report.sections import overview, quantity, worst_samples
 from mahovik.out.campaign.rows import Work
-from mahovik.out.functions.notices import OnProgress, Progress, tell
+from mahovik.out.notices import OnProgress, Progress, tell
 from mahovik.out.report.page import write_page
 from mahovik.out.report.plot.draw import require
 from mahovik.writing import probe

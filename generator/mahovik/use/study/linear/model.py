@@ -6,24 +6,21 @@ file a model is JSON, or .mat of MATLAB, Octave, SciPy.
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from mahovik.core.stand.hold import freedom_names, is_closed, twists
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.states import encode, state_object
+from mahovik.proof.verify.states import encode
 from mahovik.use.numeric import (
     Array,
     ByCarrier,
@@ -42,7 +39,6 @@ from mahovik.use.numeric import (
     uniform_stream,
 )
 from mahovik.use.simulate.held import rates
-from mahovik.writing import format_of
 
 
 class Channel(NamedTuple):
@@ -347,57 +343,7 @@ MODEL_SUFFIXES = (".json", ".mat")
 FORMAT = 1
 
 
-def check_model_file(path: Path) -> str:
-    """The format of a file for a model. Raises UsageError if its name says none."""
-    found = format_of(path, MODEL_SUFFIXES)
-    if found is None:
-        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(MODEL_SUFFIXES)}")
-    return found
-
-
-def model_file(model: LinearModel, suffix: str) -> bytes:
-    """The content of a file: `suffix` .json or .mat. The same model gives the same bytes."""
-    if suffix == ".mat":
-        return _mat(model)
-    return (encode_lines(contents(model)) + "\n").encode("utf-8")
-
-
-def contents(model: LinearModel) -> dict[str, Any]:
-    """Contents of both formats, by name. Numbers in SI."""
-    channels = {name: getattr(model, name) for name in ("states", "inputs", "outputs")}
-    return {
-        "schema": FORMAT,
-        "stand": model.stand.name,
-        "physics": identities(model.stand).physics,
-        "flywheels": "locked" if model.locked else "free",
-        "state": state_object(model.state),
-        "points": list(model.points),
-        **{name: [each.name for each in found] for name, found in channels.items()},
-        **{f"{name.removesuffix('s')}_units": [each.unit for each in found] for name, found in channels.items()},
-        **{name: getattr(model, name) for name in "ABCD"},
-    }
-
-
 def encode_lines(values: dict[str, Any]) -> str:
     """JSON, one key per line; floats read back to the same bits."""
     lines = [f" {json.dumps(name)}: {encode(value)}" for name, value in values.items()]
     return "{\n" + ",\n".join(lines) + "\n}"
-
-
-def _mat(model: LinearModel) -> bytes:
-    """Names and units as columns of cells. The header text has no date."""
-    from scipy.io import savemat
-
-    values = contents(model)
-    for name, value in values.items():
-        if isinstance(value, list):
-            values[name] = np.array(value, dtype=object).reshape(-1, 1)
-    wrench = values["state"].pop("wrench", {})
-    if wrench:
-        bodies = np.array(list(wrench), dtype=object).reshape(-1, 1)
-        values["state"] |= {"wrench_bodies": bodies, "wrench": np.array(list(wrench.values()))}
-    buffer = io.BytesIO()
-    savemat(buffer, values, oned_as="column")
-    found = bytearray(buffer.getvalue())
-    found[:116] = f"MATLAB 5.0 MAT-file, linear model of {model.stand.name}, mahovik".encode("ascii")[:116].ljust(116)
-    return bytes(found)

@@ -1,31 +1,51 @@
-"""Arguments of the functions: a file's path, a mapping with the file's keys, or the object itself."""
+"""Arguments of commands: their types, and what they are read to, once, with messages that name the argument.
+
+A type is `Annotated` with what stands for its value in the help of the command line.
+"""
 
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.core.stand.numbers import exact
-from mahovik.core.stand.state import State
-from mahovik.core.stand.units import ANGLE, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.stands import Stand
+from mahovik.out.notices import OnProgress
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
     from mahovik.core.motion.regime import Regime
     from mahovik.core.motion.required import RequiredMotion, Slew
     from mahovik.core.motion.servo import Servo
+    from mahovik.core.stand.model import Stand as CoreStand
+    from mahovik.core.stand.state import State
+    from mahovik.core.stand.units import Dimension
+    from mahovik.out.api.stands import Stand
 
-StandGiven = CoreStand | str | Path
 Keys = Mapping[str, Any]
 Number = float | str
 """A number in SI, or a text with its unit."""
+
+StandGiven = Annotated["CoreStand | str | Path", "STAND.toml"]
+FileGiven = Annotated[Keys | str | Path, "FILE"]
+"""A file's path, or a mapping with its keys."""
+FilePath = Annotated[str | Path, "FILE"]
+Folder = Annotated[str | Path, "DIR"]
+Names = Annotated[str | Sequence[str], "NAME,NAME"]
+Text = Annotated[str, "TEXT"]
+Seconds = Annotated[Number, "TIME"]
+Speed = Annotated[Number, "SPEED"]
+Length = Annotated[Number, "LENGTH"]
+Band = Annotated[tuple[Number, Number] | str, "LOW..HIGHHz"]
+Speeds = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=SPEED"]
+"""One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""
+Phases = Annotated[Mapping[str, Number] | Sequence[Number], "NAME=ANGLE"]
+Progressing = OnProgress | None
+"""What hears how far a command is; the command line shows it as a line, and offers no option for it."""
 
 
 def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
@@ -79,6 +99,7 @@ def servo_of(servo: Servo | str | Path, stand: Stand) -> Servo:
 
 def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ...], hint: str) -> State:
     """A state as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
+    from mahovik.core.stand.state import State
     from mahovik.use.simulate.case import load_start, read_start
 
     if isinstance(state, State):
@@ -91,6 +112,8 @@ def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ..
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
     """A mapping as the text of its file in JSON; the number of the schema need not be given."""
 
+    from mahovik.core.stand.numbers import exact
+
     def plain(value: Any) -> Any:
         if isinstance(value, Mapping):
             return {key: plain(item) for key, item in value.items()}
@@ -102,16 +125,27 @@ def text_of_keys(keys: Keys, schema: bool = True) -> str:
     return json.dumps({"schema": 1} | given if schema else given)
 
 
-def quantity(name: str, value: Number, dimension: Dimension) -> float:
-    """A number in SI of an argument `name`. Raises UsageError."""
+def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.inf, high: float = math.inf) -> float:
+    """A number in SI of an argument `name`, from `low` to `high`. Raises UsageError."""
+    from mahovik.core.stand.numbers import exact
+    from mahovik.core.stand.units import QuantityError, number
+
     try:
-        return number(exact(value), dimension)
-    except QuantityError as error:
-        raise UsageError(f"{name}: {error}") from None
+        found = float(value)
+    except ValueError:
+        try:
+            found = number(exact(value), dimension)
+        except QuantityError as error:
+            raise UsageError(f"{name}: {error}") from None
+    if not (math.isfinite(found) and low <= found <= high):
+        raise UsageError(f"{name} {value}: out of range, expected {low:g} to {high:g} {dimension.si}".rstrip())
+    return found
 
 
 def time(name: str, value: Number) -> float:
     """A time in s of an argument `name`, which the caller still has to bound. Raises UsageError."""
+    from mahovik.core.stand.units import TIME
+
     return quantity(name, value, TIME) if isinstance(value, str) else value
 
 
@@ -126,9 +160,15 @@ def time_limit(name: str, value: Number | None) -> float | None:
 
 
 def by_flywheel(
-    name: str, given: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension = ANGLE
+    name: str, given: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension | None = None
 ) -> list[float]:
-    """Numbers of an argument `name`, one per flywheel: by their names, others 0, or all of them. Raises UsageError."""
+    """Numbers of an argument `name`, angles by default: by names of flywheels, others 0, or one for each.
+
+    Raises UsageError.
+    """
+    from mahovik.core.stand.units import ANGLE, show
+
+    dimension = dimension or ANGLE
     names = [each.name for each in stand.flywheels]
     found = [0.0] * len(names)
     if given is None:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress, Task
     from rich.text import Text
 
-    from mahovik.out.functions.notices import Progress as Now
+    from mahovik.out.notices import Progress as Now
 
 PATIENCE = 1.0
 """s before the line appears: shorter work needs none."""

@@ -1,0 +1,368 @@
+"""The command line, made of the functions of `mahovik.out.commands`.
+
+A command is a typed function in a module of its name, and a line in `COMMANDS`:
+
+    def modes(
+        stand: StandGiven,
+        *,
+        at: FileGiven = "rest",
+        flywheels: Literal["locked", "free"] = "locked",
+        speed: Speeds | None = None,
+        progress: Progressing = None,
+    ) -> Result:
+        '''Find natural frequencies, damping and shapes.
+
+        More words about what it does.
+
+        Args:
+            at: state to linearise about, as `eval` reads it, or rest.
+            flywheels: locked to their motion, as by a stiff servo, or free.
+            speed: speed of a flywheel, rad/s or with a unit.
+
+        Raises:
+            CheckError: there is no equilibrium.
+        '''
+
+Arguments before the star stand on the command line without a name, those behind it are options, `output` is `-o`. The
+type says what an option takes: bool is a flag, Literal a choice, a union with Sequence or Mapping may be repeated
+(NAME=VALUE makes a mapping), a union with float makes numbers of texts that are one; `Annotated` gives the word for the
+value. Types, readers of files, and quantities with units are in `mahovik.out.arguments`. An argument of type
+`Progressing` is no option: the command line shows the progress. All checks stand in the function: its messages begin
+with the name of the argument, and the command line writes it as the option. Heavy modules are imported in the function,
+so that help is there at once.
+
+The command line adds `--json`, and `-o FILE` that saves the result where the function has no `output`; it prints the
+`Result`, and exits with 0 if it is `ok`, else 1. A function that returns an iterator has its lines printed one by one,
+and its `Result` last. Errors are one line each on standard error: 2 bad input or usage, 1 a failed check, 130 Ctrl-C.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import inspect
+import json
+import os
+import re
+import sys
+import types
+import typing
+import warnings
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from functools import partial
+from importlib import import_module
+from itertools import chain
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from mahovik import __version__
+from mahovik.errors import MahovikError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.cli import OLD, old_command, old_ends  # until each is a function
+
+if TYPE_CHECKING:
+    from mahovik.out.result import Result
+
+COMMANDS: dict[str, dict[str, str]] = {
+    "A stand": {
+        "check": "Validate a stand; print its figures.",
+    },
+    "Its C, and the evidence": {
+        "eval": "Evaluate states from standard input.",
+    },
+    "Motion and vibration": {
+        "modes": "Find natural frequencies, damping, shapes.",
+    },
+}
+"""Commands and what they do, under the headings of `--help`, in the order of use."""
+
+INTERRUPTED, CLOSED = 130, 141
+"""Exit status after Ctrl-C, and where the reader of standard output has closed it: as in shells."""
+
+INTERRUPTION = "error: interrupted; no file is half written"
+
+
+# ---- a command of a function
+
+
+def make_command(name: str) -> click.Command:
+    """The command of a name in `COMMANDS`."""
+    function = getattr(import_module(f"mahovik.out.commands.{name}"), name)
+    words, entries = read_docstring(function)
+    hints = typing.get_type_hints(function, None, _Names(function), include_extras=True)
+    parameters = inspect.signature(function).parameters
+    made = {key: _parameter(one, hints[key], entries.get(key, "")) for key, one in parameters.items()}
+    params = [one for one in made.values() if one is not None]
+    if "output" not in made and not _is_stream(hints["return"]):
+        words_of_file = "Write the result to this file: .csv, .json, .parquet, .mat, .svg or .png."
+        params.append(click.Option(["-o", "save"], metavar="FILE", help=words_of_file))
+    if not _is_stream(hints["return"]):
+        params.append(click.Option(["--json", "as_json"], is_flag=True, help="Print JSON in place of tables."))
+    return click.Command(name, callback=partial(_run, function), params=params, help=words)
+
+
+def read_docstring(function: Callable[..., Any]) -> tuple[str, dict[str, str]]:
+    """What a function does, with indented lines kept as they are, and the entries of its arguments by name."""
+    text, _, rest = (inspect.getdoc(function) or "").partition("\nArgs:\n")
+    entries: dict[str, str] = {}
+    for line in rest.partition("\n\n")[0].splitlines():
+        if match := re.fullmatch(r"    (\w+): (.*)", line):
+            name = match[1]
+            entries[name] = match[2]
+        elif entries:
+            entries[name] += f" {line.strip()}"
+    text = text.partition("\nRaises:\n")[0].rstrip()
+    return re.sub(r"\n\n(?= )", "\n\n\b\n", text), {
+        key: f"{words[0].upper()}{words[1:]}" for key, words in entries.items()
+    }
+
+
+class _Names(dict[str, Any]):
+    """Names in annotations; what is imported for type checkers alone is any object."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__()
+        self._globals: dict[str, Any] = getattr(function, "__globals__", {})
+
+    def __missing__(self, name: str) -> Any:
+        builtins = vars(import_module("builtins"))
+        return self._globals.get(name, builtins.get(name, object))
+
+
+def _is_stream(hint: Any) -> bool:
+    return typing.get_origin(hint) in (Generator, Iterator)
+
+
+def _split(hint: Any) -> tuple[str | None, list[Any]]:
+    """Word for the value of an annotation, and its alternatives without None."""
+    if typing.get_origin(hint) is typing.Annotated:
+        inside, word = typing.get_args(hint)
+        return word, _split(inside)[1]
+    if typing.get_origin(hint) in (typing.Union, types.UnionType):
+        parts = [_split(part) for part in typing.get_args(hint) if part is not type(None)]
+        return next((word for word, _ in parts if word), None), [kind for _, kinds in parts for kind in kinds]
+    return None, [hint]
+
+
+def _parameter(one: inspect.Parameter, hint: Any, words: str) -> click.Parameter | None:
+    """The argument or option of a parameter; None for what the command line itself gives."""
+    word, kinds = _split(hint)
+    required = one.default is one.empty
+    if one.name == "progress" or word == "":
+        return None
+    if one.kind is one.POSITIONAL_OR_KEYWORD and one.name != "output":
+        return click.Argument([one.name], required=required, metavar=f"{word}" if required else f"[{word}]")
+    origins = {typing.get_origin(kind) or kind for kind in kinds}
+    shown: dict[str, Any] = {"help": words, "required": required}
+    if one.default not in (None, (), "", False, one.empty):
+        shown |= {"default": one.default, "show_default": True}
+    declarations = [option_name(one.name), one.name]
+    if bool in origins:
+        return click.Option(declarations, is_flag=True, help=words)
+    if typing.Literal in origins:
+        choices = [value for kind in kinds for value in typing.get_args(kind)]
+        return click.Option(declarations, type=click.Choice(choices), **shown)
+    if origins <= {int}:
+        return click.Option(declarations, type=int, metavar=word or "N", **shown)
+    repeated = bool(origins & {Sequence, Mapping, list, dict}) and word not in ("FILE", "STAND.toml", "NAME,NAME")
+    numbers = float in origins or any(float in _split(arg)[1] for kind in kinds for arg in typing.get_args(kind))
+    option = click.Option(declarations, metavar=word or "TEXT", multiple=repeated, **shown)
+    option.callback = partial(_value, numbers, repeated, Mapping in origins)
+    return option
+
+
+def option_name(name: str) -> str:
+    """How a parameter is written on the command line."""
+    return "-o" if name == "output" else f"--{name.rstrip('_').replace('_', '-')}"
+
+
+def _value(numbers: bool, repeated: bool, mapping: bool, _context: Any, option: click.Parameter, value: Any) -> Any:
+    """What a function gets for the text or the texts of an option."""
+
+    def read(text: Any) -> Any:
+        with contextlib.suppress(ValueError):
+            return float(text) if numbers else text
+        return text
+
+    if not repeated or not isinstance(value, tuple):
+        return read(value) if isinstance(value, str) else value
+    pairs = [text.partition("=") for text in value]
+    if mapping and pairs and all(equals for _, equals, _ in pairs):
+        found = {name.strip(): read(text.strip()) for name, _, text in pairs}
+        if len(found) < len(pairs):
+            raise UsageError(f"{option.opts[0]}: a name is given twice")
+        return found
+    return [read(text) for text in value] if len(value) != 1 else read(value[0])
+
+
+# ---- running it
+
+
+def _run(function: Callable[..., Any], as_json: bool = False, save: str | None = None, **values: Any) -> None:
+    """Call a function with what was given, print and save its result, and exit with its verdict."""
+    parameters = inspect.signature(function).parameters
+    given = {key: value for key, value in values.items() if value not in (None, [], ())}
+    if save is not None:
+        from mahovik.out.result import suffix_of
+        from mahovik.writing import probe
+
+        suffix_of(Path(save))
+        probe(Path(save))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            if "progress" in parameters:
+                from mahovik.out.progress import progress
+
+                with progress(f"{function.__name__} {Path(str(next(iter(given.values()), ''))).stem}") as stage:
+                    found = function(**given, progress=stage.show)
+            else:
+                found = function(**given)
+            if stream := isinstance(found, Generator):
+                found = _stream(found)
+        except MahovikError as error:
+            if as_json and error.exit_status == 1:
+                click.echo(json.dumps({"error": str(error).splitlines()}, indent=1))
+            if isinstance(error, UsageError):
+                raise UsageError(_with_options(str(error), parameters)) from None
+            raise
+        finally:
+            for warning in caught:
+                _echo_warning(warning)
+    if save is not None:
+        found.save(save)
+    if stream:
+        click.echo("".join(f"{line}\n" for line in found.messages), err=True, nl=False)
+    else:
+        _print(found, as_json)
+    if found.meta.get("interrupted"):
+        click.echo("interrupted: this is the best so far", err=True)
+        raise SystemExit(INTERRUPTED)
+    raise SystemExit(0 if found.ok else 1)
+
+
+def _stream(lines: Generator[str, None, Result]) -> Result:
+    """Print lines as they come, so that a program can hold a conversation; the result behind them."""
+    while True:
+        try:
+            line = next(lines)
+        except StopIteration as end:
+            return typing.cast("Result", end.value)
+        sys.stdout.write(f"{line}\n")
+        sys.stdout.flush()
+
+
+def _print(found: Result, as_json: bool) -> None:
+    """Print a result: JSON, or tables that narrow terminals fold, with colours on a terminal."""
+    if as_json:
+        click.echo(found.to_json())
+        return
+    terminal = sys.stdout.isatty()
+    without = os.environ.get("NO_COLOR") or os.environ.get("TERM", "").lower() in ("dumb", "unknown")
+    styles = not without and bool(terminal or os.environ.get("FORCE_COLOR"))
+    width = os.get_terminal_size(sys.stdout.fileno()).columns if terminal else None
+    text = found.text(width, styles)
+    encoding = sys.stdout.encoding or "utf-8"
+    click.echo(text.encode(encoding, "replace").decode(encoding), nl=False, color=styles)
+
+
+def _with_options(message: str, parameters: Mapping[str, inspect.Parameter]) -> str:
+    """A message whose first words are names of arguments, with their options in place of these."""
+    begin, colon, rest = message.partition(":")
+    names = begin.split(", ") if ", " in begin else [begin.partition(" ")[0]]
+    if not all(name in parameters and parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in names):
+        return message
+    return f"{', '.join(map(option_name, names))}{begin[len(', '.join(names)) :]}{colon}{rest}"
+
+
+def _echo_warning(warning: warnings.WarningMessage) -> None:
+    """Print a warning of ours as a line; others as Python shows them."""
+    from mahovik.out.notices import MahovikWarning
+
+    if issubclass(warning.category, MahovikWarning):
+        click.echo(f"warning: {warning.message}", err=True)
+    else:
+        warnings.showwarning(warning.message, warning.category, warning.filename, warning.lineno)
+
+
+# ---- all of them
+
+
+@contextlib.contextmanager
+def _ends() -> Iterator[None]:
+    """Ends of a command other than a result, each a line on standard error and an exit status."""
+    try:
+        yield
+    except BrokenPipeError:  # whoever reads has closed: nothing more is printed, nor flushed at exit
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        raise SystemExit(CLOSED) from None
+    except click.exceptions.NoArgsIsHelpError:
+        raise
+    except click.UsageError as error:
+        what = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
+        see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
+        click.echo(f"error: {what}{see}", err=True)
+        raise SystemExit(error.exit_code) from None
+    except MahovikError as error:
+        for line in str(error).splitlines() or [type(error).__name__]:
+            click.echo(f"error: {line}", err=True)
+        raise SystemExit(error.exit_status) from None
+    except (KeyboardInterrupt, click.Abort):
+        click.echo(INTERRUPTION, err=True)
+        raise SystemExit(INTERRUPTED) from None
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        click.echo(f"error: {where}{error.strerror or error}", err=True)
+        raise SystemExit(2) from None
+
+
+class _Commands(click.Group):
+    """The group, whose commands are made when they are asked for."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(chain.from_iterable((COMMANDS | OLD).values()))
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name in chain.from_iterable(OLD.values()):
+            return old_command(cmd_name)
+        return make_command(cmd_name) if cmd_name in self.list_commands(ctx) else None
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args[0] not in (names := self.list_commands(ctx)) and not args[0].startswith("-"):
+            ctx.fail(f'no such command "{args[0]}"{suggestion(args[0], names)}')
+        return super().resolve_command(ctx, args)
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Commands under their headings; the options are in the usage line."""
+        width = max(map(len, self.list_commands(ctx)))
+        for title, commands in (COMMANDS | {title: dict.fromkeys(names, "") for title, names in OLD.items()}).items():
+            formatter.write_heading(title)
+            formatter.indent()
+            formatter.write_dl([(name.ljust(width), words) for name, words in commands.items()])
+            formatter.dedent()
+
+    def make_context(self, *given: Any, **more: Any) -> click.Context:
+        with _ends():
+            return super().make_context(*given, **more)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _ends(), old_ends(ctx):
+            return super().invoke(ctx)
+
+
+@click.group(
+    cls=_Commands,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    options_metavar="[-h | --version]",
+    subcommand_metavar="COMMAND ...",
+)
+@click.version_option(__version__, prog_name="mahovik")
+def main() -> None:
+    """\b
+    Verified C of carriers with unbalanced flywheels; try: mahovik new bench8
+    Exit status: 0 good, 1 a check failed, 2 bad input or usage, 130 Ctrl-C.
+    """

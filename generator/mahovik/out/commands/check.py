@@ -1,0 +1,260 @@
+"""`check`: a stand validated, its figures, its rest pose, warnings; the tools of this machine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.arguments import Length, Number, Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
+from mahovik.out.result import Result, column, columns_of
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.capacity import Capacity
+    from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.summary import Summary
+    from mahovik.core.stand.written import Written
+    from mahovik.use.study.fluid import Fluid
+
+AXES = ("x", "y", "z")
+TWIST = ("x", "y", "z", "rx", "ry", "rz")
+
+NEUTRAL = 1e-6
+"""Growth over the velocity, 1/m, that rounding may give to a double eigenvalue 0 of derivatives by differences."""
+
+
+def check(
+    stand: StandGiven | None = None,
+    *,
+    speed: Speed | None = None,
+    phase: Phases | None = None,
+    dt: Seconds | None = None,
+    planes: Length | None = None,
+    fluid: Number | None = None,
+    tools: bool = False,
+) -> Result:
+    """Validate a stand; print its figures.
+
+    Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
+    ISO 21940-11 at a speed, momentum and torque of the motors, the rest pose, and numbers with units as they are
+    written. The grade is that of the static part; --planes adds the couple, which has no grade alone. Warns of
+    plausible slips; if float would not resolve an unbalance; where (12) is singular in practice and no task names the
+    rows that are demanded; and of tasks that the flywheels do not reach.
+
+    Args:
+        stand: the stand file.
+        speed: turn all flywheels at this speed, rad/s or "3000 rpm"; default each motor's no-load speed.
+        phase: rest with a flywheel at this phase, rad or "w1=90 deg"; default 0.
+        dt: show what float steps of this length, s or "0.1 ms", lose of the speeds.
+        planes: grade the residuals at two planes this far apart, m or "40 mm", the mass centre in the middle.
+        fluid: show passivity, added mass and growth of small motions at this velocity ahead, m/s or "2 m/s".
+        tools: list compilers, emulators, checkers and extras on this machine, and how to install the others. Only a C
+            compiler is needed for daily work; exit status 1 without one.
+
+    Raises:
+        StandError: every problem of the stand file.
+        UsageError: a number out of its range, an unknown flywheel.
+    """
+    if tools:
+        return _tools()
+    if stand is None:
+        raise UsageError("stand: missing, expected a stand file, or --tools")
+    from mahovik.core.stand.summary import summarize
+    from mahovik.core.stand.units import LENGTH, SPEED, TIME, VELOCITY
+    from mahovik.core.stand.written import written_numbers
+    from mahovik.out.api.stands import Stand
+    from mahovik.out.notices import warn_of_speeds
+    from mahovik.use.simulate.friction_steps import long_steps
+    from mahovik.use.study.excess import excess
+    from mahovik.use.study.increments import USUAL_STEP, lost_increments
+    from mahovik.use.study.resolution import shortfalls, shortfalls_line
+    from mahovik.use.study.task_reach import task_shortfalls
+
+    own = Stand.of(stand)
+    turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
+    apart = None if planes is None else quantity("planes", planes, LENGTH, 1e-6, 1e6)
+    ahead = None if fluid is None else quantity("fluid", fluid, VELOCITY, 1e-3, 1e4)
+    step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
+    phases = by_flywheel("phase", phase, own)
+    if turning is not None:
+        warn_of_speeds(
+            own,
+            [turning] * len(own.flywheels),
+            [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(own.flywheels),
+        )
+    written, doubts = written_numbers(stand) if isinstance(stand, str | Path) else ([], [])
+    summary = summarize(own, turning, apart, {w.where: w.text for w in written if w.key == "unbalance.static"})
+    speeds = [row.speed for row in summary.unbalance]
+    short, over, unreached, steep = shortfalls(own, speeds), excess(own), task_shortfalls(own), long_steps(own, step)
+    lost = [] if dt is None else lost_increments(own, speeds, step)
+    line, held = shortfalls_line(short), [f"held, {summary.hold}"] if summary.hold else []
+    warnings = [*summary.warnings, *doubts, *([line] if line else []), *map(str, lost), *map(str, steep)]
+    warnings += [str(each) for each in (over, *unreached) if each is not None]
+    rest, pose = _rest(own, phases)
+    in_fluid, words = _fluid(own, ahead)
+    meta, details = _figures(own, summary, written)
+    more: dict[str, Any] = {
+        "rest": rest, "float": short, "increments": lost, "friction_steps": steep, "excess": over,
+        "unreached": unreached, **in_fluid,
+    }  # fmt: skip
+    return Result(
+        f"{own.name}   structure {meta['structure']}, physics {meta['physics']}",
+        columns_of(
+            summary.bodies,
+            {"name": "", "kind": "", "mount": "", "mass": "kg", "center_of_mass": "m"},
+            {"center_of_mass": AXES},
+        ),
+        rows="bodies",
+        meta=meta | more,
+        units={"mass": "kg", "center_of_mass": "m", "inertia": "kg m2", "force": "N"},
+        messages=[*held, *words, *pose, *(f"warning: {line}" for line in warnings)],
+        details=(*details, *more),
+    )  # fmt: skip
+
+
+def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tuple[dict[str, Any], list[str]]:
+    """What stands beside the bodies, and the names of what only JSON has."""
+    from mahovik.core.stand import identities
+
+    names = identities(stand)
+    unbalance = {
+        "name": "", "spin_inertia": "kg m2", "static": "kg m", "static_at": "rad", "dynamic": "kg m2",
+        "dynamic_at": "rad", "dynamic_center": "kg m2", "asymmetry": "kg m2", "product": "kg m2",
+    }  # fmt: skip
+    effects = {"name": "", "speed": "rad/s", "force": "N", "moment": "N m", "couple": "N m"}
+    effects |= {"eccentric_velocity": "m/s", "grade": ""}
+    if any(row.plane_velocity is not None for row in summary.unbalance):
+        effects |= {"plane_velocity": "m/s", "plane_grade": ""}
+    capacities = [("momentum", summary.momentum, "N m s"), ("torque", summary.torque, "N m")]
+    capacities = [each for each in capacities if each[1].total > 0.0]
+    numbers = [(each, *each.printed) for each in summary.hold_numbers]
+    bodies: dict[tuple[str, str, str], list[str]] = {}
+    for one in written:
+        if one.unit != "rad" or one.where.partition(".")[0] == "hold":  # angles of bodies are in other tables
+            bodies.setdefault((one.key, one.text, one.in_si), []).append(one.where)
+    meta: dict[str, Any] = {
+        "stand": stand.name, "structure": names.structure, "physics": names.physics, "mass": summary.mass,
+        "center_of_mass": list(summary.center_of_mass), "inertia": summary.inertia,
+        "principal": Result("principal inertia about the centre of mass", (
+            column("inertia", "kg m2", summary.principal_inertia),
+            column("axis", "", summary.principal_axes, AXES),
+        )),
+        "unbalance": Result("unbalance", columns_of(summary.unbalance, unbalance)),
+        "effects": Result("what it does at this speed", columns_of(summary.unbalance, effects, shown={"speed": "rpm"})),
+        "force": summary.force if summary.unbalance else None,
+        "capacity": Result("what all motors reach", (
+            column("of", "", [name for name, _, _ in capacities]),
+            column("along", "", [capacity.axes for _, capacity, _ in capacities], AXES),
+            column("in every direction", "", [capacity.direction for _, capacity, _ in capacities]),
+            column("sum", "", [capacity.total for _, capacity, _ in capacities]),
+            column("unit", "", [unit for *_, unit in capacities]),
+            column("weakest direction", "", [_weakest(capacity) for _, capacity, _ in capacities]),
+        )),
+        "tasks": Result("tasks", (
+            column("name", "", [task.name for task in summary.tasks]),
+            column("rows", "", [", ".join(task.rows) for task in summary.tasks]),
+        )),
+        "hold": Result("held", (
+            column("by", "", [each.of for each, *_ in numbers]),
+            column("number", "", [each.name for each, *_ in numbers]),
+            column("value", "", ["  ".join(f"{x + 0.0:.6g}" for x in values) for _, values, _ in numbers]),
+            column("unit", "", [unit or "SI" for *_, unit in numbers]),
+        )),
+        "written": Result("written in the file", (
+            column("key", "", [key for key, _, _ in bodies]),
+            column("value", "", [text for _, text, _ in bodies]),
+            column("SI", "", [si for *_, si in bodies]),
+            column("of", "", [", ".join(where) for where in bodies.values()]),
+        )),
+        "momentum": summary.momentum, "torque": summary.torque,
+    }  # fmt: skip
+    return meta, ["stand", "structure", "physics", "inertia", "momentum", "torque"]
+
+
+def _weakest(capacity: Capacity) -> str:
+    """The direction in E1 in which the motors together reach least."""
+    first, *others = capacity.envelope.worst
+    more = f"; {len(others)} more such" if others else ""
+    return f"({', '.join(f'{x:.5g}' for x in first)}){more}"
+
+
+def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None, list[str]]:
+    """The static equilibrium with flywheels at rest, and sentences about it; None and why where there is none."""
+    from mahovik.proof.verify.states import state_object
+    from mahovik.use.study.rest import rest
+
+    try:
+        found = rest(stand, phases)
+    except CheckError as error:
+        return None, [f"rest pose: {error}"]
+    w, *vector = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
+    turn = 2.0 * math.degrees(math.atan2(math.hypot(*vector), w))
+    place = ", ".join(f"{round(x, 9) + 0.0:.9g}" for x in found.state.position)
+    words = [
+        f"rest pose: O1 at ({place}) m in E0, turned by {turn:.6g} deg; V_dot {max(map(abs, found.V_dot)):.2g} remains"
+    ]
+    if found.free:
+        free = [
+            [f"{name} {round(x, 6):.6g}" for name, x in zip(TWIST, twist, strict=True) if round(x, 6)]
+            for twist in found.free
+        ]
+        words.append(f"free directions, m and rad in E1: {'; '.join('  '.join(twist) for twist in free)}")
+    if found.unstable:
+        words.append("warning: unstable, the stand would leave this pose")
+    state = state_object(found.state)
+    return {"state": state, "V_dot": found.V_dot, "free": found.free, "unstable": found.unstable}, words
+
+
+def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]]:
+    """Passivity, added mass and growth at a velocity ahead, and sentences about them."""
+    if ahead is None:
+        return {}, []
+    from mahovik.use.study.fluid import fluid
+
+    found: Fluid = fluid(stand, ahead)
+    words = []
+    for one in found.powers:
+        drives = "drives nowhere that was tried"
+        if one.positive:
+            twist = ", ".join(f"{x + 0.0:.3g}" for x in one.twist)
+            drives = f"drives from {one.speed:.3g} m/s: {one.power:.3g} W at ({twist})"
+        words.append(f"laws of the fluid on {one.body}, {'twists ahead' if one.ahead else 'any twist'}: {drives}")
+    if not found.powers:
+        words.append("fluid: no body has a law of its twist relative to the fluid")
+    if found.engines:
+        words.append(f"propellers on {', '.join(found.engines)} are there to drive, and left out")
+    if (added := found.added_mass) is not None:
+        kind = "definite" if added.least > 1e-9 else "semidefinite"
+        words.append(
+            f"added mass: symmetric, {kind} in its {added.rows} rows (least eigenvalue at unit diagonal "
+            f"{added.least:.4g}); moment of Munk {added.sway:.5g} kg u v about z, {added.heave:.5g} kg u w about y"
+        )
+        if added.without:
+            words.append(
+                f"the published derivatives on {', '.join(added.without)} contain these products: they count once"
+            )
+    neutral = abs(found.growth) <= NEUTRAL * found.velocity
+    course = "neutral" if neutral else "the course is unstable" if found.growth > 0.0 else "small motions decay"
+    growth = 0.0 if neutral else found.growth
+    words.append(f"at {found.velocity:g} m/s ahead, without weight: growth rate {growth:.4g} 1/s, {course}")
+    powers = [vars(one) | {"speed": one.speed if one.positive else None} for one in found.powers]
+    return {"fluid": vars(found) | {"powers": powers}}, words
+
+
+def _tools() -> Result:
+    from mahovik.core.toolchain.doctor import findings
+
+    found = findings()
+    return Result(
+        "tools on this machine",
+        (
+            column("what", "", [each.what for each in found]),
+            column("serves", "", [each.serves for each in found]),
+            column("found", "", [each.found for each in found]),
+            column("install", "", ["" if each.found else each.install for each in found]),
+        ),
+        rows="tools",
+        ok=bool(found[0].found),
+    )

@@ -1,0 +1,137 @@
+"""`modes`: natural frequencies, damping and shapes of small motions, and the linear model that they are of."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from mahovik.errors import CheckError
+from mahovik.nearest import names_in
+from mahovik.out.arguments import FileGiven, Names, StandGiven, state_of
+from mahovik.out.result import Result, column
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.state import State
+    from mahovik.out.api.stands import Stand
+
+STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot", "phi_ddot", "wrench")
+"""Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
+
+
+def modes(
+    stand: StandGiven,
+    *,
+    at: FileGiven = "rest",
+    flywheels: Literal["locked", "free"] = "locked",
+    points: Names | None = None,
+) -> Result:
+    """Find natural frequencies, damping and shapes.
+
+    Small motions about rest or a state, by exact derivatives: x' = A x + B u, y = C x + D u. A shape is a motion of the
+    carrier (O1 along the axes of E1, rotations about them) and of free flywheels; its largest number is 1, in m or
+    rad. Free directions come first, without a frequency. JSON and a file .mat have A, B, C, D with the names and units
+    of states (pose, V, angles and speeds of free flywheels), inputs (their drive torques, a wrench on the carrier) and
+    outputs (displacement, velocity and acceleration of points).
+
+    Args:
+        stand: the stand file.
+        at: linearise about this state, as `eval` reads it.
+        flywheels: keep flywheels locked to their motion, as a stiff servo does, or free, driven by torques.
+        points: points and instruments of the outputs; default all, else the carrier.
+
+    Raises:
+        UsageError: a state that cannot be, an unknown point.
+        CheckError: there is no equilibrium.
+    """
+    from mahovik.core.stand.hold import numbers_in_words
+    from mahovik.core.stand.identity import identities
+    from mahovik.out.api.stands import Stand
+    from mahovik.proof.verify.states import state_object
+    from mahovik.use.numeric import uniform_stream
+    from mahovik.use.study.linear import linear_model
+    from mahovik.use.study.linear import modes as modes_of
+    from mahovik.use.study.linear.words import shape_words
+
+    own = Stand.of(stand)
+    uniform_stream(own)
+    names = None if points is None else list(names_in("points", points))
+    if names is None and not (own.points or own.instruments):
+        names = ["carrier"]
+    model = linear_model(own, _nominal(own, at), names, locked=flywheels == "locked")
+    found = modes_of(model)
+    modes = found.modes
+    where = "rest" if isinstance(at, str) and at == "rest" else "a state" if not isinstance(at, str) else at
+    messages = []
+    if any(mode.kind == "free" for mode in modes):
+        messages.append("without a frequency: a free direction, no restoring force")
+    if not model.steady:
+        messages.append(
+            "valid for one moment: the carrier or a flywheel accelerates here, so growth does not show stability"
+        )
+    elif found.unstable:
+        messages.append("warning: unstable, a mode with negative damping grows")
+    if words := numbers_in_words(own.hold, "q_"):
+        messages.append(words)
+    coordinates = [str(each) for each in found.coordinates]
+    channels = {"states": model.states, "inputs": model.inputs, "outputs": model.outputs}
+    matrices = {"A": model.A, "B": model.B, "C": model.C, "D": model.D}
+    return Result(
+        f"modes of {own.name} at {where}, flywheels {flywheels}",
+        (
+            column("kind", "", [mode.kind for mode in modes]),
+            column("frequency", "Hz", [np.nan if mode.kind == "free" else mode.frequency for mode in modes]),
+            column("damping", "", [np.nan if mode.kind == "free" else mode.damping for mode in modes]),
+            column("motion", "", [shape_words(found, mode.shape) for mode in modes]),
+            column("damped_frequency", "Hz", [mode.damped_frequency for mode in modes]),
+            column("eigenvalue", "1/s", [mode.eigenvalue for mode in modes]),
+            column("shape", "", np.array([mode.shape for mode in modes]), coordinates),
+        ),
+        rows="modes",
+        meta={
+            "stand": own.name, "physics": identities(own).physics, "at": where, "flywheels": flywheels,
+            "state": state_object(model.state), "coordinates": coordinates, "zero_eigenvalues": found.zeros,
+            "unstable": found.unstable, "steady": model.steady,
+            **{name: [each.name for each in named] for name, named in channels.items()},
+            **{f"{name[:-1]}_units": [each.unit for each in named] for name, named in channels.items()},
+            "points": list(model.points),
+            **matrices,
+        },
+        messages=messages,
+        details=(
+            "damped_frequency", "eigenvalue", "shape", "stand", "physics", "at", "flywheels", "state", "coordinates",
+            "zero_eigenvalues", "unstable", "steady", *channels, *(f"{name[:-1]}_units" for name in channels),
+            "points", *matrices,
+        ),
+        drawings=(_draw_frequencies, _draw_eigenvalues),
+    )  # fmt: skip
+
+
+def _nominal(stand: Stand, at: Any) -> State:
+    """The state to linearise about. Raises UsageError, CheckError."""
+    from mahovik.out.notices import rest_to_start
+    from mahovik.use.simulate.held import allowed_start
+
+    if not isinstance(at, str) or at != "rest":
+        return allowed_start(stand, state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
+    try:
+        return rest_to_start(stand)
+    except CheckError as error:
+        raise CheckError(f"{error}; give a state by --at STATE.json") from None
+
+
+def _draw_frequencies(found: Result, ax: Any) -> None:
+    """The damping ratio of each mode over its frequency."""
+    swinging = np.nan_to_num(found["frequency"]) > 0.0
+    x, y = found["frequency"][swinging], found["damping"][swinging]
+    ax.vlines(x, 0.0, y)
+    ax.plot(x, y, "o")
+    for number, at, height in zip(np.flatnonzero(swinging) + 1, x, y, strict=True):
+        ax.annotate(str(number), (at, height), xytext=(3, 3), textcoords="offset points")
+    ax.set(xlabel="frequency, Hz", title="damping ratio of the modes, by number")
+
+
+def _draw_eigenvalues(found: Result, ax: Any) -> None:
+    ax.plot(found["eigenvalue"].real, found["eigenvalue"].imag, "x")
+    ax.axvline(0.0, color="black", linewidth=0.6)
+    ax.set(xlabel="real part, 1/s", title="eigenvalues, imaginary part, 1/s")

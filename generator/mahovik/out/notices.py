@@ -1,0 +1,120 @@
+"""Warnings of a function, those on doubtful speeds and starts among them, and its progress."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import re
+import warnings
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+from mahovik.contract.quantities import RPM
+from mahovik.errors import CheckError
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.state import State
+
+
+class MahovikWarning(UserWarning):
+    """Something plausible but doubtful: a step that is long, a speed beyond a motor's."""
+
+
+def warn(words: str) -> None:
+    """Warn the caller of the Python interface; commands print it as a line."""
+    warnings.warn(words, MahovikWarning, stacklevel=3)
+
+
+class Progress(NamedTuple):
+    """How far a function is: what it does, and how much of it is done, of `total`; None: it is not known."""
+
+    words: str
+    done: float | None = None
+    total: float | None = None
+
+
+OnProgress = Callable[[Progress], None]
+
+
+def tell(progress: OnProgress | None, now: Progress) -> None:
+    """Tell the caller how far a function is, if it has asked."""
+    if progress is not None:
+        progress(now)
+
+
+FAST = 1000.0
+"""Speed in rad/s, 9549 rpm, above which a number without unit is asked about."""
+
+_EXPONENT = re.compile(r"[eE][+-]?\d+")
+
+
+def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) -> None:
+    """Warn of `speeds` in rad/s, one per flywheel, beyond those of their motors.
+
+    `texts` are the speeds as the user gave them: a number without unit is asked about if it is above FAST, or if rpm
+    would bring it within.
+    """
+    given = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
+    beyond = [
+        (wheel.name, speed, wheel.motor.speed, text)
+        for wheel, speed, text in given
+        if wheel.motor is not None and wheel.motor.speed is not None and speed > wheel.motor.speed * (1 + 1e-9)
+    ]
+    asked = ""
+    if beyond:
+        name, speed, limit, text = beyond[0]
+        words = f"{name} turns at up to {RPM * speed:.6g} rpm, its motor at most at {RPM * limit:.6g}"
+        if len(beyond) > 1:
+            words += f"; {len(beyond)} flywheels in all are too fast"
+        if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
+            asked = rpm_question(speed)
+        warn(f"{words}{asked}")
+    fast = [(wheel.name, speed) for wheel, speed, text in given if speed > FAST and _is_plain(text)]
+    if fast and not asked:
+        name, speed = fast[0]
+        warn(f"{name} turns at up to {RPM * speed:.6g} rpm{rpm_question(speed)}")
+
+
+def rpm_question(speed: float) -> str:
+    """End of a warning: was a number without unit meant in rpm?"""
+    return f"; numbers without unit are rad/s, {speed:.6g} rpm?"
+
+
+def _is_plain(text: str) -> bool:
+    """Whether a number was given, and without a unit."""
+    return bool(text) and not any(letter.isalpha() for letter in _EXPONENT.sub("", text))
+
+
+TURNED = math.radians(5.0)
+"""Angle of the rest pose from the home pose above which what starts from it says so."""
+
+
+def rest_to_start(stand: Stand, phi: Sequence[float] | None = None) -> State:
+    """The state at rest from which a function starts. Warns of a pose that is turned. Raises CheckError."""
+    from mahovik.use.study.rest import rest
+
+    found = rest(stand, phi).state
+    warn_of_turn(stand, found)
+    return found
+
+
+def warn_of_turn(stand: Stand, found: State | None = None) -> None:
+    """Warn where the rest pose is far from upright, that of E0, or from the home pose of a hold.
+
+    found  the state at rest; None: it is searched, and where there is none nothing is said
+    """
+    import numpy as np
+
+    from mahovik.proof.reference.rotation import carrier_rotation
+    from mahovik.use.simulate.held import home
+
+    if found is None:
+        with contextlib.suppress(CheckError):
+            rest_to_start(stand)
+        return
+    C = carrier_rotation(stand, home(stand)).T @ carrier_rotation(stand, found)
+    turn = 2.0 * math.asin(min(1.0, math.sqrt(max(0.0, 3.0 - float(np.trace(C)))) / 2.0))
+    if turn > TURNED:
+        of = "E0" if stand.hold is None else "the home pose"
+        warn(f"starts from rest, turned by {math.degrees(turn):.3g} deg from {of}: see mahovik check")

@@ -1,0 +1,499 @@
+"""What every command answers: named columns with units, what stands beside them, messages, a verdict.
+
+`Result` is plain data. Its table for terminals and notebooks, JSON, files, data frames and pictures are made here and
+nowhere else.
+"""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import io
+import json
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from html import escape
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from mahovik.errors import InputError, UsageError
+from mahovik.nearest import suggestion
+
+Array = NDArray[Any]
+
+SUFFIXES = (".csv", ".json", ".parquet", ".mat", ".svg", ".png")
+"""Ends of the names of files that a result is written to."""
+
+SHOWN = 40
+"""Most rows of a table for people; of longer ones the first and the last."""
+
+UNITS: dict[str, tuple[tuple[str, float], ...]] = {
+    "kg": (("kg", 1.0), ("g", 1e-3)),
+    "kg m": (("g mm", 1e-6), ("mg mm", 1e-9), ("kg mm", 1e-3), ("kg m", 1.0)),
+    "kg m2": (("kg m2", 1.0), ("kg cm2", 1e-4), ("g cm2", 1e-7), ("g mm2", 1e-9), ("mg mm2", 1e-12)),
+    "m": (("m", 1.0), ("mm", 1e-3), ("um", 1e-6)),
+    "m/s": (("m/s", 1.0), ("mm/s", 1e-3), ("um/s", 1e-6)),
+    "N": (("N", 1.0), ("mN", 1e-3), ("uN", 1e-6), ("kN", 1e3)),
+    "N m": (("N m", 1.0), ("mN m", 1e-3), ("uN m", 1e-6), ("kN m", 1e3)),
+    "N m s": (("N m s", 1.0), ("mN m s", 1e-3), ("uN m s", 1e-6)),
+    "rad": (("deg", math.pi / 180.0), ("arcsec", math.pi / 648000.0)),
+    "rpm": (("rpm", math.pi / 30.0),),
+}
+"""Units in which numbers of a unit are shown to people, and their size; the first one that fits is taken."""
+
+FITS = 0.1, 1e5
+"""A unit fits if the largest figure is at least the first, and below the second."""
+
+STYLES = {"ok": "green", "yes": "green", "passed": "green", "FAILED": "bold red", "failed": "bold red", "no": "red"}
+"""Styles of words in a table on a terminal."""
+
+STYLE = {
+    "svg.hashsalt": "mahovik", "svg.fonttype": "path", "font.size": 8.5, "axes.spines.top": False,
+    "axes.spines.right": False, "axes.grid": True, "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-3, 5), "grid.color": "#e4e4e4", "grid.linewidth": 0.6, "axes.axisbelow": True,
+}  # fmt: skip
+"""Settings of matplotlib for pictures; the same data give the same bytes of SVG."""
+
+
+class Column(NamedTuple):
+    """Values under a name, one a row; `column` makes it of lists."""
+
+    name: str
+    unit: str
+    values: Array
+    parts: tuple[str, ...] = ()
+    shown: str = ""
+
+    @property
+    def head(self) -> str:
+        """Its name, and the unit behind a comma."""
+        return f"{self.name}, {self.unit}" if self.unit else self.name
+
+    def flat(self) -> list[Column]:
+        """Each part as a column of its own: `amplitude x`, `amplitude y`; without parts itself."""
+        parts = enumerate(self.parts)
+        return [Column(f"{self.name} {part}", self.unit, self.values[:, i], (), self.shown) for i, part in parts] or [
+            self
+        ]
+
+
+def column(
+    name: str, unit: str, values: ArrayLike | Sequence[float | None], parts: Sequence[str] = (), shown: str = ""
+) -> Column:
+    """A column of numbers (None becomes NaN) or texts, in SI.
+
+    unit    of all values; "" for none
+    values  (rows,), or (rows, parts) with a name for each of `parts`, such as x, y, z
+    shown   key of `UNITS` for people: "rpm" for a speed in rad/s; "": that of the unit
+    """
+    listed = values if isinstance(values, np.ndarray) else list(values)  # type: ignore[arg-type]
+    if len(listed) and any(isinstance(value, str) for value in listed):
+        return Column(name, unit, np.array([str(value) for value in listed], dtype=object), tuple(parts), shown)
+    array = np.asarray(listed)
+    if array.dtype == object:
+        array = np.array([np.nan if value is None else value for value in listed], dtype=np.float64)
+    return Column(name, unit, array.reshape(-1, len(parts)) if parts else array, tuple(parts), shown)
+
+
+def columns_of(
+    rows: Sequence[Any],
+    units: Mapping[str, str],
+    parts: Mapping[str, Sequence[str]] | None = None,
+    shown: Mapping[str, str] | None = None,
+) -> tuple[Column, ...]:
+    """Columns of attributes of `rows`: `units` by the name of the attribute; `parts`, `shown` as those of `column`."""
+    parts, shown = parts or {}, shown or {}
+    return tuple(
+        column(name, unit, [getattr(row, name) for row in rows], parts.get(name, ()), shown.get(name, ""))
+        for name, unit in units.items()
+    )
+
+
+Drawing = Callable[["Result", Any], None]
+"""Draws one panel of a result on axes of matplotlib."""
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Result(Mapping[str, Any]):
+    """The answer of a command: a mapping of the arrays of its columns, by name, and of what stands in `meta`.
+
+    title      one line that says what it is of
+    columns    the main table
+    rows       key under which JSON has a list with an object a row; "": each column is a list under its own name
+    index      column that rows are known by; with `rows`, JSON has an object with a key a row in place of the list
+    meta       plain data beside the columns: numbers, texts, lists, mappings, further results
+    units      units of entries of `meta`
+    messages   sentences for people, printed below the table
+    ok         whether the verdict is good: False is exit status 1
+    details    entries of `meta` that JSON has and tables for people leave out
+    drawings   panels of its picture; none: every column of numbers over the index
+    """
+
+    title: str
+    columns: Sequence[Column] = ()
+    rows: str = ""
+    index: str = ""
+    meta: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+    units: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    messages: Sequence[str] = ()
+    ok: bool = True
+    details: Sequence[str] = ()
+    drawings: Sequence[Drawing] = ()
+
+    def __getitem__(self, key: str) -> Any:
+        for one in self.columns:
+            if one.name == key:
+                return one.values
+        if key in self.meta:
+            return self.meta[key]
+        raise InputError(f"{key!r}: no such column or entry{suggestion(str(key), list(self))}")
+
+    def __contains__(self, key: object) -> bool:
+        return key in self.meta or any(one.name == key for one in self.columns)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from (one.name for one in self.columns)
+        yield from self.meta
+
+    def __len__(self) -> int:
+        return len(self.columns) + len(self.meta)
+
+    def __bool__(self) -> bool:
+        return True  # what has no rows is still a result
+
+    def __repr__(self) -> str:
+        return f"<{self.title}{'' if self.ok else ': FAILED'}>"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    @property
+    def count(self) -> int:
+        """Number of rows."""
+        return len(self.columns[0].values) if self.columns else 0
+
+    # ---- data
+
+    def flat(self) -> list[Column]:
+        """The columns, each part of one with parts as a column of its own."""
+        return [part for one in self.columns for part in one.flat()]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data, as JSON has it: what is not finite is None, a complex number a pair."""
+        units = {one.name: one.unit for one in self.columns if one.unit} | dict(self.units)
+        found = {key: plain(value) for key, value in self.meta.items()}
+        if self.rows:
+            found[self.rows] = self._objects()
+        else:
+            found |= {one.name: plain(one.values) for one in self.columns}
+        return {**found, "units": units, "messages": list(self.messages), "ok": bool(self.ok)}
+
+    def _objects(self) -> Any:
+        """An object a row."""
+        names = [one.name for one in self.columns]
+        rows = [
+            dict(zip(names, row, strict=True)) for row in zip(*(plain(one.values) for one in self.columns), strict=True)
+        ]
+        if not self.index or not self.rows:
+            return rows
+        return {row.pop(self.index): row for row in rows}
+
+    def to_json(self) -> str:
+        """JSON text; the same bytes for the same numbers."""
+        return json.dumps(self.to_dict(), indent=1, allow_nan=False)
+
+    def to_pandas(self) -> Any:
+        """The rows as a pandas.DataFrame; units stand in `attrs["units"]`. Raises UsageError without pandas."""
+        columns = self.flat()
+        frame = _library("pandas", "frames").DataFrame({one.name: one.values for one in columns})
+        frame.attrs["units"] = {one.name: one.unit for one in columns}
+        return frame.set_index(self.index) if self.index else frame
+
+    def to_xarray(self) -> Any:
+        """The columns as an xarray.Dataset, each with its unit in `attrs`. Raises UsageError without xarray."""
+        rows = self.index or "row"
+        found = {
+            one.name: (
+                (rows, f"{one.name} part") if one.parts else rows,
+                one.values,
+                {"units": one.unit} if one.unit else {},
+            )
+            for one in self.columns
+        }
+        places: dict[str, Any] = {rows: found.pop(rows) if self.index else np.arange(self.count)}
+        places |= {f"{one.name} part": list(one.parts) for one in self.columns if one.parts}
+        return _library("xarray", "frames").Dataset(found, coords=places)
+
+    # ---- files
+
+    def save(self, path: str | Path) -> None:
+        """Write it to a file, by the end of its name: .csv, .json, .parquet, .mat, .svg or .png. Raises UsageError."""
+        from mahovik.writing import write
+
+        path = Path(path)
+        suffix = suffix_of(path)
+        if suffix == ".json":
+            write(path, self.to_json() + "\n")
+        elif suffix == ".csv":
+            write(path, self._csv())
+        elif suffix == ".mat":
+            write(path, self._mat())
+        elif suffix == ".parquet":
+            content = io.BytesIO()
+            _library("pyarrow", "campaign")
+            self.to_pandas().to_parquet(content)
+            write(path, content.getvalue())
+        else:
+            write(path, self._picture(suffix))
+
+    def _csv(self) -> str:
+        text, columns = io.StringIO(), self.flat()
+        lines = csv.writer(text, lineterminator="\n")
+        lines.writerow([f"{one.name} [{one.unit}]" if one.unit else one.name for one in columns])
+        lines.writerows(zip(*(one.values.tolist() for one in columns), strict=True))
+        return text.getvalue()
+
+    def _mat(self) -> bytes:
+        """For MATLAB, Octave and SciPy; the head has no date, so that the same numbers give the same bytes."""
+        content = io.BytesIO()
+        known = {**self.meta, **{one.name: one.values for one in self.columns}}
+        values = {key: found for key, value in known.items() if (found := _matlab(value)) is not None}
+        import_module("scipy.io").savemat(content, values, oned_as="column")
+        text = f"MATLAB 5.0 MAT-file, {self.title}".encode("ascii", "replace")[:116].ljust(116)
+        return text + content.getvalue()[116:]
+
+    def _picture(self, suffix: str) -> bytes:
+        matplotlib = _library("matplotlib", "report")
+        with matplotlib.rc_context(STYLE):
+            figure = import_module("matplotlib.figure").Figure(layout="constrained")
+            self._draw_on(figure)
+            content = io.BytesIO()
+            metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
+            figure.savefig(content, format=suffix[1:], dpi=150, metadata=metadata)
+        return content.getvalue()
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw it, and return the axes of matplotlib; None: on a new figure with all panels.
+
+        ax  one axes, for the first panel, or a list, for as many panels
+
+        Raises UsageError without matplotlib, or where more axes are given than there are panels.
+        """
+        matplotlib = _library("matplotlib", "report")
+        with matplotlib.rc_context(STYLE):
+            if ax is None:
+                return self._draw_on(import_module("matplotlib.pyplot").figure(layout="constrained"))
+            given, drawings = list(np.ravel(np.asarray(ax, dtype=object))), self._drawings()
+            if len(given) > len(drawings):
+                raise UsageError(f"ax: {len(given)} axes are given, but {self.title} has {len(drawings)} panels")
+            for axes, draw in zip(given, drawings, strict=False):
+                draw(self, axes)
+        return ax
+
+    def _draw_on(self, figure: Any) -> list[Any]:
+        """All panels below one another on an empty figure."""
+        drawings = self._drawings()
+        figure.set_size_inches(8.6, 2.2 * max(len(drawings), 1.4) + 0.5)
+        figure.suptitle(self.title, x=0.01, ha="left", fontweight="bold")
+        axes = list(np.ravel(figure.subplots(len(drawings), 1)))
+        for each, draw in zip(axes, drawings, strict=True):
+            draw(self, each)
+        return axes
+
+    def _drawings(self) -> Sequence[Drawing]:
+        numbers = (one.name for one in self.columns if one.values.dtype.kind in "iuf" and one.name != self.index)
+        found = self.drawings or [partial(_draw_column, name) for name in numbers]
+        if not found or (self.columns and not self.count):
+            raise UsageError(f"{self.title}: has no rows of numbers to draw")
+        return found
+
+    # ---- text
+
+    def text(self, width: int | None = None, styles: bool = False) -> str:
+        """The table for people, what stands beside it, and the messages.
+
+        width   columns of the terminal, where long cells are folded; None: nothing is folded
+        styles  with the control characters that give colours
+        """
+        from rich.console import Console
+        from rich.text import Text
+
+        file = io.StringIO()
+        console = Console(
+            file=file, width=width or 10_000, force_terminal=styles, color_system="standard" if styles else None,
+            highlight=False, markup=False, emoji=False, legacy_windows=False,
+        )  # fmt: skip
+        if self.title:
+            console.print(Text(self.title, "bold"))
+        for table in self._tables():
+            console.print(table)
+        for line in self._lines():
+            console.print(Text(line))
+        for message in self.messages:
+            console.print(Text(message, "yellow" if message.startswith("warning") else ""))
+        return "".join(f"{line.rstrip()}\n" for line in file.getvalue().split("\n")[:-1])
+
+    def _tables(self) -> Iterator[Any]:
+        """The main table and those of `meta`, as rich prints them."""
+        if self.columns:
+            yield self._table("")
+        for key, value in self.meta.items():
+            if key not in self.details and isinstance(value, Result) and value.count:
+                yield value._table(value.title or key.replace("_", " "))
+
+    def _table(self, title: str) -> Any:
+        from rich.box import SIMPLE_HEAD
+        from rich.table import Table
+        from rich.text import Text
+
+        heads, rows, numbers = self._cells()
+        table = Table(title=title or None, title_justify="left", title_style="bold", box=SIMPLE_HEAD, pad_edge=False)
+        for head, number in zip(heads, numbers, strict=True):
+            table.add_column(Text(head), justify="right" if number else "left", overflow="fold")
+        for row in rows:
+            table.add_row(*(Text(cell, STYLES.get(cell, "")) for cell in row))
+        return table
+
+    def _cells(self) -> tuple[list[str], list[list[str]], list[bool]]:
+        """Heads with units, the cells of the rows that are shown, and which columns are of numbers."""
+        shown = [_fitted(one) for one in self.columns if one.name not in self.details]
+        columns = [part for one in shown for part in one.flat()]
+        heads = [one.head.replace("_", " ") for one in columns]
+        places: list[int | None] = [*range(self.count)]
+        if self.count > SHOWN:
+            places = [*range(SHOWN - 10), None, *range(self.count - 9, self.count)]
+        rows = [["..." if i is None else cell_text(one.values[i]) for one in columns] for i in places]
+        return heads, rows, [one.values.dtype.kind in "iufc" for one in columns]
+
+    def _lines(self) -> Iterator[str]:
+        """Entries of `meta` that are a number, a text or a short list of them, a line each."""
+        for key, value in self.meta.items():
+            if key in self.details or value is None or isinstance(value, Result | Mapping):
+                continue
+            parts = list(value) if isinstance(value, list | tuple | np.ndarray) else [value]
+            texts = all(isinstance(part, str) for part in parts)
+            if not parts or not (texts or (len(parts) <= 6 and all(isinstance(x, int | float) for x in parts))):
+                continue
+            one = Column(key, self.units.get(key, ""), np.array(parts, dtype=object))
+            if not texts and not any(isinstance(part, bool | int) for part in parts):
+                one = _fitted(one._replace(values=np.array(parts, dtype=np.float64)))
+            words = (", " if texts else "  ").join(map(cell_text, one.values))
+            yield f"{key.replace('_', ' ')}: {words} {one.unit}".rstrip()
+
+    def _repr_html_(self) -> str:
+        parts = [f"<div><strong>{escape(self.title)}</strong></div>"]
+        for one in (self, *(value for key, value in self.meta.items() if isinstance(value, Result))):
+            if one.columns:
+                heads, rows, _ = one._cells()
+                head = "".join(f"<th>{escape(text)}</th>" for text in heads)
+                body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
+                parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
+        parts += [f"<div>{escape(line)}</div>" for line in (*self._lines(), *self.messages)]
+        return "".join(parts)
+
+
+def _draw_column(name: str, found: Result, ax: Any) -> None:
+    """Draw a column over the index, or over the number of the row."""
+    one = next(_fitted(each) for each in found.columns if each.name == name)
+    abscissa = next((_fitted(each) for each in found.columns if each.name == found.index), None)
+    if abscissa is None or abscissa.values.dtype.kind not in "iuf":
+        abscissa = Column(found.index or "row", "", np.arange(1, found.count + 1))
+    ax.plot(abscissa.values, one.values, "o" if found.count < 2 else "-", label=list(one.parts) or None)
+    ax.set(xlabel=abscissa.head, title=one.head)
+    if one.parts:
+        ax.legend(loc="upper right", frameon=False)
+
+
+def plain(value: Any) -> Any:
+    """Plain data for JSON: arrays as lists, complex numbers as pairs, None for what is not finite."""
+    if isinstance(value, Result):
+        return value._objects()
+    if isinstance(value, Mapping):
+        return {str(key): plain(each) for key, each in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return [plain(each) for each in value]
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, complex):
+        return [plain(value.real), plain(value.imag)]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {each.name: plain(getattr(value, each.name)) for each in dataclasses.fields(value)}
+    return str(value) if isinstance(value, Path) else value
+
+
+def suffix_of(path: Path) -> str:
+    """How the name of a file ends that a result can be written to. Raises UsageError."""
+    from mahovik.writing import format_of
+
+    found = format_of(path, SUFFIXES)
+    if found is None:
+        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
+    if found in (".svg", ".png"):
+        _library("matplotlib", "report")
+    return found
+
+
+def split_unit(text: str) -> tuple[str, str]:
+    """Name and unit of the head of a column, "phi w1 [rad]"."""
+    name, bracket, unit = text.partition(" [")
+    return name, unit.rstrip("]") if bracket else ""
+
+
+def cell_text(value: Any) -> str:
+    """A number with six digits, or a text; "-" for what is missing."""
+    if value is None:
+        return "-"
+    if isinstance(value, bool | np.bool_):
+        return "yes" if value else "no"
+    if isinstance(value, complex | np.complexfloating):
+        return f"{value:.4g}"
+    if isinstance(value, float | np.floating):
+        return f"{value + 0.0:.6g}" if math.isfinite(value) else "-"
+    return str(value)
+
+
+def _fitted(one: Column) -> Column:
+    """A column in the unit for people."""
+    unit = _unit_that_fits(one)
+    return one if unit is None else one._replace(unit=unit[0], values=one.values / unit[1])
+
+
+def _unit_that_fits(one: Column) -> tuple[str, float] | None:
+    """The first unit in which the largest figure is of a readable size; None where the column's own stays."""
+    units = UNITS.get(one.shown or one.unit)
+    if units is None or one.values.dtype.kind not in "iuf":
+        return None
+    largest = float(np.nanmax(np.abs(one.values), initial=0.0)) if one.values.size else 0.0
+    if not math.isfinite(largest) or largest == 0.0:
+        return units[0]
+    fitting = [unit for unit in units if FITS[0] <= largest / unit[1] < FITS[1]]
+    if fitting:
+        return fitting[0]
+    return min(units, key=lambda unit: abs(math.log(largest / unit[1])))
+
+
+def _matlab(value: Any) -> Any:
+    """Numbers, texts, cell arrays of texts, and mappings of these, as SciPy writes them; None for anything else."""
+    if isinstance(value, Mapping):
+        inside = {str(key): _matlab(each) for key, each in value.items()}
+        return None if not inside or any(each is None for each in inside.values()) else inside
+    if isinstance(value, list | tuple):
+        if not all(isinstance(each, int | float) for each in value):
+            return np.array(value, dtype=object) if all(isinstance(each, str) for each in value) else None
+        return np.array(value, dtype=np.float64)
+    return value if isinstance(value, np.ndarray | str | int | float) else None
+
+
+def _library(name: str, extra: str) -> Any:
+    """A library that only some users have. Raises UsageError, with the command that installs it."""
+    try:
+        return import_module(name)
+    except ImportError:
+        raise UsageError(f'{name} is not installed: pip install "mahovik[{extra}]"') from None

@@ -1,0 +1,128 @@
+"""`Result`: a mapping of columns with units in every form, and what stands beside them."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.io import loadmat
+
+import mahovik
+from mahovik.out.result import SHOWN, Column, Result, column
+
+
+def orders(**more: Any) -> Result:
+    return Result(
+        "orders of rig",
+        (
+            column("wheel", "", ["w1", "w2"]),
+            column("frequency", "Hz", [10.0, None]),
+            column("amplitude", "m", [[1e-3, 2e-3, 0.0], [0.0, 3e-5, 1e-4]], "xyz"),
+            column("phase", "1", np.array([1 + 2j, 3j])),
+        ),
+        meta={
+            "largest": 0.002, "names": ["a", "b"], "hidden": [1.0] * 9, "counted": 3,
+            "inner": Result("inside", (column("speed", "rad/s", [np.pi * 10], shown="rpm"),)),
+        },
+        units={"largest": "m"},
+        messages=["warning: coarse"],
+        **more,
+    )  # fmt: skip
+
+
+def test_it_is_a_mapping_of_columns_and_entries() -> None:
+    found = orders()
+    assert list(found) == ["wheel", "frequency", "amplitude", "phase", *found.meta] and len(found) == len(list(found))
+    assert found["amplitude"].shape == (2, 3) and found["names"] == ["a", "b"] and "wheel" in found and found
+    assert dict(found)["largest"] == 0.002 and found.count == 2
+    with pytest.raises(mahovik.InputError, match="'frequenc': no such column or entry, did you mean \"frequency\""):
+        found["frequenc"]
+
+
+def test_json_has_rows_columns_or_an_object_a_row() -> None:
+    rows = json.loads(orders(rows="orders").to_json())
+    first = {"wheel": "w1", "frequency": 10.0, "amplitude": [1e-3, 2e-3, 0.0], "phase": [1.0, 2.0]}
+    assert rows["orders"][0] == first and rows["orders"][1]["frequency"] is None
+    assert rows["units"] == {"frequency": "Hz", "amplitude": "m", "phase": "1", "largest": "m"}
+    assert (rows["ok"], rows["messages"], rows["inner"]) == (True, ["warning: coarse"], [{"speed": np.pi * 10}])
+    keyed = json.loads(orders(rows="orders", index="wheel").to_json())["orders"]
+    assert list(keyed) == ["w1", "w2"] and keyed["w1"]["frequency"] == 10.0 and "wheel" not in keyed["w1"]
+    columns = json.loads(orders(ok=False).to_json())
+    assert columns["wheel"] == ["w1", "w2"] and columns["ok"] is False
+
+
+def test_people_see_units_that_fit_and_not_what_is_left_out() -> None:
+    text = orders(details=("phase",)).text()
+    assert "amplitude x, mm   amplitude y, mm" in text and "phase" not in text and "hidden" not in text
+    assert "largest: 2 mm" in text and "names: a, b" in text and "counted: 3" in text
+    assert "speed, rpm" in text and "300" in text and text.rstrip().endswith("warning: coarse")
+    html = orders()._repr_html_()
+    assert html.count("<table>") == 2 and "w2" in html and "speed, rpm" in html
+    long = Result("run", (column("t", "s", np.arange(1000.0)),))
+    assert len(long.text().splitlines()) < SHOWN + 6 and "\n  ...\n" in long.text() and "999" in long.text()
+    assert max(map(len, orders().text(40).splitlines())) <= 40
+
+
+@pytest.mark.parametrize(
+    ("values", "unit", "head", "shown"),
+    [
+        ([1.5e-6, 0.0], "kg m", "x, g mm", [1.5, 0.0]),
+        ([5e-8, 1e-9], "kg m", "x, mg mm", [50.0, 1.0]),
+        ([500.0], "kg m", "x, kg m", [500.0]),
+        ([2.8e-4, 1.6e-4], "kg m2", "x, kg cm2", [2.8, 1.6]),
+        ([-3e-6], "N m", "x, uN m", [-3.0]),
+        ([2e5, 1.0], "N", "x, kN", [200.0, 0.001]),
+        ([np.pi], "rad", "x, deg", [180.0]),
+    ],
+)
+def test_figures_are_in_a_unit_that_fits(values: list[float], unit: str, head: str, shown: list[float]) -> None:
+    lines = Result("", (column("x", unit, values),)).text().splitlines()
+    assert lines[1].strip() == head and [float(line) for line in lines[3:] if line] == pytest.approx(shown)
+
+
+def test_it_is_saved_by_the_end_of_the_name(tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    found = orders()
+    for suffix in (".csv", ".json", ".parquet", ".mat"):
+        real = Result(found.title, found.columns[: 3 if suffix == ".parquet" else 4], meta=found.meta)
+        real.save(tmp_path / f"a{suffix}")
+    head, *rows = csv.reader((tmp_path / "a.csv").read_text().splitlines())
+    assert head[:3] == ["wheel", "frequency [Hz]", "amplitude x [m]"] and float(rows[0][2]) == 1e-3
+    assert json.loads((tmp_path / "a.json").read_text())["largest"] == 0.002
+    assert pandas.read_parquet(tmp_path / "a.parquet")["amplitude y"].tolist() == [2e-3, 3e-5]
+    mat = loadmat(tmp_path / "a.mat", simplify_cells=True)
+    assert np.array_equal(mat["amplitude"], found["amplitude"]) and list(mat["names"]) == ["a", "b"]
+    with pytest.raises(mahovik.UsageError, match=r"expected a name that ends in \.csv or"):
+        found.save(tmp_path / "a.txt")
+
+
+def test_frames_and_datasets_keep_units() -> None:
+    pytest.importorskip("xarray")
+    found = orders(index="wheel")
+    frame, dataset = found.to_pandas(), found.to_xarray()
+    assert frame.attrs["units"]["amplitude z"] == "m" and frame.loc["w2", "amplitude z"] == 1e-4
+    assert dataset["amplitude"].attrs["units"] == "m" and dataset["amplitude"].dims == ("wheel", "amplitude part")
+    assert dataset["frequency"].sel(wheel="w1") == 10.0
+
+
+def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib").use("Agg")
+    from matplotlib import pyplot
+
+    found = Result("run", (column("t", "s", [0.0, 1.0]), Column("x", "m", np.array([1.0, 2.0]))), index="t")
+    (axes,) = found.plot()
+    assert axes.get_xlabel() == "t, s" and axes.get_title() == "x, m" and len(axes.lines) == 1
+    _, ax = pyplot.subplots()
+    assert found.plot(ax) is ax and ax.lines
+    with pytest.raises(mahovik.UsageError, match="2 axes are given, but run has 1 panels"):
+        found.plot([ax, ax])
+    with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
+        Result("names", (column("name", "", ["a"]),)).plot()
+    for name in ("a.svg", "b.svg", "c.png"):
+        found.save(tmp_path / name)
+    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
+    pyplot.close("all")
