@@ -18,7 +18,6 @@ STAND = str(path("bench8"))
 
 COMMANDS = (
     ("check", STAND),
-    ("rest", STAND),
     ("eval", STAND, "--backend", "numpy"),
     ("generate", STAND, "-o", "bench8"),
 )

@@ -47,7 +47,6 @@ STARTS: tuple[tuple[tuple[str, ...], float], ...] = (
     (("generate", "--help"), 0.25),
     (("check", "STAND.toml"), 0.25),
     (("eval", "STAND.toml"), 0.25),
-    (("rest", "STAND.toml"), 0.6),
     (("generate", "STAND.toml", "-o", "out"), 1.2),
     (("verify", "STAND.toml"), 12.0),
     (("report", "STAND.toml", "--run", "run.csv", "-o", "report.html"), 6.0),
