@@ -90,7 +90,7 @@ def test_tables(tmp_path: Path) -> None:
     assert found.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
     torque = loads_regime(regime_of_left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
     assert isinstance(torque, TorqueTable)
-    assert torque.command(0.5, 0.0) == 1.5
+    assert torque.torque(0.5, 0.0, None) == 1.5
 
 
 @pytest.mark.parametrize(
@@ -214,14 +214,14 @@ def test_ramps_and_sweeps_reach_their_ends_and_stay() -> None:
 
 
 def test_torque_laws_command_what_they_say() -> None:
-    assert Torque(0.3).command(7.0, 100.0) == 0.3
+    assert Torque(0.3).torque(7.0, 100.0, None) == 0.3
     table = TorqueTable(np.array([0.0, 2.0]), np.array([1.0, 5.0]))
-    assert table.command(0.5, 9.0) == 2.0
+    assert table.torque(0.5, 9.0, None) == 2.0
     run_up = RunUp(0.2, 100.0, 1.0)
-    assert run_up.command(0.0, 0.0) == pytest.approx(0.2, rel=1e-12)
-    assert run_up.command(0.0, 100.0) == 0.0
-    assert run_up.command(0.0, 200.0) == pytest.approx(-0.2, rel=1e-12)
-    assert RunUp(0.2, -100.0, 1.0).command(0.0, 0.0) == pytest.approx(-0.2, rel=1e-12)
+    assert run_up.torque(0.0, 0.0, None) == pytest.approx(0.2, rel=1e-12)
+    assert run_up.torque(0.0, 100.0, None) == 0.0
+    assert run_up.torque(0.0, 200.0, None) == pytest.approx(-0.2, rel=1e-12)
+    assert RunUp(0.2, -100.0, 1.0).torque(0.0, 0.0, None) == pytest.approx(-0.2, rel=1e-12)
 
 
 MOTOR = Motor(0.2, 100.0, None, None, None, 1e-3, 5e-3, 0.1)

@@ -8,18 +8,20 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import mahovik
 from mahovik import stands
+from mahovik.core.motion.laws import TorqueSpeed
 from mahovik.core.motion.regime import loads_regime, steady_regime
-from mahovik.core.stand import Stand, load, rest_state
+from mahovik.core.stand import Stand, load, loads, rest_state
 from mahovik.core.stand.model import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
 from mahovik.core.stand.state import State
-from mahovik.errors import UsageError
+from mahovik.errors import RefusedError, RegimeError, UsageError
 from mahovik.proof import reference
-from mahovik.use.simulate import Case, Run, simulate
-from mahovik.use.simulate.by_c import CMotion
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.run import Run, simulate
 from mahovik.use.study.rest import rest
 from toolchain.quick import quick
 
@@ -175,7 +177,7 @@ def test_what_is_too_steep_is_refused_before_the_run() -> None:
         UsageError, match=r"flywheel left: its torque falls by up to 5e\+03 N m per rad/s.* wider `band`"
     ):
         simulate(steep_case(run_up(50.0, band=0.01)))
-    CMotion(steep_case(run_up(50.0, band=0.01), dt=1e-6))  # as the refusal proposes: taken
+    simulate(replace(steep_case(run_up(50.0, band=0.01), dt=1e-6), until=1e-4))  # as the refusal proposes: taken
 
 
 def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsRecorder) -> None:
@@ -195,7 +197,9 @@ def test_scipy_has_no_float_and_no_carry() -> None:
         case(busy(), MIXED, real="half")
 
 
-def test_interruption_keeps_what_was_computed() -> None:
+def test_interruption_keeps_what_was_computed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("mahovik.use.simulate.course.NUMBERS", 1)  # a piece a moment
+
     def stop(t: float) -> None:
         if t > 0.025:
             raise KeyboardInterrupt
@@ -219,3 +223,90 @@ def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
     t, missing = found.weak_motors["left"]
     assert 0.0 <= t <= 0.05
     assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
+
+
+RAIL = """
+schema = 1
+name = "shaker"
+carrier = { mass = 19, inertia = [0.2, 0.2, 0.2] }
+hold = { freedoms = ["x"] }
+suspension = { stiffness = [78956.8352, 0, 0, 0, 0, 0], damping = [40, 0, 0, 0, 0, 0] }
+[[flywheel]]
+name = "ex"
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = 1
+spin_inertia = 2e-3
+transverse_inertia = 1.5e-3
+unbalance = { static = 0.02 }
+motor = { torque = 0.35, speed = "1500 rpm", viscous = 1e-4 }
+"""
+CURVE = [[0, 0.4], [100, 0.9], ["1500 rpm", 0.2], [160, 0]]
+
+
+@pytest.mark.parametrize("law", [{"torque": 0.35}, {"torque_speed": CURVE}], ids=["motor", "curve"])
+def test_an_exciter_on_a_rail_is_that_of_two_equations(law: dict[str, Any]) -> None:
+    """(M) x'' + c x' + k x = u (w^2 cos p + w' sin p), J w' = T(w) + u x'' sin p, by SciPy."""
+    M, c, k, u, J, no_load = 20.0, 40.0, 78956.8352, 0.02, 2e-3, 50 * np.pi
+    speeds, torques = [0.0, 100.0, no_load, 160.0], [0.4, 0.9, 0.2, 0.0]
+
+    def rates(_: float, y: Any) -> list[float]:
+        x, v, p, w = y
+        T = np.interp(abs(w), speeds, torques) if "torque_speed" in law else 0.35 * (1 - w / no_load if w > 0 else 1)
+        A = np.array([[M, -u * np.sin(p)], [-u * np.sin(p), J]])
+        a = np.linalg.solve(A, [u * w * w * np.cos(p) - c * v - k * x, T - 1e-4 * w])
+        return [v, a[0], w, a[1]]
+
+    at = np.linspace(0.0, 1.0, 11)
+    expected = solve_ivp(rates, (0, 1), [0.0] * 4, rtol=1e-10, atol=1e-12, method="DOP853", t_eval=at).y
+    start = {"position": [0, 0, 0]}
+    found = mahovik.simulate(loads(RAIL), 1.0, every=0.1, start=start, regime={"flywheel": {"ex": law}})
+    for row, name in zip(expected, ("x [m]", "v_x [m/s]", "phi ex [rad]", "phi_dot ex [rad/s]"), strict=True):
+        np.testing.assert_allclose(found.run[name], row, rtol=0.0, atol=2e-5 * np.abs(row).max())
+
+
+def test_what_a_curve_delivers_is_mirrored_holds_beyond_its_ends_and_is_read_with_units() -> None:
+    stand = loads(RAIL)
+    law = loads_regime(f"schema = 1\nflywheel.ex = {{ torque_speed = {CURVE} }}", stand, 1.0).flywheels[0].law
+    assert isinstance(law, TorqueSpeed)
+    assert [law.torque(0.0, w, None) for w in (-200.0, -50.0, 0.0, 50.0, 200.0)] == [0.0, 0.65, 0.4, 0.65, 0.0]
+    both = loads_regime("schema = 1\nflywheel.ex = { torque_speed = [[-10, -1], [10, 3]] }", stand, 1.0)
+    assert [both.torques(0.0, np.array([w]), (None,))[0] for w in (-20.0, 0.0, 20.0)] == [-1.0, 1.0, 3.0]
+
+
+@pytest.mark.parametrize(
+    ("curve", "words"),
+    [
+        ("[]", r"expected points \[\[speed, torque\], ...\]"),
+        ("[[0, 1], [0, 2]]", "point 2: its speed 0 rad/s is not above 0 rad/s"),
+        ('[[0, "1 m"]]', "torque"),
+        ("[[1e6, 1]]", "out of range"),
+        ("[[0, 1, 2]]", "expected points"),
+    ],
+)
+def test_bad_curves_are_refused_in_one_line(curve: str, words: str) -> None:
+    with pytest.raises(RegimeError, match=words) as caught:
+        loads_regime(f"schema = 1\nflywheel.ex = {{ torque_speed = {curve} }}", loads(RAIL), 1.0)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+def test_samples_move_as_each_alone_and_a_refused_one_is_named() -> None:
+    stand = mahovik.load(stands.path("demo3"))
+    model = mahovik.build(stand)
+    masses = np.linspace(0.5, 0.6, 10)
+    law: dict[str, Any] = {"regime": {"default": {"torque": 0.01}}, "mounts": True}
+    many = model.simulate("20 ms", tables=model.tables({"w1.mass": masses}), **law)
+    one = model.simulate(0.02, tables=model.tables({"w1.mass": masses[3:4]}), **law)
+    for name in one:
+        np.testing.assert_array_equal(many[name][3:4] if name != "t" else many["t"], one[name])
+    dataset = many.to_xarray()
+    assert dict(dataset.sizes)["sample"] == 10
+    assert float(dataset.phi_dot.sel(flywheel="w1")[3, -1]) == many["phi_dot"][3, -1, 0]
+    start = np.tile(np.concatenate([one[n][0, 0] for n in ("position", "attitude", "V", "phi", "phi_dot")]), (2, 1))
+    start[1, 7] = 2e4
+    with pytest.raises(RefusedError, match="sample 1: at t = 0 s"):
+        model.simulate(0.01, start=start)
+    kept = model.simulate(0.01, start=start, on_error="nan")
+    assert [bool(words) for words in kept.refused] == [False, True]
+    assert np.isfinite(kept["position"][0]).all()
+    assert np.isnan(kept["position"][1, 1:]).all()

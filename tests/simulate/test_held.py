@@ -24,8 +24,9 @@ from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import UsageError
-from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import allowed_start, home
+from mahovik.use.simulate.run import simulate
 from simulate.test_agreement import LAWS, MIXED, TORQUES
 from toolchain.quick import quick
 from verify.holds import HOLDS

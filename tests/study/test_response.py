@@ -20,7 +20,8 @@ from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.stands import path
-from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.run import simulate
 from mahovik.use.study.linear import linear_model
 from mahovik.use.vibration.band import rms
 from mahovik.use.vibration.periodic import Periodic, periodic_response

@@ -18,10 +18,10 @@ from mahovik.core.motion.regime import WrenchTable, steady_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import random_stand, random_state
 from mahovik.core.toolchain.block import Block
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.stands import path
-from mahovik.use.simulate import Case, simulate
-from mahovik.use.simulate.by_c import compiled_backend
-from mahovik.use.simulate.case import wrap_phases
+from mahovik.use.simulate.case import Case, wrap_phases
+from mahovik.use.simulate.run import simulate
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.rest import rest
@@ -94,7 +94,7 @@ RESPONSES = (
 def run_c(stand: Stand, motion: Balance, step_length: float, seconds: float) -> tuple[Array, Array]:
     """Times (n) and pose and V (n, 13) by the C, from the motion of a balance, phases set exactly at every step."""
     speeds = motion.speeds
-    N, block = len(speeds), Block(stand, compiled_backend(stand).made, 1)
+    N, block = len(speeds), Block(stand, compile_library(stand, kind="states"), 1)
     view, start = block.x[:, 0], motion.state(np.zeros(len(motion.turning)))
     view[:13] = [*start.position, *(start.quaternion or ()), *start.V]
     view[13 + N :] = speeds

@@ -13,7 +13,8 @@ from export.fmu import fmus
 from export.fmu.fmus import Instance
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.state import rest_state
-from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.run import simulate
 from toolchain.quick import quick
 
 SEEN = ("carrier.position[1]", "carrier.attitude[2]", "carrier.V[6]", "w1.phi", "w2.phi_dot", "energy")

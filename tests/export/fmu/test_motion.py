@@ -22,8 +22,9 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads
 from mahovik.core.stand.state import State, rest_state
 from mahovik.out.export.fmu import export_fmu
-from mahovik.use.simulate import Case, simulate
+from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import complete_start, home, rates
+from mahovik.use.simulate.run import simulate
 from toolchain.quick import quick
 from verify.holds import PENDULUM
 

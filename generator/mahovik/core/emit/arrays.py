@@ -77,35 +77,8 @@ def _array_source(stand: Stand, generated: Generated, kind: LibraryKind) -> dict
             if kind != "tables" or any(a.name in TABLES for a in f.arguments)
         ],
         mounts=generated.layout.flywheels > 0,
-        course=_course(generated) if kind == "tables" else None,
     )
     return {f"{stand.name}_arrays.c": text}
-
-
-COURSE = "course_of"
-"""Many steps under given speeds in one call; there is one where there are flywheels."""
-
-
-def _course(generated: Generated) -> dict[str, Any] | None:
-    """Values of the template for COURSE: counts, and where phases and speeds are in a state."""
-    if not generated.layout.flywheels:
-        return None
-    parts = members(generated.layout.state)
-    rows = dict(zip((m.name for m in parts), accumulate((m.size for m in parts), initial=0), strict=False))
-    found = {f.name: f for f in _functions(generated)}
-
-    def arguments(name: str) -> str:
-        return _of_batch(found[name])
-
-    return {
-        "flywheels": int(generated.layout.count),
-        "wrenches": 6 * len(generated.layout.inputs),
-        "freedoms": generated.layout.freedoms,
-        "phi": rows["phi"],
-        "phi_dot": rows["phi_dot"],
-        "step": arguments("step_driven"),
-        "forward": arguments("forward"),
-    }
 
 
 def _functions(generated: Generated) -> list[Function]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated, Any, Literal, TypeVar
 
 import numpy as np
@@ -17,7 +18,7 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.document import FREQUENCY, Data, choice
 from mahovik.core.motion.functions import Array, Motion
 from mahovik.core.stand.fields import refuse, scalar, validator
-from mahovik.core.stand.model import Motor
+from mahovik.core.stand.model import Curve, Motor
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number
 
 Number = TypeVar("Number", float, Array)
@@ -229,13 +230,17 @@ class TorqueLaw(Data):
         """Times at which the law is not smooth, s."""
         return ()
 
-    def command(self, t: float, speed: Number) -> Number:
-        """Torque commanded at the time t (s) and speed or speeds (rad/s), N m."""
-        return speed * 0.0 + self.value
+    def at(self, t: Array) -> Array:
+        """Torque commanded at the times t (s), N m, as far as it does not depend on speed."""
+        return np.full_like(t, self.value)
 
-    def steepness(self, low: float, high: float) -> float:
-        """Largest change of the torque by speed between two speeds (rad/s), N m s; speed does not matter to most."""
-        return 0.0
+    def torque(self, t: float, speed: Number, motor: Motor | None) -> Number:
+        """Whole drive torque (N m) that a motor gives at the time t (s) and speed or speeds (rad/s)."""
+        return drive(motor, speed * 0.0 + float(self.at(np.array([t]))[0]), speed)
+
+    def steepness(self, motor: Motor | None) -> float:
+        """Largest change of the whole drive torque by speed at any speed, N m s; an upper bound."""
+        return steepness(motor)
 
     @property
     def problem(self) -> str | None:
@@ -265,14 +270,13 @@ class RunUp(TorqueLaw):
         """The band that is meant."""
         object.__setattr__(self, "band", self.band or max(0.01 * abs(self.to), 0.1))
 
-    def command(self, t: float, speed: Number) -> Number:
+    def torque(self, t: float, speed: Number, motor: Motor | None) -> Number:
         """See TorqueLaw."""
-        return self.value * _tanh((self.to - speed) / self.band)
+        return drive(motor, self.value * _tanh((self.to - speed) / self.band), speed)
 
-    def steepness(self, low: float, high: float) -> float:
+    def steepness(self, motor: Motor | None) -> float:
         """See TorqueLaw."""
-        nearest = min(max(self.to, low), high)
-        return self.value / self.band * (1.0 - math.tanh((self.to - nearest) / self.band) ** 2)
+        return steepness(motor, self.value / self.band)
 
     @property
     def problem(self) -> str | None:
@@ -292,9 +296,9 @@ class TorqueTable(TorqueLaw):
         """The corners."""
         return tuple(map(float, self.times))
 
-    def command(self, t: float, speed: Number) -> Number:
+    def at(self, t: Array) -> Array:
         """See TorqueLaw."""
-        return speed * 0.0 + float(np.interp(t, self.times, self.values))
+        return np.asarray(np.interp(t, self.times, self.values))
 
     @property
     def problem(self) -> str | None:
@@ -302,7 +306,39 @@ class TorqueTable(TorqueLaw):
         return out_of_range("a torque", float(np.abs(self.values).max()), MAX_WRENCH, "N m")
 
 
+@dataclass(frozen=True)
+class TorqueSpeed(TorqueLaw):
+    """`torque_speed`: the torque that the motor delivers by speed; no limit of the motor cuts it, its friction acts.
+
+    curve   points (rad/s, N m) of rising speed, joined by straight lines; beyond the ends the torque holds
+    """
+
+    curve: Curve
+    value: float = 0.0
+
+    def torque(self, t: float, speed: Number, motor: Motor | None) -> Number:
+        """See TorqueLaw."""
+        delivered = on_curve(self.curve, speed)
+        return delivered if motor is None else delivered + friction(motor, speed)
+
+    def steepness(self, motor: Motor | None) -> float:
+        """See TorqueLaw."""
+        return steepest(self.curve) + (0.0 if motor is None else slip(motor))
+
+
 Law = SpeedLaw | TorqueLaw
+
+
+def on_curve(curve: Curve, speed: Number) -> Number:
+    """Torque (N m) of a curve at a speed or at speeds (rad/s)."""
+    speeds, torques = zip(*curve, strict=True)
+    found = np.asarray(np.interp(speed, speeds, torques))
+    return float(found) if isinstance(speed, float) else found
+
+
+def steepest(curve: Curve) -> float:
+    """Largest change of the torque of a curve by speed, N m s."""
+    return max((abs((b[1] - a[1]) / (b[0] - a[0])) for a, b in pairwise(curve)), default=0.0)
 
 
 # -- motors ----------------------------------------------------------------------------------------------------------
@@ -336,17 +372,17 @@ def drive(motor: Motor | None, command: Number, speed: Number) -> Number:
     return limited + friction(motor, speed)
 
 
-def steepness(motor: Motor | None, command: float, low: float, high: float) -> float:
-    """Largest change of the whole drive torque by speed between two speeds (rad/s), N m s; an upper bound.
+def slip(motor: Motor) -> float:
+    """Largest change of the friction of a motor by speed, N m s."""
+    return motor.viscous + motor.coulomb / motor.coulomb_speed
 
-    `command`: that of the commanded torque.
-    """
+
+def steepness(motor: Motor | None, command: float = 0.0) -> float:
+    """Largest change of the whole drive torque by speed, N m s; `command`: that of the commanded torque."""
     if motor is None:
         return command
     line = motor.torque / motor.speed if motor.torque is not None and motor.speed is not None else 0.0
-    at_rest = min(max(0.0, low), high)
-    slipping = motor.coulomb / motor.coulomb_speed * (1.0 - math.tanh(at_rest / motor.coulomb_speed) ** 2)
-    return max(command, line) + motor.viscous + slipping
+    return max(command, line) + slip(motor)
 
 
 def required_torque(motor: Motor, tau: Number, speed: Number) -> Number:

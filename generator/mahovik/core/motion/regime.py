@@ -34,15 +34,14 @@ from mahovik.core.motion.laws import (
     Sweep,
     Torque,
     TorqueLaw,
+    TorqueSpeed,
     TorqueTable,
-    drive,
     out_of_range,
-    steepness,
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
 from mahovik.core.stand.content import TABLE, TEXT, content
 from mahovik.core.stand.fields import Table, Text, scalar, validator
-from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand, Vec6
+from mahovik.core.stand.model import WRENCH_LETTERS, Curve, Motor, Stand, Vec6, read_curve
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, factor, number, show
 from mahovik.errors import RegimeError
@@ -71,9 +70,9 @@ class WrenchTable:
         """The corners."""
         return tuple(map(float, self.times)) if len(self.times) > 1 else ()
 
-    def at(self, t: float) -> Vec6:
-        """Six components at the time t (s)."""
-        return cast(Vec6, tuple(float(np.interp(t, self.times, column)) for column in self.values.T))
+    def at(self, t: Array) -> Array:
+        """Six components (times x 6) at the times t (s)."""
+        return np.column_stack([np.interp(t, self.times, column) for column in self.values.T])
 
 
 @dataclass(frozen=True)
@@ -123,29 +122,26 @@ class Regime:
         return motion[0], motion[1], motion[2]
 
     def torques(self, t: float, speeds: Array, motors: tuple[Motor | None, ...]) -> Array:
-        """Drive torques (N, N m) that the motors give at a time and speeds; zero where the speed is given.
-
-        Also those (N, n) of n states at their speeds (N, n).
-        """
+        """Drive torques (N, N m) that the motors give at a time and speeds; zero where the speed is given."""
         torques = np.zeros(speeds.shape)
         for s, wheel in enumerate(self.flywheels):
             if isinstance(wheel.law, TorqueLaw):
-                speed = float(speeds[s]) if speeds.ndim == 1 else speeds[s]
-                torques[s] = drive(motors[s], wheel.law.command(t, speed), speed)
+                torques[s] = wheel.law.torque(t, float(speeds[s]), motors[s])
         return torques
 
-    def steepness(self, low: Array, high: Array, motors: tuple[Motor | None, ...]) -> Array:
-        """Largest change of each drive torque by its speed, between two speeds (rad/s), N m s; zero of given speeds."""
-        falls = np.zeros(len(self.flywheels))
-        for s, wheel in enumerate(self.flywheels):
-            if isinstance(wheel.law, TorqueLaw):
-                ends = float(low[s]), float(high[s])
-                falls[s] = steepness(motors[s], wheel.law.steepness(*ends), *ends)
-        return falls
+    def commands(self, t: Array) -> Array:
+        """Torques commanded (times x N, N m), as far as they do not depend on speed; zero where the speed is given."""
+        columns = [w.law.at(t) if isinstance(w.law, TorqueLaw) else np.zeros_like(t) for w in self.flywheels]
+        return np.array(columns).reshape(len(columns), len(t)).T
+
+    def steepness(self, motors: Sequence[Motor | None]) -> Array:
+        """Largest change of each drive torque by its speed, N m s; zero of given speeds."""
+        wheels = zip(self.flywheels, motors, strict=True)
+        return np.array([w.law.steepness(m) if isinstance(w.law, TorqueLaw) else 0.0 for w, m in wheels])
 
     def wrench(self, t: float) -> dict[str, Vec6]:
         """Run-time wrenches by body at a time."""
-        return {body: table.at(t) for body, table in self.wrenches.items()}
+        return {body: cast(Vec6, tuple(table.at(np.array([t]))[0].tolist())) for body, table in self.wrenches.items()}
 
     def breaks(self, until: float) -> list[float]:
         """Times inside (0, until) at which some law is not smooth, ascending."""
@@ -240,6 +236,7 @@ class DrivenTable(Table):
     harmonic: Harmonic | None = None
     torque: Annotated[float | None, scalar(TORQUE)] = None
     run_up: RunUp | None = None
+    torque_speed: Annotated[Curve, validator(read_curve)] = ()
     table: Annotated[str, validator(_file)] = ""
     phase: Annotated[float | None, _bounded(ANGLE, MAX_PHASE)] = None
     initial_speed: Annotated[float | None, _bounded(SPEED, MAX_SPEED)] = None
@@ -255,6 +252,8 @@ class DrivenTable(Table):
             return SpeedTable.of(table.times, table.columns["phi_dot"])
         if self.torque is not None:
             return Torque(self.torque)
+        if self.torque_speed:
+            return TorqueSpeed(self.torque_speed)
         return self.ramp or self.sweep or self.harmonic or self.run_up or Constant(self.speed or 0.0)
 
 

@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from decimal import Decimal
+from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
 from pydantic import Field
 
+from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.datasheet import FlywheelForm, MountingAngles, MountingAxes
 from mahovik.core.stand.declare import Declared, Default, Inside, Note, Warns
@@ -250,6 +252,27 @@ class Instrument(Body):
     position: Annotated[Length3, Default(ZERO3)]
     angles: Annotated[Angle3, Default(ZERO3)]
     added_mass: Annotated[AddedMass, Default(None)]
+
+
+Curve = tuple[tuple[float, float], ...]
+"""Points (rad/s, N m) of a torque by speed, of rising speed, joined by straight lines; beyond the ends it holds."""
+
+
+def read_curve(raw: Any) -> Curve:
+    """A curve `[[speed, torque], ...]`; one with speeds from 0 on alone is mirrored. Raises QuantityError."""
+    if not isinstance(raw, list) or not raw or any(not isinstance(pair, list) or len(pair) != 2 for pair in raw):
+        raise QuantityError("expected points [[speed, torque], ...]")
+    curve = tuple((units.number(speed, units.SPEED), units.number(torque, units.TORQUE)) for speed, torque in raw)
+    for number, (before, after) in enumerate(pairwise(curve), 2):
+        if after[0] <= before[0]:
+            raise QuantityError(f"point {number}: its speed {after[0]:g} rad/s is not above {before[0]:g} rad/s")
+    most = max(curve, key=lambda point: abs(point[1]))[1], max(curve, key=lambda point: abs(point[0]))[0]
+    for value, bound, unit in zip(most, ("MAX_WRENCH", "MAX_SPEED"), ("N m", "rad/s"), strict=True):
+        if abs(value) > BOUNDS[bound].value:
+            raise QuantityError(f"{value:g} {unit} is out of range, at most {BOUNDS[bound].value:g} in magnitude")
+    if curve[0][0] < 0.0:
+        return curve
+    return (*((-speed, torque) for speed, torque in reversed(curve) if speed > 0.0), *curve)
 
 
 @dataclass(frozen=True)

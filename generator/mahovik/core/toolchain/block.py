@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import record
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.compiled import COURSE, CompiledLibrary
+from mahovik.core.toolchain.compiled import ArrayLibrary, CompiledLibrary
 
 Array = NDArray[Any]
 
@@ -74,6 +74,11 @@ class Block:
         """States (13 + 2 N, n)."""
         return self.given["x"]
 
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Bodies that take a run-time wrench, in the order of `wrench`."""
+        return self._made.inputs
+
     def has(self, function: str) -> bool:
         """Whether the stand has a function of the C."""
         return function in self._made.functions
@@ -102,19 +107,6 @@ class Block:
             return ""
         return f"{self.at[j]} returned {status_words(int(self.status[j]))}: the motion leaves its ranges"
 
-    def course(self, rows: Mapping[str, Array]) -> Callable[[], int]:
-        """A call of many steps under given speeds, which reads and writes `rows`: see the C."""
-        names = ("phi", "phi_dot", "phi_ddot", "end_phi_ddot", "dt", "count")
-        arrays: list[Array] = [self._table("table"), self.x, self.given["phi_ddot"]]
-        arrays += [*(rows[name] for name in names)]
-        arrays += [self.given["order"], *(rows[name] for name in ("stretches", "kept", "states", "V_dot", "refused"))]
-        arrays.append(self._now)
-        if self.given["wrench"].size:
-            arrays += [self.given["wrench"], rows["wrench"], rows["end_wrench"]]
-        if self.stand.hold is not None and self.stand.hold.freedoms:
-            arrays.append(np.zeros((len(self.stand.hold.freedoms), self.n)))
-        return self._made.of_tables.repeat_call(COURSE, self.n, arrays, rows["status"])
-
     def _table(self, name: str) -> Array:
         if self._tables is None:
             return self._made.tables[name]
@@ -123,6 +115,16 @@ class Block:
         return self._tables(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
 
     def _prepare_call(self, function: str) -> Callable[[], int]:
+        library, name, arrays = self._arranged(function)
+        return library.repeat_call(name, self.n, arrays, self._now)
+
+    def address(self, function: str) -> tuple[int, list[Array]]:
+        """Where the machine code of a function lies, and what is passed to it with this memory."""
+        library, name, arrays = self._arranged(function)
+        return library.address(name), arrays
+
+    def _arranged(self, function: str) -> tuple[ArrayLibrary, str, list[Array]]:
+        """The library of a function, its name there, and what is passed to it."""
         taken = [a.name for a in self._made.functions[function].arguments]
         tables = {name: self._table(name) for name in TABLES if name in taken}
         results = {name: self.given[name] for name in ("next", *RESULTS.get(function, ())) if name in self.given}
@@ -133,8 +135,8 @@ class Block:
                 of_states = memory.view(self._made.element).reshape(self.n, -1).T  # of a function without batch
                 self.found[function] = memory if a.order == "components" else of_states
         if self._tables is None or not tables:  # a clamped carrier's forward
-            return self._made.library.repeat_call(function, self.n, arrays, self._now)
-        return self._made.of_tables.repeat_call(f"{function}_of", self.n, arrays, self._now)
+            return self._made.library, function, arrays
+        return self._made.of_tables, f"{function}_of", arrays
 
     def member(self, function: str, name: str) -> Array:
         """A member of the results of a function, a view with the states last."""

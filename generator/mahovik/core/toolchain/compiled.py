@@ -149,8 +149,8 @@ class CompiledLibrary:
 
     def _load_of_tables(self, library: Path) -> ArrayLibrary:
         names = [f"{f.name}_of" for f in self.functions.values() if any(a.name in self.tables for a in f.arguments)]
-        source, course = self.source, [COURSE] if "step_driven" in self.functions else []
-        return ArrayLibrary(library, source.stand.name, [*names, *course, "prepare"], source.parallel, tables=True)
+        source = self.source
+        return ArrayLibrary(library, source.stand.name, [*names, "prepare"], source.parallel, tables=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,10 +230,6 @@ def _load(source: Source, library: Path, facts: Mapping[str, Any], numbers: Mapp
         tuple(facts["sensors"]),
         source,
     )
-
-
-COURSE = "course_of"
-"""Many steps of n stands under given speeds in one call."""
 
 
 def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, dict[str, Any]]:
@@ -363,6 +359,10 @@ class ArrayLibrary:
             self._threads(1 if _PROCESS["forked"] else threads)
         passed = (ctypes.c_void_p * len(arrays))(*[_address(a) for a in arrays])
         return int(self._calls[function](n, passed, _address(status)))
+
+    def address(self, function: str) -> int:
+        """Where the machine code of a function lies."""
+        return int(ctypes.cast(self._calls[function], ctypes.c_void_p).value or 0)
 
     def repeat_call(
         self, function: str, n: int, arrays: Sequence[NDArray[Any]], status: NDArray[np.int32]

@@ -16,10 +16,8 @@ from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.out.arguments import regime_of, state_of
-from mahovik.out.campaign.driven import DrivenByTorque
-from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.holds import Holds
-from mahovik.out.campaign.observe import Chunk, Observer, cut_before
+from mahovik.out.campaign.observe import Chunk, Observer, Stepped, cut_before
 from mahovik.out.campaign.over import DT, EVERY, ORDER, OverTable
 from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
@@ -29,8 +27,8 @@ from mahovik.out.campaign.signals import ties
 from mahovik.out.campaign.start import AtRest, Start
 from mahovik.out.campaign.values import Scene, frames_of
 from mahovik.out.notices import warn_of_turn
-from mahovik.use.simulate.by_c import Steepness, mobility
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, wrap_phases
+from mahovik.use.simulate.course import parts_of
 
 SIZE = 256
 """Samples that are stepped together: their tables and states stay in the cache of the processor."""
@@ -180,18 +178,10 @@ def regime_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity],
 
 def course_of(stand: Stand, case: Case) -> Course:
     """What steps blocks through a case. Raises UsageError: a law is too steep."""
-    model = build(stand)
-    if not case.regime.by_torque and stand.flywheels:
-        return GivenSpeeds(case, model.wrenches)
-    turned = None
-    if stand.flywheels and Steepness(case).matters:
-        start = case.start
-        block = Block(stand, compile_library(stand), 1)
-        block.given["locked"][:] = case.regime.has_speed_law
-        quaternion = start.quaternion or (1.0, 0.0, 0.0, 0.0)
-        block.x[:, 0] = [*start.position, *quaternion, *start.V, *wrap_phases(case.phi0), *case.phi_dot0]
-        turned = mobility(block)
-    return DrivenByTorque(case, model.wrenches, turned)
+    start, block = case.start, Block(stand, compile_library(stand), 1)
+    quaternion = start.quaternion or (1.0, 0.0, 0.0, 0.0)
+    block.x[:, 0] = [*start.position, *quaternion, *start.V, *wrap_phases(case.phi0), *case.phi_dot0]
+    return Stepped(case, parts_of(case, block))
 
 
 def _start(stand: Stand, given: Any, phases: list[float], folder: Path) -> Start | AtRest:

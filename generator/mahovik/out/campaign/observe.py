@@ -10,6 +10,8 @@ import numpy as np
 
 from mahovik.core.toolchain.block import Block
 from mahovik.out.campaign.pose import Array, rotation
+from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.course import motion
 
 CACHE = 1 << 13
 """Numbers of one component in a chunk, at most: what is computed of it stays in the cache of the processor."""
@@ -78,13 +80,27 @@ def cut_before(chunk: Chunk, t: float) -> Chunk:
     return chunk.rest(int(np.count_nonzero(chunk.t < t * (1 - 1e-12))))
 
 
+class Stepped:
+    """Steps blocks through a case. `parts`: into how many its steps are cut."""
+
+    def __init__(self, case: Case, parts: int) -> None:
+        self._case, self._parts = case, parts
+
+    def run(self, block: Block, observer: Observer) -> None:
+        """Step all samples from their states at t = 0, and hand on all moments of output."""
+        for at in motion(self._case, block, observer.needs, self._parts):
+            observer.consume(
+                Chunk(at.t, at.state, at.V_dot, at.phi_ddot, at.tau, at.readings, at.loads, at.I, at.reaction)
+            )
+
+
 class Observer:
     """Calls the C for what is needed at each time of output; hands on chunks."""
 
     def __init__(self, block: Block, needs: Collection[str], consume: Callable[[Chunk], None]) -> None:
-        self._block, self._consume = block, consume
+        self._block, self.consume = block, consume
         self._functions = [f for need, f in NEEDED.items() if need in needs and block.has(f)]
-        self._needs = frozenset(needs)
+        self.needs = frozenset(needs)
         n = block.n
         self.rows = max(1, CACHE // n)
         N = len(block.stand.flywheels)
@@ -100,39 +116,23 @@ class Observer:
         )  # fmt: skip
         self._row = 0
 
-    @property
-    def simple(self) -> bool:
-        """Whether states, and V_dot by `forward`, are all that is needed."""
-        return self._needs <= {"V_dot", "points", "speeds"}
-
-    def room(self) -> tuple[Array, Array]:
-        """Memory for states and V_dot of the next times, until the chunk is full; V_dot is empty if not needed."""
-        return self._chunk.state[self._row :], self._chunk.V_dot[self._row :]
-
-    def add_times(self, t: Array) -> None:
-        """Note that the memory of `room` was filled for these times."""
-        self._chunk.t[self._row : self._row + len(t)] = t
-        self._row += len(t)
-        if self._row == self.rows:
-            self.flush()
-
     def take(self, t: float, solve: Callable[[float], None] | None = None) -> None:
         """Keep the state of this time. `solve` computes V_dot and phi_ddot, and tau; otherwise `forward` does."""
         block, own, k = self._block, self._chunk, self._row
         own.t[k] = t
         own.state[k] = block.x[: self._numbers]
-        if "V_dot" in self._needs:
+        if "V_dot" in self.needs:
             if solve is None:
                 block.call("forward", t)
             else:
                 solve(t)
             own.V_dot[k] = block.given["V_dot"]
-            if "phi_ddot" in self._needs:
+            if "phi_ddot" in self.needs:
                 own.phi_ddot[k] = block.given["phi_ddot"]
         for function in self._functions:
             if function != "torque" or solve is None:
                 block.call(function, t)
-        if "tau" in self._needs:
+        if "tau" in self.needs:
             own.tau[k] = block.given["tau"]
         if "points" in self._functions:
             own.readings[k] = block.found["points"]
@@ -151,7 +151,7 @@ class Observer:
         if self._row:
             own = self._chunk
             rows = slice(0, self._row)
-            self._consume(
+            self.consume(
                 Chunk(own.t[rows], own.state[rows], own.V_dot[rows], own.phi_ddot[rows], own.tau[rows],
                       own.readings[rows], own.loads[rows], own.I[rows], own.reaction[rows])
             )  # fmt: skip

@@ -109,8 +109,7 @@ def simulate(
     stand = load_stand(stand_file)
     from mahovik.core.stand.hold import numbers_in_words
     from mahovik.out.functions.simulation import simulate as run
-    from mahovik.use.simulate.held import coordinate_columns
-    from mahovik.use.simulate.run import check_output
+    from mahovik.use.simulate.run import check_output, coordinate_columns
 
     check_output(Path(output))
     with progress(f"simulate {stand.name}", until, "s") as stage:

@@ -22,9 +22,8 @@ from mahovik.errors import StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.given_speeds import GivenSpeeds
 from mahovik.out.campaign.holds import Holds
-from mahovik.out.campaign.observe import Chunk, Observer
+from mahovik.out.campaign.observe import Chunk, Observer, Stepped
 from mahovik.out.campaign.pose import cross, turn_back
 from mahovik.out.campaign.values import Frame, frames_of
 from mahovik.out.identify.channels import REACTION, Channel
@@ -105,7 +104,7 @@ class Predictor:
             still = replace(still, **{name: getattr(home(stand), name) for name in ("position", "quaternion", "u")})
         self._case = Case(stand, own, start or still, until, every, dt)
         self._made = compile_library(stand)
-        self._course = GivenSpeeds(self._case, build(stand).wrenches)
+        self._course = Stepped(self._case, 1)
         self._gravity = np.array(stand.gravity)
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -24,23 +25,6 @@ from mahovik.proof.verify.states import read_object, read_request, refuse_duplic
 from mahovik.use.simulate.held import complete_start, rates
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Moment:
-    """A time, the state there (with V_dot, phi_ddot), and phases that are not wrapped.
-
-    `tau`: N; `points`: readings by name; `mounts`: N x 6, or None if not requested; `reaction` (6) of a held carrier's
-    hold, in E1 about O1, None of a free one.
-    """
-
-    t: float
-    state: State
-    phi: Array
-    tau: Array
-    points: dict[str, Any]
-    mounts: Array | None
-    reaction: Array | None = None
 
 
 LARGE = 0.1 * BOUNDS["MAX_PHASE"].value  # rad; larger phases are wrapped before they enter a state
@@ -109,6 +93,11 @@ class Case:
         """phi, phi', phi'' (times x N) of flywheels whose speed is given."""
         phi, phi_dot, phi_ddot = self.regime.motion(t)
         return phi + self.phi0, phi_dot, phi_ddot
+
+    def wrenches(self, t: Array, bodies: Sequence[str]) -> Array:
+        """Run-time wrenches (times x 6 W) of the regime on bodies, in their order."""
+        none, tables = np.zeros((len(t), 6)), self.regime.wrenches
+        return np.hstack([np.zeros((len(t), 0)), *(tables[b].at(t) if b in tables else none for b in bodies)])
 
     def torques(self, t: float, phi_dot: Array) -> Array:
         """Drive torques at a time and speeds, by motors and regime."""

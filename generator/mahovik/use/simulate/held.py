@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import cast
 
 import numpy as np
 
 from mahovik.core.stand.hold import (
-    freedom_names,
-    has_coordinates,
     is_closed,
-    numbered_freedoms,
     twist_of,
     twists,
 )
@@ -21,7 +18,6 @@ from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.coordinates import coordinates_at, rates_at
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
@@ -92,38 +88,6 @@ def allowed_start(stand: Stand, state: State) -> State:
             f"which [hold] blocks; expected what {freedoms(hold)} reach, or no position"
         )
     return state
-
-
-def coordinate_columns(stand: Stand) -> list[str]:
-    """Columns of a run for the coordinates of the freedoms and their rates; none where the hold has no coordinates."""
-    hold = stand.hold
-    if hold is None or not has_coordinates(hold):
-        return []
-    names, units = freedom_names(hold), ["rad" if each.kind == "turn" else "m" for each in hold.freedoms]
-    own = numbered_freedoms(hold)
-    found = [f"q {names[k]} [{units[k]}]" for k in own]
-    found += [f"orientation_{letter}" for letter in "wxyz"] if len(own) < len(names) else []
-    return found + [f"q_dot {name} [{unit}/s]" for name, unit in zip(names, units, strict=True)]
-
-
-def coordinate_values(stand: Stand, state: State) -> list[float]:
-    """Numbers of these columns at a state with u."""
-    hold = stand.hold
-    if hold is None or not has_coordinates(hold):
-        return []
-    here, u = coordinates_at(stand, state), np.array(state.u)
-    q_dot, _ = rates_at(hold, here.R, u, np.zeros(len(u)))
-    return [*here.q.tolist(), *(() if here.orientation is None else here.orientation.tolist()), *q_dot.tolist()]
-
-
-def count_turns(stand: Stand, columns: Mapping[str, Array]) -> None:
-    """Adds whole turns to the angle of a freedom, in place: each moment is the one nearest to what its speeds give."""
-    for name in coordinate_columns(stand):
-        if name.startswith("q ") and name.endswith("[rad]"):
-            angle, speed = columns[name], columns[f"q_dot {name.split()[1]} [rad/s]"]
-            mean = (speed[1:] + speed[:-1]) / 2 * np.diff(columns["t [s]"])
-            for k in range(1, len(angle)):
-                angle[k] += 2 * math.pi * round((angle[k - 1] + mean[k - 1] - angle[k]) / (2 * math.pi))
 
 
 def _shows_freedoms(hold: Hold) -> bool:

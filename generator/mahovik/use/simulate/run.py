@@ -1,11 +1,10 @@
-"""A run: moments of a backend collected in columns with units, and written to a CSV or Parquet file."""
+"""A run of one stand under a regime: columns with units, a row for each moment of output."""
 
 from __future__ import annotations
 
 import io
 import json
-import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
@@ -13,70 +12,20 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.motion.laws import available_torque, required_torque
+from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import WRENCH_LETTERS, Motor, Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.toolchain.block import Block
+from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
-from mahovik.use.simulate.case import Array, Case, Moment
-from mahovik.use.simulate.held import coordinate_columns, coordinate_values, count_turns
+from mahovik.proof.reference.rotation import carrier_rotation, quaternion_of
+from mahovik.use.simulate.case import Array, Case, wrap_phases
+from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.writing import format_of, probe, write
 
-_AXES = "xyz"
-
-
-def column_names(stand: Stand, mounts: bool) -> list[str]:
-    """Column names in order, each with its unit."""
-    found = ["t [s]", *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"]
-    found += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
-    found += [f"v_dot_{a} [m/s2]" for a in _AXES] + [f"omega_dot_{a} [rad/s2]" for a in _AXES]
-    for s in stand.flywheels:
-        found += [f"phi {s.name} [rad]", f"phi_dot {s.name} [rad/s]", f"phi_ddot {s.name} [rad/s2]"]
-        found.append(f"tau {s.name} [N m]")
-        if s.motor is not None:
-            found.append(f"motor {s.name} [N m]")
-            if s.motor.torque is not None:
-                found.append(f"margin {s.name} [N m]")
-    if stand.hold is not None:
-        found += [f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", ("N",) * 3 + ("N m",) * 3, strict=True)]
-    found += coordinate_columns(stand)
-    for name in (*(p.name for p in stand.instruments), *(p.name for p in stand.points)):
-        found += [f"force_{a} {name} [m/s2]" for a in _AXES]
-        found += [f"gyro_{a} {name} [rad/s]" for a in _AXES]
-    if mounts:
-        for s in stand.flywheels:
-            units = ("N",) * 3 + ("N m",) * 3
-            found += [f"mount_{a} {s.name} [{u}]" for a, u in zip(WRENCH_LETTERS, units, strict=True)]
-    return found
-
-
-def column_values(stand: Stand, moment: Moment) -> list[float]:
-    """Numbers of these columns at one time."""
-    state = moment.state
-    found = [moment.t, *state.position, *(state.quaternion or (1.0, 0.0, 0.0, 0.0)), *state.V, *state.V_dot]
-    for i, s in enumerate(stand.flywheels):
-        tau, speed = float(moment.tau[i]), state.phi_dot[i]
-        found += [float(moment.phi[i]), speed, state.phi_ddot[i], tau]
-        if s.motor is not None:
-            found += _motor(s.motor, tau, speed)
-    if moment.reaction is not None:
-        found += [float(x) for x in moment.reaction]
-    found += coordinate_values(stand, state)
-    for reading in moment.points.values():
-        found += [float(x) for x in (*reading["specific_force"], *reading["twist"][3:])]
-    if moment.mounts is not None:
-        found += [float(x) for row in moment.mounts for x in row]
-    return found
-
-
-def _motor(motor: Motor, tau: float, speed: float) -> Iterator[float]:
-    """Torque of the motor itself, and how much more it could give."""
-    own = required_torque(motor, tau, speed)
-    yield own
-    if motor.torque is not None:
-        most = available_torque(motor, own, speed)
-        yield most - abs(own) if math.isfinite(most) else 0.0
-
-
 BACKENDS = ("c", "scipy")
+_AXES = "xyz"
+_UNITS = ("N",) * 3 + ("N m",) * 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,51 +61,130 @@ class Run:
 def simulate(
     case: Case, backend: str = "c", mounts: bool = False, progress: Callable[[float], None] | None = None
 ) -> Run:
-    """Run a case. `progress` receives each time of output. Raises UsageError, ToolchainError, StateError.
+    """Run a case. `progress` receives times of output. Raises UsageError, ToolchainError, StateError.
 
     A motion that leaves its ranges and Ctrl-C end the run early: `stopped` says why. If there is nothing to keep,
     StateError and KeyboardInterrupt are raised.
     """
-    names = tuple(column_names(case.stand, mounts))
-    rows: list[list[float]] = []
+    needs = NEEDS - {"I"} - (set() if mounts else {"loads"})
+    pieces: list[Moments] = []
     stopped, interrupted = None, False
     try:
-        for moment in _moments(case, backend, mounts):
-            rows.append(column_values(case.stand, moment))
+        block, moments = _moments(case, backend, needs)
+        for piece in moments:
+            pieces.append(piece)
             if progress is not None:
-                progress(moment.t)
+                progress(float(piece.t[-1]))
+        if block is not None and (why := why_refused(case.stand, block, 0)):
+            raise StateError(why)
     except StateError as error:
-        if not rows:
+        if not pieces:
             raise
         stopped = str(error)
     except KeyboardInterrupt:
-        if not rows:
+        if not pieces:
             raise
-        stopped, interrupted = f"stopped at t = {rows[-1][0]:.6g} s of {case.until:g} s", True
-    data = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
-    count_turns(case.stand, dict(zip(names, data.T, strict=True)))
-    return Run(names, data, stopped, interrupted, identity_of(case.stand))
+        stopped, interrupted = f"stopped at t = {pieces[-1].t[-1]:.6g} s of {case.until:g} s", True
+    columns = columns_of(case.stand, pieces)
+    return Run(tuple(columns), np.column_stack([*columns.values()]), stopped, interrupted, identity_of(case.stand))
+
+
+def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | None, Iterator[Moments]]:
+    start = case.start
+    C = carrier_rotation(case.stand, start)
+    y = np.array([*start.position, *(start.quaternion or quaternion_of(C)), *start.V])
+    if backend == "scipy":
+        if case.real == "float" or case.carried:
+            given = "--real float" if case.real == "float" else "--carried"
+            raise UsageError(f"--backend scipy: not allowed with {given}")
+        from mahovik.use.simulate import judge
+
+        return None, judge.motion(case, y, needs)
+    if backend != "c":
+        raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
+    stand = stand_for(case.stand, case.regime)
+    made = compile_library(stand, case.real, kind="states")
+    x = np.array([*y, *wrap_phases(case.phi0), *case.phi_dot0])
+    blocks = [Block(stand, made, 1, carried=case.carried) for _ in range(2)]
+    for block in blocks:
+        block.x[:, 0] = x
+    return blocks[0], motion(case, blocks[0], needs, parts_of(case, blocks[1]))
+
+
+def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
+    """Columns by name, each name with its unit, of one sample."""
+
+    def whole(name: str) -> Array:
+        return np.concatenate([getattr(piece, name)[:, :, 0] for piece in pieces]).astype(np.float64)
+
+    t, state, V_dot = np.concatenate([piece.t for piece in pieces]), whole("state"), whole("V_dot")
+    N = len(stand.flywheels)
+    state[:, 3:7] /= np.sqrt((state[:, 3:7] ** 2).sum(axis=1))[:, None]
+    found = {"t [s]": t}
+
+    def add(names: Sequence[str], values: Array) -> None:
+        found.update(zip(names, values.T, strict=True))
+
+    add([*(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"], state[:, :7])
+    add([*(f"v_{a} [m/s]" for a in _AXES), *(f"omega_{a} [rad/s]" for a in _AXES)], state[:, 7:13])
+    add([*(f"v_dot_{a} [m/s2]" for a in _AXES), *(f"omega_dot_{a} [rad/s2]" for a in _AXES)], V_dot)
+    phi, phi_ddot, tau = whole("phi"), whole("phi_ddot"), whole("tau")
+    for i, s in enumerate(stand.flywheels):
+        speed = state[:, 13 + N + i]
+        names = [
+            f"phi {s.name} [rad]",
+            f"phi_dot {s.name} [rad/s]",
+            f"phi_ddot {s.name} [rad/s2]",
+            f"tau {s.name} [N m]",
+        ]
+        add(names, np.column_stack([phi[:, i], speed, phi_ddot[:, i], tau[:, i]]))
+        if s.motor is not None:
+            torque = found[f"motor {s.name} [N m]"] = required_torque(s.motor, tau[:, i], speed)
+            if s.motor.torque is not None:
+                margin = available_torque(s.motor, torque, speed) - np.abs(torque)
+                found[f"margin {s.name} [N m]"] = np.where(np.isfinite(margin), margin, 0.0)
+    if stand.hold is not None:
+        add([f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", _UNITS, strict=True)], whole("reaction"))
+        names = coordinate_columns(stand)
+        add(names, _count_turns(names, whole("coordinates")[:, : len(names)], t))
+    readings = whole("readings")
+    sensors = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
+    for k, sensor in enumerate(sensors):  # position, C, twist, force, angular acceleration
+        add([f"force_{a} {sensor} [m/s2]" for a in _AXES], readings[:, 24 * k + 18 : 24 * k + 21])
+        add([f"gyro_{a} {sensor} [rad/s]" for a in _AXES], readings[:, 24 * k + 15 : 24 * k + 18])
+    loads = whole("loads")
+    for k, s in enumerate(stand.flywheels if loads.size else ()):
+        names = [f"mount_{a} {s.name} [{u}]" for a, u in zip(WRENCH_LETTERS, _UNITS, strict=True)]
+        add(names, loads[:, 6 * k : 6 * k + 6])
+    return found
+
+
+def coordinate_columns(stand: Stand) -> list[str]:
+    """Columns of a run for the coordinates of the freedoms and their rates; none where the hold has no coordinates."""
+    hold = stand.hold
+    if hold is None or not has_coordinates(hold):
+        return []
+    names, units = freedom_names(hold), ["rad" if freedom.kind == "turn" else "m" for freedom in hold.freedoms]
+    numbered = numbered_freedoms(hold)
+    columns = [f"q {names[k]} [{units[k]}]" for k in numbered]
+    columns += [f"orientation_{letter}" for letter in "wxyz"] if len(numbered) < len(names) else []
+    return columns + [f"q_dot {name} [{unit}/s]" for name, unit in zip(names, units, strict=True)]
+
+
+def _count_turns(names: Sequence[str], columns: Array, t: Array) -> Array:
+    """The columns with whole turns added to angles: each moment is the one nearest to what its speeds give."""
+    for k, name in enumerate(names):
+        if name.startswith("q ") and name.endswith("[rad]"):
+            angle, speed = columns[:, k], columns[:, names.index(f"q_dot {name.split()[1]} [rad/s]")]
+            off = (speed[1:] + speed[:-1]) / 2 * np.diff(t) - np.diff(angle)
+            angle[1:] += 2.0 * np.pi * np.cumsum(np.round(off / (2.0 * np.pi)))
+    return columns
 
 
 def identity_of(stand: Stand) -> dict[str, str]:
     """Stand name and hashes of the run: `stand`, `structure`, `physics`."""
     found = identities(stand)
     return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
-
-
-def _moments(case: Case, backend: str, mounts: bool) -> Iterator[Moment]:
-    if backend == "c":
-        from mahovik.use.simulate.by_c import CMotion
-
-        return CMotion(case).moments(mounts)
-    if backend == "scipy":
-        if case.real == "float" or case.carried:
-            given = "--real float" if case.real == "float" else "--carried"
-            raise UsageError(f"--backend scipy: not allowed with {given}")
-        from mahovik.use.simulate.by_scipy import SciPyMotion
-
-        return SciPyMotion(case).moments(mounts)
-    raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
 
 
 RUN_SUFFIXES = (".csv", ".parquet")

@@ -19,7 +19,6 @@ from mahovik.proof import reference
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales_of
 from mahovik.use.simulate.held import rates
-from mahovik.use.simulate.run import column_names
 
 Array = NDArray[np.float64]
 
@@ -125,8 +124,6 @@ UNIT = 1e-6
 """Largest deviation of a quaternion's length from 1."""
 
 _FLYWHEEL, _POINT = re.compile(r"phi_dot (\w+) \[rad/s\]"), re.compile(r"force_x (\w+) \[m/s2\]")
-_POSE_AND_TWIST = 14
-"""Columns of time, place, attitude and twist: the first ones of any run."""
 
 
 def refuse_foreign_run(stand: Stand, run: Run, identity: Mapping[str, str] | None, where: str) -> None:
@@ -164,7 +161,8 @@ def _refuse_names(stand: Stand, run: Run, where: str) -> None:
 
 
 def _refuse_missing(stand: Stand, run: Run, where: str) -> None:
-    needed = column_names(stand, mounts=False)[:_POSE_AND_TWIST]
+    needed = ["t [s]", *(f"{a} [m]" for a in "xyz"), *(f"q{a}" for a in "wxyz")]
+    needed += [*(f"v_{a} [m/s]" for a in "xyz"), *(f"omega_{a} [rad/s]" for a in "xyz")]
     kinds = (("phi", "rad"), ("phi_dot", "rad/s"), ("tau", "N m"))
     needed += [f"{kind} {s.name} [{unit}]" for s in stand.flywheels for kind, unit in kinds]
     for name in needed:

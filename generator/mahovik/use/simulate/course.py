@@ -1,0 +1,420 @@
+"""Motion of n samples in time by the C: all steps between moments of output are made in `templates/course.c`.
+
+A regime goes there as rows of numbers, one for each step, so that no step is a call of Python. Samples differ in the
+numbers of their stands (tables) and in their states at t = 0; the regime is the same for all.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.emit.templates import folders
+from mahovik.core.motion.laws import RunUp, TorqueLaw, TorqueSpeed
+from mahovik.core.motion.regime import Regime
+from mahovik.core.stand.model import Curve, Motor, Stand
+from mahovik.core.toolchain.block import Array, Block
+from mahovik.core.toolchain.library import FLAGS, load_compiled
+from mahovik.errors import StateError, UsageError
+from mahovik.proof.reference.pieces import stream_at
+from mahovik.use.simulate.case import Case, wrap_phases
+
+TORQUE_STEP = 0.1
+"""Largest (fall of torque by speed) (turning acceleration by torque) dt of a step.
+
+The torque of a step is taken at a speed extrapolated from the previous step. Such a scheme is stable below 1; at 0.1
+its error in approaching a speed is a thousandth of the remaining difference.
+"""
+
+MOST_PARTS = 1000
+"""Most parts of a step; a law that needs more is refused before the run."""
+
+STEPS, NUMBERS = 1 << 15, 1 << 18
+"""Steps whose rows are made at once, about; numbers of moments that are kept at once, about."""
+
+FUNCTIONS = {
+    "readings": "points", "loads": "mounts", "I": "matrices", "reaction": "reaction", "coordinates": "generalized"
+}  # fmt: skip
+"""Functions of the C that answer what may be needed at moments of output, besides the motion itself."""
+
+
+@dataclass(eq=False)
+class Moments:
+    """K moments of output of n samples, which are last. What is not needed has no components.
+
+    t (K); state (K, 13 + 2 N, n): position, quaternion (w first), V, phi (wrapped), phi'; V_dot (K, 6, n)
+    phi (K, N, n)   angles, not wrapped; phi_ddot, tau (K, N, n): accelerations and drive torques
+    readings        (K, 24 S, n): of `points`; loads (K, 6 N, n): wrenches of the mounts on the flywheels
+    I               (K, 6 N, n): of (8); reaction (K, 6, n): of the hold on the carrier, in E1 about O1
+    coordinates     (K, c, n): of the freedoms of a held carrier: q, where it turns freely a quaternion, q_dot
+    """
+
+    t: Array
+    state: Array
+    V_dot: Array
+    phi: Array
+    phi_ddot: Array
+    tau: Array
+    readings: Array
+    loads: Array
+    I: Array
+    reaction: Array
+    coordinates: Array
+
+
+NEEDS = frozenset(("V_dot", "phi", "phi_ddot", "tau", *FUNCTIONS))
+"""What may be needed besides states."""
+
+
+# -- the memory of the C -----------------------------------------------------------------------------------------------
+
+_POINTER, _INT, _SIZE, _REAL = ctypes.c_void_p, ctypes.c_int, ctypes.c_size_t, ctypes.c_double
+
+
+class _Call(ctypes.Structure):
+    _fields_ = (("function", _POINTER), ("passed", _POINTER))
+
+
+class _Curve(ctypes.Structure):
+    _fields_ = (("points", _INT), ("speed", _POINTER), ("torque", _POINTER))
+
+
+class _Drive(ctypes.Structure):
+    _fields_ = (
+        ("delivered", _Curve), ("to", _REAL), ("band", _REAL), ("most", _REAL), ("no_load", _REAL), ("limit", _Curve),
+        ("viscous", _REAL), ("coulomb", _REAL), ("coulomb_speed", _REAL),
+    )  # fmt: skip
+
+
+class _Answer(ctypes.Structure):
+    _fields_ = (("call", _Call), ("source", _POINTER), ("to", _POINTER), ("bytes", _SIZE))
+
+
+class _Course(ctypes.Structure):
+    _fields_ = (
+        ("n", _SIZE), ("left", _SIZE), ("flywheels", _INT), ("inputs", _INT), ("by_torque", _INT), ("solves", _INT),
+        ("reacting", _INT), ("held", _INT),
+        *((name, _POINTER) for name in ("phi", "phi_dot", "phi_ddot", "tau", "wrench", "dt", "carry", "coupling")),
+        *((name, _POINTER) for name in ("given", "drives", "rate", "turned", "before")),
+        *((name, _Call) for name in ("step", "matrices", "solve", "torque")),
+        ("answers", _POINTER), ("many", _INT), ("numbers", _INT),
+        *((name, _POINTER) for name in ("status", "where", "now", "when")),
+    )  # fmt: skip
+
+
+_ROWS = (
+    "count", "begin", "length", "phi", "phi_dot", "mean", "between", "halfway", "command", "wrench", "end_phi_ddot",
+    "end_wrench", "end_command",
+)  # fmt: skip
+
+
+class _Rows(ctypes.Structure):
+    _fields_ = (("stretches", _INT), *((name, _POINTER) for name in _ROWS))
+
+
+@cache
+def _compiled(real: str) -> Any:
+    """`course_run` for an element type. Raises ToolchainError."""
+    source = next(path for folder in folders() if (path := folder / "course.c").is_file())
+    run = load_compiled(source, (*FLAGS, f"-DREAL={real}", "-lm"), ctypes.CDLL).course_run
+    run.argtypes, run.restype = (_POINTER, _POINTER), _INT
+    return run
+
+
+def _address(array: Array) -> int | None:
+    return array.ctypes.data if array.size else None
+
+
+class Course:
+    """Steps of the states of a block, all in one call.
+
+    given      flywheels whose speed is given; `drives`: law and motor of each
+    by_torque  steps are those of `step`, with torques, else of `step_driven`, with given accelerations
+    reacts     given speeds vary beside torques: the carrier, which takes a run-time wrench, bears their reaction
+    needs      what `run` keeps besides states, of NEEDS
+    """
+
+    def __init__(
+        self,
+        block: Block,
+        given: Sequence[bool],
+        drives: Sequence[tuple[TorqueLaw | None, Motor | None]],
+        by_torque: bool,
+        reacts: bool = False,
+        needs: Collection[str] = (),
+    ) -> None:
+        """Raises ToolchainError."""
+        self.block, self.needs = block, frozenset(needs)
+        self._kept: list[Any] = []  # what the C reads and writes lives as long as this
+        N, n, stand, memory = len(block.stand.flywheels), block.n, block.stand, block.given
+        self.rate, self.turned = np.zeros((N, n)), np.zeros((N, n))
+        self.status, self.where, now = (np.zeros(n, dtype=np.int32) for _ in range(3))
+        self.when = np.zeros(n)
+        memory["locked"][:] = np.array(given, dtype=np.int32)
+        self._functions = ["a step", "coupled" if by_torque and N else "forward", "torque", "matrices"]
+        answers = self._answers(needs)
+        matrices = self._call("matrices") if reacts else _Call()
+        own: tuple[Array, ...] = (
+            block.x[13 : 13 + N],
+            block.x[13 + N :],
+            *(memory[k] for k in ("phi_ddot", "tau", "wrench", "dt")),
+        )
+        self._c = _Course(
+            *(n, n, N, memory["wrench"].shape[0], by_torque and N > 0, bool(self.needs - {"phi"})),
+            *(6 * block.inputs.index(stand.carrier.name) if reacts else -1, stand.hold is not None),
+            *map(self._at, own),
+            self._at(memory.get("carry", np.zeros(0))),
+            self._at(block.member("matrices", "I") if reacts else np.zeros(0)),
+            self._at(memory["locked"]),
+            self._drives(drives),
+            *(self._at(array) for array in (self.rate, self.turned, np.zeros((2 * N, n)))),
+            self._call("step" if by_torque or not N else "step_driven"),
+            matrices,
+            self._call(self._functions[1]),
+            self._call("torque") if N else _Call(),
+            *(self._pointer(answers), len(answers), 13 + 2 * N),
+            *(self._at(array) for array in (self.status, self.where, now, self.when)),
+        )
+        self._answer = answers
+        self._run = _compiled("float" if block.x.dtype == np.float32 else "double")
+
+    def run(self, rows: Mapping[str, Array], moments: dict[str, Array]) -> int:
+        """Step through the stretches of `rows`; put the moments at their ends into arrays of `memory`.
+
+        Returns how many moments are kept: fewer where all states are refused.
+        """
+        for answer, name in zip(self._answer, self._names, strict=True):
+            answer.to = moments[name].ctypes.data
+        passed = _Rows(len(rows["count"]), *(_address(rows[name]) for name in _ROWS))
+        before = self._c.left
+        done = int(self._run(ctypes.byref(self._c), ctypes.byref(passed)))
+        if self._c.left < before:
+            self.block.refuse(self.status, self._place, "")
+        for name in self._records:  # of a function without batch
+            K, components, n = moments[name].shape
+            moments[name] = moments[name].reshape(K, n, components).transpose(0, 2, 1)
+        return done
+
+    def advance(self, command: Array, t: float, h: float, count: int) -> None:
+        """Make steps of h s from the time t (s) on, under constant commanded torques (N, N m); no run-time wrench."""
+        N, W = len(command), len(self.block.given["wrench"])
+        real = self.block.x.dtype
+        rows: dict[str, Array] = {}
+        rows |= {name: np.zeros((count + 1, N), real) for name in ("phi", "phi_dot", "mean", "between", "halfway")}
+        rows |= {"wrench": np.zeros((count, W), real), "end_wrench": np.zeros(W, real)}
+        rows |= {"count": np.array([count], dtype=np.int32), "begin": np.array([t]), "length": np.array([h])}
+        rows |= {"command": np.tile(command, (count, 1)), "end_command": command, "end_phi_ddot": np.zeros(N, real)}
+        self.run(rows, self.memory(1))
+
+    def _place(self, j: int) -> str:
+        return f"at t = {self.when[j]:.6g} s {self._functions[self.where[j]]}"
+
+    def _answers(self, needs: Collection[str]) -> Any:
+        """What is kept of each moment: the state first, then what is needed."""
+        block = self.block
+        sources: dict[str, Array] = {"state": block.x, "V_dot": block.given["V_dot"], "phi": self.turned}
+        sources |= {name: block.given[name] for name in ("phi_ddot", "tau")}
+        calls = {need: FUNCTIONS[need] for need in needs if need in FUNCTIONS and block.has(FUNCTIONS[need])}
+        if block.stand.hold is None:
+            calls.pop("coordinates", None)
+        self._names = [name for name in (*sources, *calls) if name == "state" or name in needs]
+        self._functions += [calls.get(name, "") for name in self._names]
+        answers = (_Answer * len(self._names))()
+        for answer, name in zip(answers, self._names, strict=True):
+            answer.call = self._call(calls.get(name, ""))
+            if name in calls:
+                sources[name] = block.member("matrices", "I") if name == "I" else block.found[calls[name]]
+            answer.source, answer.bytes = self._at(sources[name]), sources[name].nbytes
+        self._records = [name for name in calls if not sources[name].flags.c_contiguous]
+        return answers
+
+    def memory(self, moments: int) -> dict[str, Array]:
+        """Arrays (moments, components, n) for `run`, of NEEDS and the state; without components where not needed."""
+        n = self.block.n
+        found = {name: np.zeros((moments, 0, n)) for name in NEEDS}
+        for name, answer in zip(self._names, self._answer, strict=True):
+            kind = np.dtype(np.float64) if name == "phi" else self.block.x.dtype
+            found[name] = np.zeros((moments, answer.bytes // (kind.itemsize * n), n), kind)
+        return found
+
+    def _call(self, function: str) -> Any:
+        if not self.block.has(function):
+            return _Call()
+        code, passed = self.block.address(function)
+        pointers = (_POINTER * len(passed))(*map(_address, passed))
+        self._kept += [pointers, passed]
+        return _Call(code, ctypes.addressof(pointers))
+
+    def _drives(self, drives: Sequence[tuple[TorqueLaw | None, Motor | None]]) -> int:
+        return self._pointer((_Drive * len(drives))(*(self._drive(law, motor) for law, motor in drives)))
+
+    def _drive(self, law: TorqueLaw | None, motor: Motor | None) -> Any:
+        most = math.inf if motor is None or motor.torque is None else motor.torque
+        no_load = math.inf if motor is None or motor.torque is None or motor.speed is None else motor.speed
+        of_law = (law.to, law.band) if isinstance(law, RunUp) else (0.0, 0.0)
+        delivered = self._curve(law.curve if isinstance(law, TorqueSpeed) else ())
+        friction = (0.0, 0.0, 1.0) if motor is None else (motor.viscous, motor.coulomb, motor.coulomb_speed)
+        return _Drive(delivered, *of_law, most, no_load, self._curve(()), *friction)
+
+    def _curve(self, curve: Curve) -> Any:
+        speeds, torques = np.array(curve, dtype=np.float64).reshape(-1, 2).T.copy()
+        return _Curve(len(curve), self._at(speeds), self._at(torques))
+
+    def _pointer(self, structures: Any) -> int:
+        self._kept.append(structures)
+        return ctypes.addressof(structures)
+
+    def _at(self, array: Array) -> int | None:
+        self._kept.append(array)
+        return _address(array)
+
+
+# -- a run -------------------------------------------------------------------------------------------------------------
+
+
+def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int = 1) -> Iterator[Moments]:
+    """The motion of all states of a block under the regime of a case, in pieces of some moments of output.
+
+    block   of the stand of the case, which takes what its regime needs (`stand_for`), in the states at t = 0; phases
+            and speeds that the regime gives are set here. Samples that are refused have `block.reason(j)`
+    needs   of NEEDS
+    parts   see `parts_of`
+
+    Ends early where all samples are refused.
+    """
+    regime, N, x = case.regime, len(case.stand.flywheels), block.x
+    laws = [wheel.law if isinstance(wheel.law, TorqueLaw) else None for wheel in regime.flywheels]
+    drives = list(zip(laws, (s.motor for s in case.stand.flywheels), strict=True))
+    block.given["order"][0] = case.order
+    held = np.array(regime.has_speed_law, dtype=bool)
+    phase, speed = (
+        held | np.array([getattr(wheel, name) is not None for wheel in regime.flywheels], dtype=bool)
+        for name in ("phase", "speed")
+    )
+    begin = np.where(phase[:, None], case.phi0[:, None], x[13 : 13 + N])
+    x[13 : 13 + N] = wrap_phases(begin)
+    x[13 + N :] = np.where(speed[:, None], case.phi_dot0[:, None], x[13 + N :])
+    course = Course(block, regime.has_speed_law, drives, regime.by_torque, regime.mixes_speed_and_torque, needs)
+    counts = np.maximum(1, np.ceil(np.diff(case.times, prepend=0.0) / case.dt * (1 - 1e-9))).astype(np.int32)
+    counts *= parts if regime.by_torque else 1
+    counts[0] = 0
+    at_once = max(1, NUMBERS // sum(each.nbytes // 8 for each in course.memory(1).values()))
+    first, total = 0, len(counts)
+    while first < total:
+        steps = np.cumsum(counts[first : first + at_once])
+        last = first + (max(1, int(np.searchsorted(steps, STEPS, "right"))) if first else 1)
+        moments = course.memory(last - first)
+        kept = course.run(_rows(case, block, first, counts[first:last]), moments)
+        if not first:
+            course.rate[:] = block.given["phi_ddot"]
+        t = case.times[first : first + kept]
+        if "phi" in needs:
+            moments["phi"] += begin
+            moments["phi"][:kept, held] = case.motion(t)[0][:, held, None]
+        for j in np.flatnonzero(course.status < 0):
+            late = t > course.when[j] if course.where[j] == 0 else t >= course.when[j]
+            for array in moments.values():
+                array[:kept][late, :, j] = np.nan
+        if kept:
+            yield Moments(t, **{name: array[:kept] for name, array in moments.items()})
+        if kept < last - first:
+            return
+        first = last
+
+
+def _rows(case: Case, block: Block, first: int, counts: Array) -> dict[str, Array]:
+    """What the C reads of the steps that lead to moments of output from number `first` on: see `course.c`."""
+    ends = case.times[first : first + len(counts)]
+    begins = np.append(case.times[first - 1] if first else 0.0, ends[:-1])
+    lengths = (ends - begins) / np.maximum(counts, 1)
+    rows = np.cumsum(counts + 1)
+    of = np.repeat(np.arange(len(counts)), counts + 1)
+    times = begins[of] + lengths[of] * (np.arange(rows[-1]) - (rows - counts - 1)[of])
+    times[rows - 1] = ends
+    begin = np.delete(np.arange(rows[-1]), rows - 1)
+    h = lengths[of][begin]
+    middles = times[begin] + h / 2
+    phi, speeds, _ = case.motion(times)
+    mean = (speeds[begin + 1] - speeds[begin]) / h[:, None]
+    real = block.x.dtype
+    found = {"phi": wrap_phases(phi), "phi_dot": speeds, "mean": mean, "between": mean, "halfway": mean}
+    if case.regime.by_torque:
+        halfway, middle_speeds, _ = case.motion(middles)
+        found["halfway"] = wrap_phases(halfway)
+        # not a difference of phases, which may be large
+        found["between"] = (speeds[begin] + 4 * middle_speeds + speeds[begin + 1]) / 6
+    found |= {"wrench": case.wrenches(middles, block.inputs), "end_wrench": case.wrenches(ends, block.inputs)}
+    found["end_phi_ddot"] = case.motion(ends)[2]
+    double = {"begin": begins, "length": lengths}
+    double |= {"command": case.regime.commands(middles), "end_command": case.regime.commands(ends)}
+    return {
+        "count": np.ascontiguousarray(counts, dtype=np.int32),
+        **{name: np.ascontiguousarray(array, dtype=real) for name, array in found.items()},
+        **{name: np.ascontiguousarray(array, dtype=np.float64) for name, array in double.items()},
+    }
+
+
+def stand_for(stand: Stand, regime: Regime) -> Stand:
+    """The stand with run-time wrenches on the bodies that need them for the regime."""
+    bodies = set(regime.wrenches) | ({stand.carrier.name} if regime.mixes_speed_and_torque else set())
+
+    def one(body: Any) -> Any:
+        return replace(body, wrench_input=True) if body.name in bodies else body
+
+    return replace(
+        stand,
+        carrier=one(stand.carrier),
+        instruments=tuple(map(one, stand.instruments)),
+        flywheels=tuple(map(one, stand.flywheels)),
+    )
+
+
+def parts_of(case: Case, block: Block) -> int:
+    """Parts into which the steps of a case are cut, so that none is too long for how steeply torque falls with speed.
+
+    block   of one state, that at t = 0: its mobility d phi_ddot / d tau counts
+
+    Raises UsageError: a law is too steep.
+    """
+    falls = case.regime.steepness([s.motor for s in case.stand.flywheels])
+    if not np.any(falls > 0.0):
+        return 1
+    block.given["locked"][:] = case.regime.has_speed_law
+    mobility = _mobility(block)
+    fastest = float((mobility * falls).sum(axis=1).max())  # 1/s; upper bound of the eigenvalues
+    parts = max(1, math.ceil(case.dt * fastest / TORQUE_STEP))
+    if parts > MOST_PARTS:
+        worst = int(np.argmax(falls * np.diag(mobility)))
+        raise UsageError(
+            f"{case.regime.name}: flywheel {case.regime.flywheels[worst].name}: its torque falls by up to "
+            f"{falls[worst]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected a wider `band` "
+            f"(or `coulomb_speed` of its motor), --dt {case.dt * MOST_PARTS / parts:.2g}, or --backend scipy"
+        )
+    return parts
+
+
+def _mobility(block: Block) -> Array:
+    """d phi_ddot / d tau (N x N, magnitudes, 1/(kg m2)) at the one state of a block: phi'' is linear in the torques."""
+    given, rates = block.given, []
+    for tau in (np.zeros(len(given["tau"])), *np.eye(len(given["tau"]))):
+        given["tau"][:, 0] = tau
+        block.run("coupled")
+        rates.append(given["phi_ddot"][:, 0].astype(np.float64))
+    given["tau"][:] = 0.0
+    return np.abs(np.array(rates[1:]) - rates[0]).T
+
+
+def why_refused(stand: Stand, block: Block, j: int) -> str:
+    """Why sample j is refused, with what is wrong with its place in a stream; "" where it is not."""
+    words = block.reason(j)
+    try:
+        stream_at(stand, tuple(block.x[:3, j].tolist()))
+    except StateError as outside:
+        return f"{words.partition(': the motion')[0]}: {outside}" if words else ""
+    return words
