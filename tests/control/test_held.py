@@ -21,7 +21,7 @@ from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import Case, starting_state
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
-from mahovik.use.numeric import held_pose
+from mahovik.use.numeric import Frame
 from mahovik.use.plan.certificate import make_programme
 from plan.held_stands import HOLDS, stand, wheel
 
@@ -86,7 +86,7 @@ def test_coordinates_are_found_again_from_the_pose(hold: str) -> None:
     q = np.random.default_rng(5).uniform(-1.2, 1.2, (6, len(own.hold.freedoms)))
     from scipy.spatial.transform import Rotation
 
-    C, O1 = held_pose(own, q)
+    C, O1 = Frame.of(own).pose(q)
     attitude = Rotation.from_matrix(C).as_quat()[:, [3, 0, 1, 2]]
     near = q + np.random.default_rng(6).uniform(-0.5, 0.5, q.shape)
     assert np.abs(coordinates(own, O1, attitude, near) - q).max() < 1e-12

@@ -47,7 +47,7 @@ def heave(orbit: Orbit, mechanics: Mechanics, programme: Programme, start: np.nd
     """Mean, cos, sin, cos 2, sin 2 of z in the motion that begins so, by the whole equations."""
     given = drive(mechanics, *programme.at(orbit.t))
     y = course(orbit.chart, given, orbit.t[1], start, orbit.y, None).y[:-1]
-    z = orbit.chart.O1[2] + (y[:, :3] @ orbit.chart.C.T)[:, 2]
+    z = orbit.chart.twists(y).O1[:, 2]
     a = 2 * np.pi * np.arange(len(z)) / len(z)
     waves = [np.ones(len(z)) / 2, np.cos(a), np.sin(a), np.cos(2 * a), np.sin(2 * a)]
     return np.array([2.0 / len(z) * (wave @ z) for wave in waves])

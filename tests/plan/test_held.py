@@ -17,7 +17,7 @@ from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.numeric import held_pose, held_twists
+from mahovik.use.numeric import Frame
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.smoothing import smoothing_warnings
@@ -160,8 +160,7 @@ def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
     assert own.hold is not None
     rng = np.random.default_rng(3)
     x, rate, second = rng.normal(size=(3, 4, len(own.hold.freedoms)))
-    V, V_dot = held_twists(own, Course(x, rate, second))
-    C, O1 = held_pose(own, x)
+    C, O1, V, _, V_dot = Frame.of(own).twists(Course(x, rate, second))
     e = 1e-6
     for i in range(4):
         carrier = carrier_at(own, x[i], rate[i])

@@ -9,7 +9,6 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.functions import Course
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
 from mahovik.core.stand.state import State
@@ -75,17 +74,22 @@ HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
 
 def chart_of(stand: Stand, rng: np.random.Generator) -> Chart:
     """About a random pose."""
-    zero = np.zeros((1, 6))
-    return Chart.at_pose(Mechanics.of(stand), Course(rng.normal(size=(1, 6)) * 0.3, zero, zero))
+    return Chart.at(Mechanics.of(stand), rng.normal(size=6) * 0.3)
+
+
+def turned(y: Array) -> Rotation:
+    """The turn from the chart's pose: roll, pitch, yaw are coordinates 3 to 5, the last of them moves first."""
+    return Rotation.from_euler("ZYX", y[5:2:-1])
 
 
 def literal_acceleration(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """V* (6) by the reference at one state y (12)."""
-    C = chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
+    C = chart.frame.C @ turned(y).as_matrix()
     a, b, c, w = Rotation.from_matrix(C).as_quat()
     zeros = (0.0,) * len(phi)
+    O1 = chart.frame.O1 + chart.frame.C @ y[:3]
     state = State(
-        tuple(chart.O1 + chart.C @ y[:3]), None, (w, a, b, c), tuple(y[6:]), tuple(phi), tuple(phi_dot), zeros,
+        tuple(O1), None, (w, a, b, c), tuple(y[6:]), tuple(phi), tuple(phi_dot), zeros,
         (0.0,) * 6, zeros,
     )  # fmt: skip
     return forward(pieces(chart.mechanics.stand, state), phi_ddot)
@@ -103,6 +107,20 @@ def test_acceleration_is_that_of_the_reference(number: int) -> None:
     for m in range(M):
         expected = literal_acceleration(chart, y[m], phi[m], phi_dot[m], phi_ddot[m])
         assert abs(found[m] - expected).max() <= 1e-10 * abs(expected).max()
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_linear_equations_of_a_chart_are_those_of_differences(number: int) -> None:
+    """Of free carriers with every kind of wrench; those of holds are in `test_runup`."""
+    rng = np.random.default_rng(300 + number)
+    stand = random_stand(rng, 2, KINDS[number])
+    chart, y = chart_of(stand, rng), rng.normal(size=(2, 12)) * ([0.1] * 3 + [0.8] * 3 + [1.0] * 6)
+    given = drive(chart.mechanics, *(rng.normal(size=(2, 2)) * size for size in (3.0, 60.0, 900.0)))
+    found = chart.jacobian(given, y)
+    for k in range(12):
+        d = 1e-6 * np.eye(12)[k]
+        difference = (chart.rate(given, y + d) - chart.rate(given, y - d)) / 2e-6
+        assert abs(found[:, :, k] - difference).max() <= 1e-5 * max(abs(difference).max(), 1.0)
 
 
 def wave(t: Array, N: int, shift: float = 0.0) -> tuple[Array, Array, Array]:
@@ -136,16 +154,16 @@ def test_course_is_that_of_an_adaptive_integration() -> None:
 
     def rate(at: float, z: Array) -> Array:
         turn = Rotation.from_quat(z[3:7])
-        here = np.concatenate([z[:3], turn.as_rotvec(), z[7:]])
+        here = np.concatenate([z[:3], turn.as_euler("ZYX")[::-1], z[7:]])
         V_dot = literal_acceleration(chart, here, *(x[0] for x in wave(np.array([at]), 3)))
         a, b, c, w = z[3:7]
         p, q, r = z[10:]
         turning = [w * p + b * r - c * q, w * q + c * p - a * r, w * r + a * q - b * p, -a * p - b * q - c * r]
         return np.concatenate([turn.apply(z[7:10]), 0.5 * np.array(turning), V_dot])
 
-    z0 = np.concatenate([y[:3], Rotation.from_rotvec(y[3:6]).as_quat(), y[6:]])
-    end = solve_ivp(rate, (0.0, until), z0, method="DOP853", rtol=1e-10, atol=1e-12).y[:, -1]
-    expected = np.concatenate([end[:3], Rotation.from_quat(end[3:7]).as_rotvec(), end[7:]])
+    z0 = np.concatenate([y[:3], turned(y).as_quat(), y[6:]])
+    end = solve_ivp(rate, (0.0, until), z0, method="DOP853", rtol=1e-11, atol=1e-13).y[:, -1]
+    expected = np.concatenate([end[:3], Rotation.from_quat(end[3:7]).as_euler("ZYX")[::-1], end[7:]])
     assert abs(found - expected).max() <= 1e-8
 
 
@@ -154,7 +172,7 @@ def test_a_carrier_thrown_about_is_said_so() -> None:
     rng = np.random.default_rng(6)
     chart = chart_of(random_stand(rng, 2, BARE), rng)
     with pytest.raises(StateError, match="too violently"):
-        followed(chart, np.array([0.0] * 9 + [40.0, 0.0, 0.0]), 0.2, 40)
+        followed(chart, np.array([0.0] * 10 + [40.0, 0.0]), 0.2, 40)
 
 
 @pytest.mark.parametrize("seed", range(3))

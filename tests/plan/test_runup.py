@@ -33,7 +33,7 @@ from mahovik.proof.verify.programme.mechanics import (
     twist,
 )
 from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item, verify_programme
-from mahovik.use.numeric import Array, HeldChart, Mechanics, chart_at, drive, equilibrium
+from mahovik.use.numeric import Array, Chart, Mechanics, drive, equilibrium
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import drop_refused_tables, failed_items, make_programme
@@ -286,12 +286,6 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
     assert "run-up end" in {item.quantity for item in wrong if item.failed}
 
 
-def chart_of(own: Stand, q: Array) -> HeldChart:
-    found = chart_at(Mechanics.of(own), q)
-    assert isinstance(found, HeldChart)
-    return found
-
-
 @pytest.mark.parametrize("hold", HOLDS)
 def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> None:
     """u* against multipliers of the hold; coordinates, displacements and their changes against differences."""
@@ -300,7 +294,7 @@ def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> N
     rng, m = np.random.default_rng(8), len(own.hold.freedoms)
     q0, y = rng.normal(size=m) * 0.3, rng.normal(size=(3, 2 * m)) * 0.4
     phi, phi_dot, phi_ddot = rng.normal(size=(3, 3, 2)) * 3
-    chart = chart_of(own, q0)
+    chart = Chart.at(Mechanics.of(own), q0)
     given = drive(chart.mechanics, phi, phi_dot, phi_ddot)
     rate, S = chart.rate(given, y), chart.mechanics.freedoms
     for i in range(3):
@@ -328,4 +322,4 @@ def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> N
 def test_what_nothing_holds_along_a_freedom_is_told() -> None:
     own = stand('freedoms = ["z"]', wheel(1, [0, 1, 0]))
     with pytest.raises(MahovikError, match=r"accelerates by 9\.81 m/s2; nothing holds it there"):
-        equilibrium(chart_of(own, np.zeros(1)), np.zeros(1))
+        equilibrium(Chart.at(Mechanics.of(own), np.zeros(1)), np.zeros(1))

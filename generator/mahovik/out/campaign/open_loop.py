@@ -64,7 +64,7 @@ def read_programme(stand: Stand, over: OverTable, folder: Path) -> tuple[Program
 def required_state(stand: Stand, motion: RequiredMotion, programme: Programme) -> State:
     """The state that the programme requires at t = 0."""
     course, angles = motion.at(np.zeros(1), programme.bias), programme.at(np.zeros(1))
-    chart = Chart.at_pose(Mechanics.of(stand), course)
+    chart = Chart.at(Mechanics.of(stand), course.q[0])
     y = chart.of(course)[0]
     if programme.unbalance == "averaged":
         y[6:] = twist_at_rest(stand, y[6:], angles.phi[0], angles.phi_dot[0])

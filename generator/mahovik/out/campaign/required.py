@@ -16,7 +16,7 @@ from mahovik.out.campaign.pose import Array, rotation
 from mahovik.proof.reference.coordinates import kinematic_matrix
 from mahovik.proof.verify.programme.mechanics import Scale, scale_of
 from mahovik.use.control.coordinates import coordinates, held_coordinates
-from mahovik.use.numeric import held_slopes
+from mahovik.use.numeric import Frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +79,7 @@ class Required:
         """A of V = A q' (K, 6, 6, of a held carrier K, 6, m) at coordinates."""
         if self.stand.hold is None:
             return np.array([kinematic_matrix(self.stand.angles, each[3:]) for each in q])
-        return held_slopes(self.stand, q)
+        return Frame.of(self.stand).slopes(q)[2]
 
     @property
     def _root(self) -> Array:

@@ -27,7 +27,7 @@ from mahovik.errors import UsageError
 from mahovik.out.export.programme import ProgrammeExport, check_belongs, export_programme
 from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
-from mahovik.use.numeric import Array, held_pose, held_twists
+from mahovik.use.numeric import Array, Frame
 from mahovik.use.simulate.held import home
 
 PERIODS = 10
@@ -170,8 +170,7 @@ def _begin_held(stand: Stand, programme: Programme, motion: RequiredMotion | Non
         at = home(stand)
         return {"position": np.array(at.position), "attitude": np.array(at.quaternion), "V": np.zeros(6)}
     course = motion.at(np.zeros(1), programme.bias)
-    C, O1 = held_pose(stand, course.q)
-    V, _ = held_twists(stand, course)
+    C, O1, V, *_ = Frame.of(stand).twists(course)
     return {"position": O1[0], "attitude": Rotation.from_matrix(C[0]).as_quat(scalar_first=True), "V": V[0]}
 
 

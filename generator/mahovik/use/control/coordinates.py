@@ -11,7 +11,7 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.units import ANGLE
 from mahovik.errors import StateError
-from mahovik.use.numeric import Array, Mechanics, held_pose, held_slopes
+from mahovik.use.numeric import Array, Frame, Mechanics
 from mahovik.use.numeric import attitude as attitude_of
 
 EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
@@ -74,7 +74,7 @@ def held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
     x, moving = near.copy(), np.arange(len(near))
     for _ in range(_MOST):
         off = _offset(stand, O1[moving], C[moving], x[moving])
-        step = (np.linalg.pinv(held_slopes(stand, x[moving])) @ off[:, :, None])[:, :, 0]
+        step = (np.linalg.pinv(Frame.of(stand).slopes(x[moving])[2]) @ off[:, :, None])[:, :, 0]
         x[moving] += np.clip(step, -_LONGEST, _LONGEST)
         far = np.abs(step).max(axis=1, initial=0.0) > _SETTLED * (1.0 + np.abs(x[moving]).max(axis=1, initial=0.0))
         moving = moving[far]
@@ -86,7 +86,7 @@ def held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
 
 def _offset(stand: Stand, O1: Array, C: Array, x: Array) -> Array:
     """Shift and rotation vector (M, 6; m, rad) in E1 from the pose at coordinates x to another."""
-    there, place = held_pose(stand, x)
+    there, place = Frame.of(stand).pose(x)
     back = np.swapaxes(there, 1, 2)
     turned = Rotation.from_matrix(back @ C).as_rotvec()
     return np.hstack([(back @ (O1 - place)[:, :, None])[:, :, 0], turned])

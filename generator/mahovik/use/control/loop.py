@@ -24,7 +24,7 @@ from mahovik.use.control.plant import Plant, plant, plant_state
 from mahovik.use.control.record import Record
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign
-from mahovik.use.numeric import Array, Mechanics, chart_at, equilibrium
+from mahovik.use.numeric import Array, Chart, Mechanics, equilibrium
 from mahovik.use.plan.unbalance import twist_at_rest
 
 STARTS = ("settled", "programme", "rest")
@@ -112,7 +112,7 @@ def starting_state(case: Case) -> State:
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if not wanted.programme.periodic:
         course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
-        chart = chart_at(mechanics, course.q[0])
+        chart = Chart.at(mechanics, course.q[0])
         y = chart.of(course)[0]
         if wanted.programme.unbalance == "averaged":
             y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])

@@ -28,7 +28,6 @@ from mahovik.use.numeric import (
     Drive,
     Mechanics,
     acceleration_rates,
-    chart_at,
     course,
     drive,
     equilibrium,
@@ -118,7 +117,7 @@ class ReferenceMotion:
         turns = max([1, *self.motion.harmonics, *(abs(n) for n in self.programme.winding)])
         count = INTERVALS * max(1, round(NODES * turns * table.duration / self.motion.span / INTERVALS))
         t = np.linspace(0.0, table.duration, count + 1)
-        chart = chart_at(mechanics, self.motion.mean + self.programme.bias)
+        chart = Chart.at(mechanics, self.motion.mean + self.programme.bias)
         angles = table.at(t)
         given = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
@@ -272,6 +271,6 @@ def _propagate(chart: Chart, near: BlockElimination, count: int) -> Array:
 def _chart_and_sums(
     mechanics: Mechanics, motion: RequiredMotion, programme: Programme, t: Array
 ) -> tuple[Chart, Drive, Array]:
-    chart = chart_at(mechanics, motion.mean + programme.bias)
+    chart = Chart.at(mechanics, motion.mean + programme.bias)
     angles = programme.at(t)
     return chart, drive(mechanics, *angles), angles.phi_ddot

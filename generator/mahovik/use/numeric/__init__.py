@@ -4,30 +4,42 @@
 `drive` and a `Chart` give the carrier's course by (8) under given flywheel motions.
 """
 
-from mahovik.use.numeric.array import Array, Complex
-from mahovik.use.numeric.by_carrier import ByCarrier, by_carrier, slopes_of_residual
-from mahovik.use.numeric.evaluate import Linear, flywheel_damping, flywheel_wrenches, linear, residual, torques
-from mahovik.use.numeric.flywheels import waves
-from mahovik.use.numeric.forward import (
+from mahovik.use.numeric.course import (
     INTERVALS,
     BlockElimination,
     CarrierCourse,
     Chart,
-    Drive,
     Equilibrium,
     acceleration_rates,
     course,
-    drive,
     equilibrium,
     integrate,
     linearise,
     linearise_along,
+    wrench,
 )
-from mahovik.use.numeric.held_chart import HeldChart, chart_at
-from mahovik.use.numeric.held_kinematics import held_pose, held_slopes, held_twists
-from mahovik.use.numeric.kinematics import Twists, in_E1, twists
-from mahovik.use.numeric.prescribed_motion import Mechanics, Norm, PrescribedMotion, able_at, prescribe, prescribed_at
+from mahovik.use.numeric.frame import Frame, Twists, in_E1, in_fluid, uniform_stream
+from mahovik.use.numeric.mechanics import Mechanics, waves
+from mahovik.use.numeric.residual import (
+    Drive,
+    Linear,
+    Norm,
+    PrescribedMotion,
+    Slopes,
+    drive,
+    flywheel_damping,
+    flywheel_wrenches,
+    linear,
+    prescribe,
+    prescribed_at,
+    residual,
+    slopes_of_residual,
+    slopes_of_torques,
+    torques,
+)
 from mahovik.use.numeric.se3 import (
+    Array,
+    Complex,
     attitude,
     block_diagonal,
     fixed_axes,
@@ -41,30 +53,26 @@ from mahovik.use.numeric.se3 import (
     transfer,
     turn,
 )
-from mahovik.use.numeric.stream import uniform_stream
 
 __all__ = [
     "INTERVALS",
     "Array",
     "BlockElimination",
-    "ByCarrier",
     "CarrierCourse",
     "Chart",
     "Complex",
     "Drive",
     "Equilibrium",
-    "HeldChart",
+    "Frame",
     "Linear",
     "Mechanics",
     "Norm",
     "PrescribedMotion",
+    "Slopes",
     "Twists",
-    "able_at",
     "acceleration_rates",
     "attitude",
     "block_diagonal",
-    "by_carrier",
-    "chart_at",
     "course",
     "drive",
     "equilibrium",
@@ -72,10 +80,8 @@ __all__ = [
     "flywheel_damping",
     "flywheel_transfer",
     "flywheel_wrenches",
-    "held_pose",
-    "held_slopes",
-    "held_twists",
     "in_E1",
+    "in_fluid",
     "inertia",
     "integrate",
     "linear",
@@ -90,10 +96,11 @@ __all__ = [
     "rotation_vector_rate",
     "skew",
     "slopes_of_residual",
+    "slopes_of_torques",
     "torques",
     "transfer",
     "turn",
-    "twists",
     "uniform_stream",
     "waves",
+    "wrench",
 ]

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Body, Flywheel, MountingAngles, Sequence, Stand, Vec3
-from mahovik.use.numeric.array import Array
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes (0..2) that psi, theta, phi turn about, first to last."""

@@ -14,7 +14,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import Array, Mechanics, prescribe, torques, waves
+from mahovik.use.numeric import Array, Mechanics, prescribe, torques
 from mahovik.use.plan.problem import Grid, Periodic, Problem
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
@@ -134,15 +134,8 @@ def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
     The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I. Of a held carrier, rows along
     its m freedoms take the place of the six.
     """
-    K, I = mass_and_coupling(own, phi)
+    K, I = own.mass_and_coupling(phi)
     S = own.freedoms
     scaled: Array = np.asarray(np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(own.tables.Theta_ff)))
     determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == own.N else None
     return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
-
-
-def mass_and_coupling(own: Mechanics, phi: Array) -> tuple[Array, Array]:
-    """K of (2) (M, 6, 6) and I of (9) (M, 6, N) at angles (M, N; rad), in E1 about O1."""
-    h, _ = waves(phi)
-    K = own.base.K + np.einsum("hmn,hnij->mij", h, own.tables.Theta)
-    return K, np.einsum("hmn,hni->min", h, own.tables.coupling)

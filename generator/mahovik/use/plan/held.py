@@ -11,7 +11,7 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.numeric import Array, Twists, held_pose, transfer
+from mahovik.use.numeric import Array, Frame, Twists, transfer
 
 UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
 """What acts along a coordinate of a unit, and its own unit."""
@@ -36,7 +36,7 @@ def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:
     hold = stand.hold
     assert hold is not None
     S = freedom_twists(hold)
-    C0, O0 = (each[0] for each in held_pose(stand, np.zeros((1, S.shape[1]))))
+    C0, O0 = (each[0] for each in Frame.of(stand).pose(np.zeros((1, S.shape[1]))))
     found = np.zeros(6)
     for C, O1, wrench in zip(at.C, at.O1, F, strict=True):
         found += transfer(C0.T @ (O1 - O0), C0.T @ C) @ wrench
@@ -54,7 +54,7 @@ def slide_directions(stand: Stand) -> Array | None:
     hold = stand.hold
     if hold is None:
         return None
-    C0 = held_pose(stand, np.zeros((1, len(hold.freedoms))))[0][0]
+    C0 = Frame.of(stand).pose(np.zeros((1, len(hold.freedoms))))[0][0]
     slides = [np.array(each.direction) for each in hold.freedoms if each.kind == "slide"]
     return np.asarray(C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T)
 

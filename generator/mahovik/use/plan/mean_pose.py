@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.use.numeric import Array, in_E1, twists
+from mahovik.use.numeric import Array, in_E1
 from mahovik.use.plan.held import mean_along_freedoms
 from mahovik.use.plan.problem import Problem, uniform
 
@@ -79,9 +79,9 @@ def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
     Of a held carrier: along its freedoms (m), at the home pose.
     """
     own = problem.mechanics
-    at = twists(problem.stand, course._replace(q=course.q + bias))
+    at = own.frame.twists(course._replace(q=course.q + bias))
     F = own.base.wrench(at)
-    gravity = in_E1(at.C, np.broadcast_to(problem.stand.gravity, at.O1.shape))
+    gravity = in_E1(at.C, problem.stand.gravity)
     F = F + gravity @ own.tables.weight[0].sum(axis=0).T
     if problem.stand.hold is not None:
         return mean_along_freedoms(problem.stand, at, F)

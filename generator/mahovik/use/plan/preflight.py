@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.use.numeric import Array, PrescribedMotion, prescribe, twists
+from mahovik.use.numeric import Array, PrescribedMotion, prescribe
 from mahovik.use.plan.held import amount, slide_directions, wrench_of
 from mahovik.use.plan.mean_pose import MeanPose, mean_pose
 from mahovik.use.plan.problem import Problem, uniform
@@ -389,7 +389,7 @@ def preflight(problem: Problem) -> Preflight:
     P = at.locked_wrench()
     check_span(problem, P, found)
     if motion.periodic and not any(problem.mechanics.tables.damping):
-        C = twists(problem.stand, course._replace(q=course.q + found.bias)).C
+        C = problem.mechanics.frame.pose(course.q + found.bias)[0]
         check_first_moment(problem, (C @ P[:, :3, None])[:, :, 0], C, found)
     check_bound_reach(problem, at, found)
     return found

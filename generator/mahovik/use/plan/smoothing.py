@@ -14,7 +14,7 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import Array, twists
+from mahovik.use.numeric import Array, Frame
 
 STEEP = 10.0
 """Largest speed of a freedom over the smoothing of its friction, above which the search may be long."""
@@ -33,7 +33,7 @@ def smoothing_warnings(stand: Stand, motion: RequiredMotion) -> list[str]:
     dry = tuple(law for law in own if law.longest_steps([1.0] * len(stand.hold.freedoms)))
     laws = law_arrays(replace(stand, laws=dry))
     coordinates, found = coordinates_of(stand), []
-    at = twists(stand, motion.at(np.linspace(0.0, motion.span, _TIMES)))
+    at = Frame.of(stand).twists(motion.at(np.linspace(0.0, motion.span, _TIMES)))
     speeds = at.V @ wrenches(stand.hold)
     for k, S in enumerate(freedom_twists(stand.hold).T):
         peak = float(np.abs(speeds[:, k]).max())

@@ -16,8 +16,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.numeric import INTERVALS, Array, Chart, Mechanics, drive, integrate, twists
-from mahovik.use.plan.certificate import mass_and_coupling
+from mahovik.use.numeric import INTERVALS, Array, Chart, Frame, Mechanics, drive, integrate
 
 NODES = 24
 """Nodes in a turn of the fastest flywheel: two to the period of what shakes twice a turn would be the least."""
@@ -62,7 +61,7 @@ class UnbalanceEffect:
 
 def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
     """Twist V (6) of the carrier of a stand that has the momentum of the mean stand with the twist V; phi, phi' (N)."""
-    own, mean = (mass_and_coupling(Mechanics.of(each), phi[None]) for each in (stand, mean_stand(stand)))
+    own, mean = (Mechanics.of(each).mass_and_coupling(phi[None]) for each in (stand, mean_stand(stand)))
     (K, I), (K0, I0) = ((a[0], b[0]) for a, b in (own, mean))
     return np.asarray(V + np.linalg.solve(K, (K0 - K) @ V + (I0 - I) @ phi_dot))
 
@@ -81,16 +80,16 @@ def unbalance_effect(stand: Stand, motion: RequiredMotion, programme: Programme)
     blocks = int(np.ceil(count / size))
     t = np.linspace(0.0, span, blocks * size + 1)
     mechanics, h = Mechanics.of(stand), float(t[1])
-    at = twists(stand, motion.at(t[:1], programme.bias))
+    at = mechanics.frame.twists(motion.at(t[:1], programme.bias))
     start = programme.at(t[:1])
     V = twist_at_rest(stand, at.V[0], start.phi[0], start.phi_dot[0])
     O1, C = at.O1[0], at.C[0]
     turns, shifts = [np.zeros((1, 3))], [np.zeros((1, 3))]
     for k in range(blocks):
         times = t[k * size : (k + 1) * size + 1]
-        chart = Chart(mechanics, O1, C)
+        chart = Chart(mechanics, Frame.at_pose(stand, C, O1))
         y = _block(chart, programme, times, h, np.concatenate([np.zeros(6), V]))
-        here, wanted = chart.twists(y[1:]), twists(stand, motion.at(times[1:], programme.bias))
+        here, wanted = chart.twists(y[1:]), mechanics.frame.twists(motion.at(times[1:], programme.bias))
         turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ here.C).as_rotvec())
         shifts.append(here.O1 - wanted.O1)
         O1, C, V = here.O1[-1], here.C[-1], y[-1, 6:]
@@ -110,7 +109,7 @@ def _block(chart: Chart, programme: Programme, t: Array, spacing: float, start: 
         y = new
         if change < _SETTLED or (change < 1e-11 and change > 0.5 * before):
             return y
-        if not np.isfinite(change) or np.abs(y[:, 3:6]).max() > 2.0:
+        if not np.isfinite(change) or chart.frame.is_lost(y[:, :6]):
             break
         before = change
     raise StateError(f"the carrier moves too violently at t = {t[0]:.5g} s: its course cannot be computed")

@@ -23,18 +23,19 @@ from mahovik.core.stand.state import State
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.numeric import (
     Array,
-    Chart,
     Drive,
     Mechanics,
-    by_carrier,
+    Twists,
     drive,
     flywheel_damping,
+    in_fluid,
     prescribed_at,
     rotation_vector_rate,
     skew,
     slopes_of_residual,
     uniform_stream,
     waves,
+    wrench,
 )
 from mahovik.use.study.rest import accuracy, rest
 
@@ -52,6 +53,35 @@ SMALL = 1e-2
 
 
 @dataclass(frozen=True, eq=False)
+class RestChart:
+    """States y = (x, r, V) (M, 12) about the pose at rest: O1 = O1_0 + C_0 x (m), C = C_0 exp<r> (rad), V in E1."""
+
+    mechanics: Mechanics
+    O1: Array
+    C: Array
+
+    def twists(self, y: Array) -> Twists:
+        """Pose and twists (M) of states y (M, 12); V_r* is for V* = 0."""
+        C, V = self.C @ Rotation.from_rotvec(y[:, 3:6]).as_matrix(), y[:, 6:]
+        return in_fluid(self.mechanics.stand, C, self.O1 + y[:, :3] @ self.C.T, V, np.zeros_like(V))
+
+    def wrench(self, given: Drive, at: Twists) -> Array:
+        """F - M V_r - I phi'' - J phi' (M, 6, 1; N, N m)."""
+        return wrench(self.mechanics, given, at)[:, :, None]
+
+    def acceleration(self, given: Drive, y: Array) -> Array:
+        """V* (M, 6; m/s2, rad/s2) of a free carrier."""
+        at = self.twists(y)
+        return np.asarray((given.inverse @ self.wrench(given, at))[:, :, 0] - at.V_r_dot)
+
+    def rate(self, given: Drive, y: Array) -> Array:
+        """y' (M, 12)."""
+        r, v, omega = y[:, 3:6], y[:, 6:9], y[:, 9:]
+        r_dot = (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0]
+        return np.hstack([Rotation.from_rotvec(r).apply(v), r_dot, self.acceleration(given, y)])
+
+
+@dataclass(frozen=True, eq=False)
 class Scene:
     """Data independent of speeds, computed once for a stand.
 
@@ -65,7 +95,7 @@ class Scene:
     """
 
     stand: Stand
-    chart: Chart
+    chart: RestChart
     rest: State
     S: Array
     along: Array
@@ -81,9 +111,10 @@ class Scene:
         uniform_stream(stand)
         state, mechanics = rest(stand).state, Mechanics.of(stand)
         S = mechanics.freedoms
-        chart = Chart(mechanics, np.array(state.position), carrier_rotation(stand, state))
-        still = np.array([state.phi]), np.zeros((1, mechanics.N))
-        by = by_carrier(mechanics, chart.twists(np.zeros((1, 12))), *still)
+        chart = RestChart(mechanics, np.array(state.position), carrier_rotation(stand, state))
+        still = np.zeros((1, mechanics.N))
+        given = drive(mechanics, np.array([state.phi]).reshape(1, -1), still, still)
+        by = slopes_of_residual(mechanics, chart.twists(np.zeros((1, 12))), given)
         K = -by.by_twist_dot[0]
         along = np.zeros((S.shape[1], 0))
         if S.shape[1]:
@@ -185,9 +216,10 @@ class Scene:
         h, _ = waves(phi)
         taken = given.fixed[:, :6] + given.moving[:, :6] * phi_dot + mechanics.coupling_slope[:, :6] * phi_dot**2
         wrench = -np.einsum("hms,hims->msi", h, taken)
-        for s, damping in enumerate(mechanics.tables.damping):
-            if damping is not None:
-                wrench[:, s] += flywheel_damping(mechanics.tables, s, at.V_r, phi[:, s], phi_dot[:, s])[0][:6].T
+        for s in range(mechanics.N):
+            damped = flywheel_damping(mechanics, s, at.V_r, phi[:, s], phi_dot[:, s])
+            if damped is not None:
+                wrench[:, s] += damped[0][:6].T
         return np.asarray(wrench)
 
     def _mass(self, given: Drive) -> Array:

@@ -26,9 +26,7 @@ from mahovik.use.numeric import (
     Equilibrium,
     Linear,
     Mechanics,
-    able_at,
     acceleration_rates,
-    chart_at,
     course,
     drive,
     equilibrium,
@@ -260,7 +258,7 @@ def boundary(
     fastest = max([1, *motion.harmonics, *(abs(n) for n in programme.winding)])
     B = 2 ** round(np.log2(nodes / NODES * max(fastest * NODES * duration / motion.span / INTERVALS, FEWEST)))
     t = np.linspace(0.0, duration, INTERVALS * B + 1)
-    chart = chart_at(mechanics, motion.mean + programme.bias)
+    chart = Chart.at(mechanics, motion.mean + programme.bias)
     return Boundary(
         chart,
         amplitude_of(chart, motion, programme),
@@ -280,5 +278,5 @@ def amplitude_of(chart: Chart, motion: RequiredMotion, programme: Programme) -> 
     if twist > 0.0:
         return Amplitude(root, displacement, twist)
     Omega = 2.0 * np.pi / motion.span
-    able = able_at(chart.mechanics, Omega)
+    able = chart.mechanics.able(Omega)
     return Amplitude(root, able / Omega**2, able / Omega)

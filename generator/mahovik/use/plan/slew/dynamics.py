@@ -22,8 +22,7 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Slew
 from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
-from mahovik.use.numeric import Array, Mechanics, in_E1, linear, prescribe, prescribed_at, torques, twists
-from mahovik.use.plan.certificate import mass_and_coupling
+from mahovik.use.numeric import Array, Mechanics, in_E1, linear, prescribe, prescribed_at, torques
 from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean
 
@@ -75,7 +74,7 @@ class Exact:
 
     def follow(self, demand: Demand) -> SlewMotion:
         """The motion whose demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
-        t, slew, stand = demand.t, self.slew, self.mechanics.stand
+        t, slew = demand.t, self.slew
         M = len(t)
         phi_dot = np.tile(slew.phi_dot, (M, 1))
         phi = slew.phi + t[:, None] * phi_dot
@@ -102,7 +101,7 @@ class Exact:
             phi = slew.phi + t[:, None] * slew.phi_dot + _integral(t, gained)
             change = max(_change(phi, before), _change(new_dot, phi_dot))
             phi_dot = new_dot
-            at = twists(stand, Course(q, q_dot, np.zeros_like(q)))
+            at = self.mechanics.frame.twists(Course(q, q_dot, np.zeros_like(q)))
             in_E0 = (at.C @ (V_dot[:, :3] + np.cross(omega, at.V[:, :3]))[:, :, None])[:, :, 0]
             velocity = _integral(t, in_E0)
             moved = slew.position + _integral(t, velocity)
@@ -150,12 +149,12 @@ class Exact:
     ) -> tuple[Array, Array, NoSlewError | None]:
         """V* (M, 6), phi'' (M, N), and what is missing most."""
         own = self.mechanics
-        at = twists(own.stand, course)
+        at = own.frame.twists(course)
         u = at.V[:, :3] - at.V_r[:, :3]
         still = at._replace(V_r_dot=np.hstack([np.cross(at.V[:, 3:], u), np.zeros_like(u)]))
         found = linear(prescribed_at(own, still), phi, phi_dot, np.zeros_like(phi))
         I = -found.by_phi_ddot
-        K, _ = mass_and_coupling(own, phi)
+        K, _ = own.mass_and_coupling(phi)
         to_motion = np.linalg.solve(K, np.concatenate([found.R[:, :, None], I], axis=2))
         free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
         a, s = self._demand(demand, at.C, at.V)
@@ -214,17 +213,16 @@ class Exact:
         for k in range(3):
             rate = np.zeros_like(q)
             rate[:, 3 + k] = 1.0
-            found.append(twists(self.mechanics.stand, Course(q, rate, np.zeros_like(q))).V[:, 3:])
+            found.append(self.mechanics.frame.twists(Course(q, rate, np.zeros_like(q))).V[:, 3:])
         return np.stack(found, axis=2)
 
     def _end(
         self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,
         phi: Array, phi_dot: Array, phi_ddot: Array, missing: NoSlewError | None,
     ) -> SlewMotion:  # fmt: skip
-        stand = self.mechanics.stand
         rates = self._rates(theta, omega)
         q, q_dot = np.hstack([position, theta]), np.hstack([velocity, rates])
-        at = twists(stand, Course(q, q_dot, np.zeros_like(q)))
+        at = self.mechanics.frame.twists(Course(q, q_dot, np.zeros_like(q)))
         turning = np.linalg.solve(self._columns(theta), (V_dot[:, 3:] - at.V_r_dot[:, 3:])[:, :, None])[:, :, 0]
         straight = (at.C @ (V_dot[:, :3] + np.cross(omega, at.V[:, :3]))[:, :, None])[:, :, 0]
         course = Course(q, q_dot, np.hstack([straight, turning]))

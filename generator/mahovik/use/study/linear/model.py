@@ -23,20 +23,22 @@ from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.states import encode
 from mahovik.use.numeric import (
     Array,
-    ByCarrier,
     Linear,
     Mechanics,
+    Slopes,
     Twists,
     block_diagonal,
-    by_carrier,
+    drive,
     fixed_axes,
+    in_fluid,
     linear,
     place,
     prescribed_at,
     skew,
+    slopes_of_residual,
+    slopes_of_torques,
     transfer,
     turn,
-    uniform_stream,
 )
 from mahovik.use.simulate.held import rates
 
@@ -278,13 +280,13 @@ class _Equations:
         push, push_by_phi, about = _run_time(mechanics, state)
         S = np.eye(6) if stand.hold is None else twists(stand.hold)
         with np.errstate(all="ignore"):  # an overflow is not finite, and is reported below
-            by = by_carrier(mechanics, still, phi, phi_dot)
             held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
-            V_dot = S @ np.linalg.solve(S.T @ -by.by_twist_dot[0] @ S, S.T @ (held.R[0] + push))
+            given = drive(mechanics, phi, phi_dot, phi_ddot)
+            V_dot = S @ given.mobility[0] @ (held.R[0] + push)
             moving = still._replace(V_r_dot=still.V_r_dot + V_dot)
             wheels = linear(prescribed_at(mechanics, moving), phi, phi_dot, phi_ddot)
-            by = by_carrier(mechanics, moving, phi, phi_dot)
-        mass, by_state = _arrange_derivatives(by, wheels, push_by_phi)
+            by = slopes_of_residual(mechanics, moving, given), slopes_of_torques(mechanics, moving, phi, phi_dot)
+        mass, by_state = _arrange_derivatives(*by, wheels, push_by_phi)
         tau = wheels.tau[0] - about
         if not all(np.all(np.isfinite(x)) for x in (V_dot, tau, mass, by_state)):
             raise StateError(f"{stand.name}: the linear model is not finite at this state")
@@ -304,22 +306,19 @@ class _Equations:
         return np.hsplit(solved, [len(columns)])
 
 
-def _arrange_derivatives(by: ByCarrier, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
+def _arrange_derivatives(by: Slopes, of_tau: Slopes, wheels: Linear, push_by_phi: Array) -> tuple[Array, Array]:
     """The full mass matrix (6 + N), and derivatives of R and -tau by pose, V, phi, phi' (6 + N, 12 + 2 N)."""
-    coupled = [by.tau_by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
+    coupled = [of_tau.by_twist_dot[0], np.diag(wheels.tau_by_phi_ddot[0])]
     mass = np.block([[-by.by_twist_dot[0], -wheels.by_phi_ddot[0]], coupled])
     carrier = [by.by_pose[0], by.by_twist[0], wheels.by_phi[0] + push_by_phi, wheels.by_phi_dot[0]]
-    drives = [by.tau_by_pose[0], by.tau_by_twist[0], np.diag(wheels.tau_by_phi[0]), np.diag(wheels.tau_by_phi_dot[0])]
+    drives = [of_tau.by_pose[0], of_tau.by_twist[0], np.diag(wheels.tau_by_phi[0]), np.diag(wheels.tau_by_phi_dot[0])]
     return mass, np.vstack([np.hstack(carrier), -np.hstack(drives)])
 
 
 def _twists(stand: Stand, state: State) -> Twists:
     """The carrier's motion (M = 1), V* = 0."""
-    C = carrier_rotation(stand, state)
-    V, u = np.array(state.V), C.T @ np.array(uniform_stream(stand))
-    none = np.zeros(3)
-    V_r, V_r_dot = V - np.concatenate([u, none]), np.concatenate([np.cross(V[3:], u), none])
-    return Twists(C[None], np.array([state.position]), V[None], V_r[None], V_r_dot[None])
+    V = np.array([state.V])
+    return in_fluid(stand, carrier_rotation(stand, state)[None], np.array([state.position]), V, np.zeros_like(V))
 
 
 def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
