@@ -184,3 +184,12 @@ def test_refusals(text: str, problem: str) -> None:
     with pytest.raises(StandError) as caught:
         loads(TABLE + text)
     assert problem in str(caught.value)
+
+
+def test_check_shows_natural_frequencies_and_sag() -> None:
+    centred = TABLE.replace("[0.02, 0.01, 0.05]", "[0, 0, 0]").replace("[0.01, 0, 0.04]", "[0, 0, 0]")
+    rest = mahovik.check(mahovik.Stand.of(loads(centred + corners()))).meta["rest"]
+    k, kz, x2, y2 = 160e3, 360e3, 0.09, 0.04
+    squares = [k / 80, k / 80, kz / 80, kz * y2 / 4, kz * x2 / 6, k * (x2 + y2) / 9]
+    assert rest["frequencies"] == pytest.approx(np.sqrt(sorted(squares)) / (2 * math.pi), rel=1e-6)
+    assert rest["sag"] == pytest.approx([0, 0, -74 * 9.81 / kz, 0, 0, 0], rel=1e-6, abs=1e-12)

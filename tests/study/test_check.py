@@ -136,7 +136,7 @@ def test_check_names_step_part_and_remedy() -> None:
     assert "warning: float: a step of 0.0001 s adds" in text and "give step a carry, or take double" in text
     assert "at 6000 rpm by up to 3.1e-05 rad/s" in text
     for wrong in ("0", "-1", "1 m", "inf"):
-        assert "--dt: " in run("check", str(path("sat4")), "--dt", wrong).stderr
+        assert "--dt" in run("check", str(path("sat4")), "--dt", wrong).stderr
 
 
 HEAD = """
@@ -212,7 +212,7 @@ def test_check_prints_it(tmp_path: Path) -> None:
     assert "moment of Munk -23 kg u v about z, 22 kg u w about y" in text and "semidefinite" not in text
     for wrong, words in (("0", "out of range"), ("1 kg", "expected a velocity"), ("nan", "out of range")):
         message = refused("check", str(file), "--fluid", wrong)
-        assert message.startswith("error: --fluid: ")
+        assert message.startswith("error: --fluid")
         assert words in message
 
 
@@ -249,8 +249,8 @@ speed = "1500 rpm"
     file = tmp_path / "hull.toml"
     file.write_text(HEAD + propeller, encoding="utf-8")
     text = run("check", str(file), "--fluid", "1.5").stdout
-    assert "no body has a law of its twist relative to the fluid but propellers" in text
-    assert "propellers on carrier: they are there to drive" in text
+    assert "no body has a law of its twist relative to the fluid" in text
+    assert "propellers on carrier are there to drive" in text
 
 
 def example_stand(name: str) -> Stand:

@@ -182,6 +182,9 @@ def _weakest(capacity: Capacity) -> str:
 
 def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None, list[str]]:
     """The static equilibrium with flywheels at rest, and sentences about it; None and why where there is none."""
+    import numpy as np
+
+    from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
     from mahovik.proof.verify.states import state_object
     from mahovik.use.study.rest import rest
 
@@ -201,10 +204,20 @@ def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None,
             for twist in found.free
         ]
         words.append(f"free directions, m and rad in E1: {'; '.join('  '.join(twist) for twist in free)}")
+    more: dict[str, Any] = {"frequencies": found.frequencies}
     if found.unstable:
         words.append("warning: unstable, the stand would leave this pose")
+    elif any(found.frequencies):
+        words.append(f"natural frequencies, flywheels locked, Hz: {'  '.join(f'{f:.5g}' for f in found.frequencies)}")
+    suspension: Any = next((law for law in stand.laws if getattr(law, "isolators", ())), None)
+    if suspension is not None:
+        C = carrier_rotation(stand, found.state)
+        shift = C.T @ np.subtract(found.state.position, suspension.position)
+        more["sag"] = [*shift, *rotation_vector(attitude(stand.angles, *suspension.angles).T @ C)]
+        shown = "  ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, more["sag"], strict=True))
+        words.append(f"static sag of the isolators from where they are unloaded, mm and mrad in E1: {shown}")
     state = state_object(found.state)
-    return {"state": state, "V_dot": found.V_dot, "free": found.free, "unstable": found.unstable}, words
+    return {"state": state, "V_dot": found.V_dot, "free": found.free, "unstable": found.unstable, **more}, words
 
 
 def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]]:

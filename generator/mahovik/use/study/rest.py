@@ -42,17 +42,19 @@ _REACH = 1e7  # m: beyond any position that the C takes
 
 @dataclass(frozen=True)
 class Rest:
-    """The equilibrium: its state, remaining acceleration, free directions, stability.
+    """The equilibrium: its state, remaining acceleration, free directions, stability, natural frequencies.
 
     `free`: twists in E1, m and rad; about an axis of length 1, with the shift per rad, or a shift of length 1.
 
-    `unstable`: the stiffness has a negative direction, so the stand would leave this pose.
+    `unstable`: the stiffness has a negative direction, so the stand would leave this pose. `frequencies`: Hz, rising,
+    of undamped motions with flywheels locked; 0 along free directions.
     """
 
     state: State
     V_dot: Vec6
     free: tuple[Vec6, ...]
     unstable: bool
+    frequencies: tuple[float, ...] = ()
 
 
 def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
@@ -283,7 +285,10 @@ class _Search:
         free = tuple(cast(Vec6, _tuple(unit_twist(row))) for row in reduced_basis(soft @ self.scale))
         values = np.linalg.eigvals(S)
         least = -max(FREE * float(np.abs(values).max()), 1e-9)
-        return Rest(with_least_turn(self.state), cast(Vec6, _tuple(V_dot)), free, bool(values.real.min() < least))
+        squares = np.where(values.real < -least, 0.0, values.real)
+        frequencies = _tuple(np.sort(np.sqrt(squares)) / (2 * math.pi))
+        unstable = bool(values.real.min() < least)
+        return Rest(with_least_turn(self.state), cast(Vec6, _tuple(V_dot)), free, unstable, frequencies)
 
     def reason(self, at: Pieces) -> str:
         """Message: why there is no equilibrium."""
