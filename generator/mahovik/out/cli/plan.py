@@ -23,8 +23,7 @@ from mahovik.out.cli.output import end_of_search, print_json, print_line, print_
 from mahovik.out.progress import progress
 
 if TYPE_CHECKING:
-    from mahovik.out.functions.programmes import Plan
-    from mahovik.use.plan.outcome import Method
+    from mahovik.out.functions.programmes import Method, Plan
 
 
 @command(short_help="Find a programme that moves the carrier as required.")

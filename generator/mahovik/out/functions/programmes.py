@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from mahovik.core.motion.programme import programme_text
 from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
 from mahovik.out.api.stands import Stand
 from mahovik.out.arguments import (
     Keys,
@@ -29,7 +30,6 @@ from mahovik.out.notices import OnProgress, Progress, tell, warn
 from mahovik.use.plan import Plan as CorePlan
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.held import refuse_unplannable
-from mahovik.use.plan.outcome import Method
 from mahovik.use.plan.smoothing import smoothing_warnings
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ ROWS = 400
 """Rows of a programme's table."""
 
 Change = tuple[str, str, float, float]
+Method = Literal["fourier", "ocp"]
 MotionGiven = RequiredMotion | Keys | str | Path
 ProgrammeGiven = CoreProgramme | Keys | str | Path
 
@@ -218,7 +219,9 @@ def plan(
     """
     from mahovik.use.plan.free import plan_free
 
-    own, options = Stand.of(stand), PlanOptions(seed, time_limit("seconds", seconds), method=method)
+    if method not in get_args(Method):
+        raise UsageError(f'method: unknown "{method}"{suggestion(method, get_args(Method))}')
+    own, options = Stand.of(stand), PlanOptions(seed, time_limit("seconds", seconds))
     required = required_of(motion, own)
 
     def on_progress(state: Any) -> None:
@@ -233,10 +236,16 @@ def plan(
     refuse_unplannable(own, required)
     for line in smoothing_warnings(own, required):  # before the search, which may be long
         warn(line)
+    if free and method == "ocp":
+        raise UsageError("method ocp: judges plans of a stand as it is; expected no free beside it")
     if free:
         found = plan_free(own, own.to_dict(), required, [free] if isinstance(free, str) else free, options, on_progress)
         made = own if found.document is None else Stand.from_dict(found.document, own.name)
         return Plan(made, required, found.plan, found.changes)
+    if method == "ocp":
+        from mahovik.use.plan.ocp import plan_ocp
+
+        return Plan(own, required, plan_ocp(own, required, options, on_progress))
     return Plan(own, required, plan_motion(own, required, options, on_progress))
 
 

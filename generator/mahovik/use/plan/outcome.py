@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Generic, Literal, Protocol, TypeVar, get_args
+from typing import Any, Literal, Protocol
 
+from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Winding
-from mahovik.errors import UsageError, whole_number
-from mahovik.nearest import suggestion
+from mahovik.errors import whole_number
 from mahovik.use.plan.problem import Periodic
-
-Method = Literal["fourier", "ocp"]
 
 
 @dataclass(frozen=True)
@@ -26,8 +24,7 @@ class PlanOptions:
     enough   programmes of each kind of winding to choose from
     verify   whether to verify the programmes independently
     steps    limit of steps of search and optimisation
-    method   fourier; or ocp: (13) by IPOPT from its result, with (12) as constraints
-    start    motion of the flywheels over the shortest period, to be made a programme without a search
+    start    motion of the flywheels, over the shortest period, to be made a programme without a search
     """
 
     seed: int = 0
@@ -37,19 +34,11 @@ class PlanOptions:
     enough: int = 1
     verify: bool = True
     steps: int = 20_000
-    method: Method = "fourier"
-    start: Periodic | None = None
+    start: Periodic | Samples | None = None
 
     def __post_init__(self) -> None:
         whole_number("seed", self.seed, 0)
         whole_number("keep", self.keep, 1, 99)
-        if self.method not in get_args(Method):
-            raise UsageError(f'method: unknown "{self.method}"{suggestion(self.method, get_args(Method))}')
-
-    @property
-    def seconds_of_search(self) -> float | None:
-        """Time limit of the search, s: half of the time is kept for IPOPT if the method needs it."""
-        return self.seconds if self.seconds is None or self.method == "fourier" else self.seconds / 2.0
 
 
 Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
@@ -69,22 +58,6 @@ class Progress(Protocol):
 
 
 OnProgress = Callable[[Progress], None]
-
-
-Kind = TypeVar("Kind")
-
-
-@dataclass
-class Candidates(Generic[Kind]):
-    """Flywheel motions that may become programmes, best first, each with the method's entries for its report.
-
-    words   why there are none, as in `Plan`
-    """
-
-    motions: list[tuple[Kind, dict[str, Any]]] = field(default_factory=list)
-    words: Sequence[str] = ()
-    interrupted: bool = False
-    cut: bool = False
 
 
 @dataclass(frozen=True)

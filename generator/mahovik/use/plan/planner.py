@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
-from mahovik.core.lower.law_arrays import law_arrays
-from mahovik.core.motion.functions import Angles, Fourier
+from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import StateError
 from mahovik.use.numeric import linear, prescribe
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import (
@@ -26,13 +24,13 @@ from mahovik.use.plan.certificate import (
     sign_changes,
     singular_values,
 )
-from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
+from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, fit, search_finite, table_of
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
-from mahovik.use.plan.outcome import Candidates, Method, OnProgress, Plan, PlanOptions
+from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
 from mahovik.use.plan.preflight import Preflight, preflight
-from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
 from mahovik.use.plan.windings import repeat_motion, with_shortest_period
@@ -48,18 +46,17 @@ def plan_motion(
 ) -> Plan:
     """A programme that makes the carrier of `stand` do `motion`, (12)-(13), or the reason why there is none.
 
-    Ctrl-C gives the best so far; a second one during its verification skips that. UsageError: the method does not apply
-    to this stand. MotionError: the bounds exclude the wanted winding.
+    Ctrl-C gives the best so far; a second one during its verification skips that.
+    MotionError: the bounds exclude the wanted winding.
     """
     options = options or PlanOptions()
     refuse_unplannable(stand, motion)
-    _refuse_method(stand, options.method)
     if options.winding is not None:
         motion = motion.with_winding(options.winding)
     whole = Budget(0, options.seconds)
     with_tables = motion.runup is not None and motion.periodic
     options = replace(options, seconds=whole.seconds_left(SEARCH if with_tables else 1.0))
-    budget = Budget(options.steps, options.seconds_of_search)
+    budget = Budget(options.steps, options.seconds)
     try:
         problem = Problem.of(stand, with_shortest_period(motion))
         first = preflight(problem)
@@ -71,21 +68,6 @@ def plan_motion(
     if motion.periodic:
         return _plan_periodic(problem, motion, first, options, budget, whole, tell)
     return _plan_finite(problem, first, options, budget, tell)
-
-
-def _refuse_method(stand: Stand, method: Method) -> None:
-    """Raises UsageError where (13) cannot be solved by the method for this stand, or CasADi is not there."""
-    if method == "fourier":
-        return
-    shown, N = f"--method {method}", len(stand.flywheels)
-    m = 6 if stand.hold is None else len(stand.hold.freedoms)
-    if m > N:
-        raise UsageError(f"{shown}: the stand has {N} flywheels; (13) needs at least {m}; use --method fourier")
-    for wheel, laws in zip(stand.flywheels, law_arrays(stand).bodies[-N:], strict=True):
-        if laws is not None:
-            raise UsageError(f'{shown}: flywheel "{wheel.name}" has damping; use --method fourier')
-    if find_spec("casadi") is None:
-        raise UsageError(f"{shown}: CasADi is not installed: pip install casadi, or use --method fourier")
 
 
 def _plan_periodic(
@@ -102,7 +84,7 @@ def _plan_periodic(
     Run-ups have the time after the search, the verification has no limit.
     """
     improver, enough = Improver.of(problem), max(options.enough, options.keep)
-    if options.start is not None:
+    if isinstance(options.start, Periodic):
         found = improver.single(options.start, budget)
     else:
         found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
@@ -112,19 +94,12 @@ def _plan_periodic(
         tell(found)
 
     chosen = choose(improver, found)
-    candidates = Candidates([(each, {}) for each in chosen], words=() if chosen else (not_found_message(found),))
-    if options.method != "fourier" and chosen and not found.interrupted:
-        from mahovik.use.plan.ocp.plan import periodic_ocp
-
-        candidates = periodic_ocp(improver, chosen, options, budget, tell)
-        found.interrupted |= candidates.interrupted
-        found.cut |= candidates.cut
-    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each, _ in candidates.motions]}
+    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each in chosen]}
 
     def programmes() -> Iterator[Programme]:
-        for each, more in candidates.motions:
+        for each in chosen:
             with defer_interrupt(whole.interrupt, again=True):
-                programme = _periodic_programme(problem, motion, each, {"search": effort, **more})
+                programme = _periodic_programme(problem, motion, each, {"search": effort})
             programme = with_runup(problem.stand, motion, programme, options.seed, whole, say)
             if options.verify:
                 say("verifying")
@@ -132,7 +107,8 @@ def _plan_periodic(
                     programme = drop_refused_tables(certify(problem.stand, motion, programme))
             yield programme
 
-    return _verified_plan(problem.stand, first, found, candidates, effort, programmes(), whole, options.keep)
+    words = () if chosen else (not_found_message(found),)
+    return _verified_plan(problem.stand, first, found, words, effort, programmes(), whole, options.keep)
 
 
 def _plan_finite(
@@ -142,23 +118,15 @@ def _plan_finite(
     budget: Budget,
     tell: OnProgress,
 ) -> Plan:
-    """A programme of a finite motion. The objective chooses among those found; the method `fourier` changes none."""
+    """A programme of a finite motion. The objective chooses among those found."""
     problem = FiniteProblem.from_problem(own)
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
-    found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
-    candidates: Candidates[FiniteSolution] = Candidates(
-        [(each, {}) for each in found.found], words=[_finite_not_found_message(found, own.stand)]
-    )
-    if options.method != "fourier" and found.found and not found.interrupted:
-        from mahovik.use.plan.ocp.plan import finite_ocp
-
-        warm = sorted(found.found, key=lambda each: _finite_report(problem, cost, each)["objective"])
-        candidates = finite_ocp(
-            problem, cost, warm, lambda one: _finite_report(problem, cost, one), options, budget, tell
-        )
-        found.interrupted |= candidates.interrupted
-        found.cut = budget.cut or candidates.cut
-    reports = [{**_finite_report(problem, cost, each), **more} for each, more in candidates.motions]
+    if isinstance(options.start, Samples):
+        made = fit(problem, first.bias, options.start, budget)
+        found = Search[FiniteSolution]([made] if made and made.residual < problem.tolerance else [], starts=1)
+    else:
+        found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
+    reports = [_finite_report(problem, cost, each) for each in found.found]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
     found.doing = "verifying"
@@ -166,7 +134,7 @@ def _plan_finite(
 
     def programmes() -> Iterator[Programme]:
         for k in order[: options.keep]:
-            solved, report = candidates.motions[k][0], {**reports[k], "search": effort}
+            solved, report = found.found[k], {**reports[k], "search": effort}
             table, bias = table_of(problem, solved), solved.motion.bias
             programme = make_programme(own.stand, own.motion, bias, (0,) * own.N, table, report)
             if options.verify:
@@ -174,7 +142,8 @@ def _plan_finite(
                     programme = certify(own.stand, own.motion, programme)
             yield programme
 
-    return _verified_plan(own.stand, first, found, candidates, effort, programmes(), budget, options.keep)
+    words = () if found.found else (_finite_not_found_message(found, own.stand),)
+    return _verified_plan(own.stand, first, found, words, effort, programmes(), budget, options.keep)
 
 
 def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
@@ -194,15 +163,18 @@ def _verified_plan(
     stand: Stand,
     first: Preflight,
     found: Search[Any],
-    candidates: Candidates[Any],
+    words: tuple[str, ...],
     effort: dict[str, Any],
     programmes: Iterable[Programme],
     budget: Budget,
     keep: int,
 ) -> Plan:
-    """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far."""
-    if not candidates.motions:
-        words, warnings = tuple(candidates.words), (*first.warnings, *first.hint)
+    """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far.
+
+    `words`: why there is none to verify.
+    """
+    if words:
+        warnings = (*first.warnings, *first.hint)
         return Plan("NO_PROGRAM", "SEARCH", words, warnings, (), effort, found.interrupted)
     good: list[Programme] = []
     refused = []
