@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[1]
 COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
 VERIFICATION = ROOT / "docs" / "verification.md"
 
-DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/tutorial-held-examples.md")
+DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/tutorial-held-examples.md", "docs/howto/two-exciters.md")
 """Pages whose own commands draw their pictures."""
 
 FUNCTIONS = "<!-- functions: tools/pages.py -->\n\n", "\n<!-- end of functions -->"
