@@ -10,11 +10,12 @@ import numpy as np
 from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.levenberg import StartBatch, refine_periodic
-from mahovik.use.plan.optimise import ImprovedMotion, evaluate, finish, improve
+from mahovik.use.plan.improve import ImprovedMotion, evaluate, finish, improve
+from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.search import HARMONIC_COUNTS, Candidate, Improver, search
+from mahovik.use.plan.search import Candidate, Improver, search
+from mahovik.use.plan.starts import StartBatch
 from mahovik.use.plan.windings import Kind
 from plan.problems import example
 
@@ -45,7 +46,7 @@ class Plain(Improver):
         return np.argsort(batch.residuals(), kind="stable")
 
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
-        exact = refine_periodic(self.problem, start, HARMONIC_COUNTS, budget).motion
+        exact = refine_periodic(self.problem, start, budget)
         return self.candidate(evaluate(self.problem, self.cost, exact, 0), kind)
 
 

@@ -12,11 +12,10 @@ from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
+from mahovik.use.plan.improve import ImprovedMotion, evaluate, exceeded_by, improve, make_stage
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.optimise import ImprovedMotion, evaluate, exceeded_by, improve
-from mahovik.use.plan.optimise.improve import make_stage
-from mahovik.use.plan.optimise.merit import Stage
 from mahovik.use.plan.planner import not_found_message
+from mahovik.use.plan.points import Stage
 from mahovik.use.plan.problem import Periodic
 from mahovik.use.plan.search import Candidate, Improver, Search, choose
 from plan.improvable import UNTIL, N, improved, plain, setting
@@ -47,7 +46,7 @@ def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
     """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
     here, motion = stage(free)
     point = here.at(motion)
-    model = point.model(here.problem.bias_perturbations(here.grid.course, motion.bias))
+    model = point.model()
     unknowns = motion.waves.size + sum(free)
     assert model.A.shape == (6 * (2 * H + 1), unknowns)
     step = 1e-6

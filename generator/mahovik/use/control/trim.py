@@ -5,7 +5,7 @@ flywheel on the harmonics E of the settled carrier: E = G c + E_0. After each wi
 
     c <- c - g G^+ E,
 
-with G^+ of least norm in directions that G reaches (corrections of harmonic k weigh 1 + k^2, as in plan/levenberg, and
+with G^+ of least norm in directions that G reaches (corrections of harmonic k weigh 1 + k^2, as in planning, and
 their effect on the next higher harmonics counts as well). With the real stand's G' instead of G and a settled carrier,
 errors in those directions decay as (1 - g G' G^+)^n, so every g up to 1 converges if |(G' - G) G^+| < 1. A carrier that
 has not settled is taken into account exactly: the state at the beginning of a window and c form a linear system from

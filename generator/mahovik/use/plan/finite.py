@@ -21,10 +21,11 @@ from mahovik.core.motion.functions import Angles, SampledCourse, Samples
 from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.follow import angles_at, follow, resolve
-from mahovik.use.plan.levenberg import Rules, StartBatch, refine
 from mahovik.use.plan.outcome import OnProgress
+from mahovik.use.plan.points import refine
 from mahovik.use.plan.problem import Basis, Grid, Periodic, Problem
 from mahovik.use.plan.search import Search
+from mahovik.use.plan.starts import StartBatch
 
 _SMOOTH = 4
 """Derivatives that are continuous at the breaks."""
@@ -331,8 +332,8 @@ def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> 
         motion = SplineMotion(problem.motion.span, winding, space.fit(table), bias)
         if problem.residual_between(space, motion) > _NEAR:
             continue
-        rules = Rules(1e-3 * problem.tolerance, 8, 1e-6)
-        reached = refine(problem, problem.collocation(space), motion, rules, budget).motion
+        goal = 1e-3 * problem.tolerance
+        reached = refine(problem, problem.collocation(space), motion, 8, goal, budget, 1e-6).point.motion
         residual = problem.residual_between(space, reached)
         if found is None or residual < found.residual:
             found = FiniteSolution(reached, space, residual)
@@ -351,8 +352,8 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Finite
             break
         motion = replace(motion, waves=space.convert(motion.waves, below))
         grid, first = problem.collocation(space), degree == DEGREES[0]
-        reached = refine(problem, grid, motion, Rules(1e-3 * problem.tolerance, 25 if first else 8, damping), budget)
-        motion, damping, below = reached.motion, reached.damping, space
+        run = refine(problem, grid, motion, 25 if first else 8, 1e-3 * problem.tolerance, budget, damping)
+        motion, damping, below = run.point.motion, run.damping, space
         residual = problem.residual_between(space, motion)
         if residual < found.residual:
             found = FiniteSolution(motion, space, residual)

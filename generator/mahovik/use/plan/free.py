@@ -26,10 +26,10 @@ from mahovik.errors import MotionError, StandError, StateError
 from mahovik.use.numeric import Array, Mechanics
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.held import refuse_unplannable
-from mahovik.use.plan.levenberg import jacobian
 from mahovik.use.plan.mean_pose import mean_pose
 from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
+from mahovik.use.plan.points import jacobian
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Grid, Periodic, Problem
 from mahovik.use.plan.windings import Kind, draw_windings, with_shortest_period

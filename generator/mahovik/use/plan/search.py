@@ -16,16 +16,15 @@ from numpy.typing import NDArray
 
 from mahovik.use.numeric import Array
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.levenberg import Rules, StartBatch, refine, refine_periodic
+from mahovik.use.plan.improve import ImprovedMotion, approach_bounds, estimate, evaluate, exceeded_by, finish, improve
 from mahovik.use.plan.objective import Cost, ExceededBound, has_bounds
-from mahovik.use.plan.optimise import ImprovedMotion, approach_bounds, estimate, evaluate, exceeded_by, finish, improve
 from mahovik.use.plan.outcome import OnProgress
+from mahovik.use.plan.points import refine, refine_periodic
 from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.starts import StartBatch
 from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order
 
 Indices = NDArray[np.intp]
-HARMONIC_COUNTS = (5, 10, 20, 32, 48, 64)
-"""Numbers of harmonics, in rising order."""
 DRAWN, CHOSEN, REFINED = 256, 48, 6
 """Starts per round; the best-scored, which get harmonics; those refined, best first."""
 REFINED_IN_BOUNDS = 3
@@ -181,7 +180,8 @@ def _round(
 
 _START_HARMONICS = 5
 """Harmonics that make a start nearly exact before it is improved, unless the motion has more."""
-_NEARLY = Rules(3e-3, 40)
+_NEARLY = 3e-3
+"""Relative residual that is nearly exact."""
 _HOPELESS = 0.3
 """Relative residual above which a start is given up."""
 _VAGUE = 0.03
@@ -217,15 +217,15 @@ class Improver:
         order = max(self.problem.highest, int(np.abs(start.winding).max(initial=0)))
         H = max(start.H, _START_HARMONICS + 2 * (order - 1))
         grid = self.problem.grid(4 * H + 8 * order + 16, H)
-        near = refine(self.problem, grid, start.with_harmonics(H), _NEARLY, budget)
-        if near.residual > _HOPELESS:
+        near = refine(self.problem, grid, start.with_harmonics(H), 40, _NEARLY, budget).point
+        if near.largest > _HOPELESS:
             return None
         found = improve(self.problem, self.cost, near.motion, budget)
         if found.utilisation > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
             return self.candidate(found, kind, near.motion)
         found = finish(self.problem, self.cost, found, budget)
         if found.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
-            exact = refine_periodic(self.problem, near.motion, HARMONIC_COUNTS, budget).motion
+            exact = refine_periodic(self.problem, near.motion, budget)
             found = evaluate(self.problem, self.cost, exact, found.steps)
         return self.candidate(found, kind, near.motion)
 
@@ -263,7 +263,7 @@ class Improver:
 
     def exact(self, beyond: Candidate, motion: Periodic, seconds: float | None) -> Candidate:
         """A motion made exact without regard to the bounds, as far as a reserve of steps goes."""
-        exact = refine_periodic(self.problem, motion, HARMONIC_COUNTS, Budget(_RESERVE, seconds)).motion
+        exact = refine_periodic(self.problem, motion, Budget(_RESERVE, seconds))
         return self.candidate(evaluate(self.problem, self.cost, exact, 0), beyond.kind, beyond.free)
 
 

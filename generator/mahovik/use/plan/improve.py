@@ -7,14 +7,14 @@ the same steps: anything else would slide along nearly free directions and break
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded_bounds, has_bounds
-from mahovik.use.plan.optimise.merit import Point, Stage
-from mahovik.use.plan.optimise.step import descend, restore
+from mahovik.use.plan.points import InHarmonics, Stage
 from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.step import SOLVED, Rules, descend, restore, size
 
 HARMONICS = 16
 TAIL = 300.0
@@ -66,12 +66,15 @@ def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> Im
     if has_bounds(problem.motion.bounds):
         point, steps = _tighten(problem, cost, stage, point, budget)
     if point.utilisation <= 1.0:
-        run = descend(replace(stage, wider=limit_factor(point.utilisation)), point.motion, STEPS, budget)
+        kept = replace(stage, wider=limit_factor(point.utilisation))
+        run = descend(kept.at(point.motion), Rules(STEPS), budget)
         point, steps = run.point, steps + run.steps
     return evaluate(problem, cost, point.motion, steps)
 
 
-def _tighten(problem: Problem, cost: Cost, target: Stage, point: Point, budget: Budget) -> tuple[Point, int]:
+def _tighten(
+    problem: Problem, cost: Cost, target: Stage, point: InHarmonics, budget: Budget
+) -> tuple[InHarmonics, int]:
     """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
     taken, idle = 0, 0
     for _ in range(ROUNDS):
@@ -80,16 +83,21 @@ def _tighten(problem: Problem, cost: Cost, target: Stage, point: Point, budget: 
             break
         wider = max(1.0, TIGHTER * before)
         stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, wider)
-        run = descend(stage, point.motion, STEPS_A_ROUND, budget, enough=(KNEE + 0.01) * wider)
+        run = descend(stage.at(point.motion), Rules(STEPS_A_ROUND), budget, _within((KNEE + 0.01) * wider))
         point, taken = run.point, taken + run.steps
         idle = idle + 1 if point.utilisation > GAIN * before and point.utilisation > 1.0 else 0
         if idle >= _IDLE_ROUNDS or budget.exhausted:
             break
     if 1.0 < point.utilisation < NEAR:  # no margin: the knee stands right at the limit
         stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, LAST)
-        run = descend(stage, point.motion, 3 * STEPS_A_ROUND, budget, enough=0.999)
+        run = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _within(0.999))
         point, taken = run.point, taken + run.steps
     return point, taken
+
+
+def _within(used: float) -> Callable[[InHarmonics], bool]:
+    """Whether a point that solves (12) uses less than this of the bounds."""
+    return lambda point: point.utilisation < used and size(point.c) < SOLVED
 
 
 def approach_bounds(problem: Problem, cost: Cost, start: ImprovedMotion, budget: Budget) -> ImprovedMotion:
@@ -101,8 +109,8 @@ def approach_bounds(problem: Problem, cost: Cost, start: ImprovedMotion, budget:
     while best.utilisation > 1.0 and tighter < GAIN and not budget.exhausted:
         wider = max(1.0, tighter * best.utilisation)
         stage = make_stage(problem, cost, harmonics(problem, best.motion, HARMONICS), TAIL, MEANWHILE, wider)
-        motion = descend(stage, best.motion.with_harmonics(stage.H), STEPS_A_ROUND, budget).point.motion
-        nearer = finish(problem, cost, evaluate(problem, cost, motion, 0), budget)
+        run = descend(stage.at(best.motion.with_harmonics(stage.H)), Rules(STEPS_A_ROUND), budget)
+        nearer = finish(problem, cost, evaluate(problem, cost, run.point.motion, 0), budget)
         if nearer.residual < problem.tolerance and nearer.utilisation < GAIN * best.utilisation:
             best = nearer
         else:
@@ -130,9 +138,9 @@ def finish(problem: Problem, cost: Cost, found: ImprovedMotion, budget: Budget) 
             break
         if smooth:
             stage = make_stage(problem, cost, harmonics(problem, motion, smooth), TAIL_OF_FINISH, wider=wider)
-            motion = descend(stage, motion.with_harmonics(stage.H), steps, budget).point.motion
+            motion = descend(stage.at(motion.with_harmonics(stage.H)), Rules(steps), budget).point.motion
         stage = make_stage(problem, cost, harmonics(problem, motion, H), TAIL)
-        motion = restore(stage, motion.with_harmonics(stage.H), RESTORING, budget)
+        motion = restore(stage.at(motion.with_harmonics(stage.H)), RESTORING, budget).motion
         again = evaluate(problem, cost, motion, found.steps + budget.steps_taken - taken)
         if again.residual < found.residual:
             found = again
