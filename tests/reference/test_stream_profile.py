@@ -216,7 +216,7 @@ def test_refusals(old: str, new: str, words: str) -> None:
 
 
 def test_the_report_names_the_velocity_of_each_station() -> None:
-    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)), "s.toml")).markup)
+    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)))).markup)
     assert "(0.5, 0.1, 0) m/s at 10 m" in words and "(0, 0, 0) m/s at 50 m" in words
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -24,17 +23,17 @@ from mahovik.out.functions.stand_report import (
 )
 from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
 from mahovik.out.report.page import Part, figure, page, picture, table, write_page
-from mahovik.out.report.plot.panel import BINS, Line, Mark, Panel, envelope
+from mahovik.out.report.plots import Line, Mark, Panel
 from mahovik.use.measured.orders import OrderMap
 from report.chromium import Opened, launched
-from report.stand.reports import read, words
+from report.reports import read, words
 
 HELD = Path(__file__).resolve().parents[2] / "docs" / "held"
 
 
 def subject(name: str) -> Subject:
     file = HELD / f"{name}.toml" if (HELD / f"{name}.toml").exists() else stands.path(name)
-    return Subject(Stand.of(load(file)), file.name)
+    return Subject(Stand.of(load(file)))
 
 
 @pytest.mark.parametrize(
@@ -47,19 +46,6 @@ def subject(name: str) -> Subject:
 )  # fmt: skip
 def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
     assert figure(value) == text
-
-
-def test_an_envelope_keeps_every_extreme() -> None:
-    rng = np.random.default_rng(3)
-    y = rng.normal(size=100_000)
-    y[[12_345, 67_890]] = 9.0, -8.0
-    kept = envelope(y)
-    assert len(kept) <= 2 * BINS + 2 and np.all(np.diff(kept) > 0)
-    assert {0, len(y) - 1, 12_345, 67_890} <= set(kept.tolist())
-    edges = np.linspace(0, len(y), BINS + 1).astype(int)
-    for low, high in pairwise(edges):
-        inside = kept[(kept >= low) & (kept < high)]
-        assert y[inside].max() == y[low:high].max() and y[inside].min() == y[low:high].min()
 
 
 ORDERS = np.arange(1, 33) / 8.0

@@ -13,9 +13,9 @@ from mahovik.errors import MahovikError
 
 OLD = {
     "Not yet functions": (
-        *("new", "import", "derive", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
+        *("new", "import", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
         *("simulate", "replay", "response", "jitter", "quiet", "balance", "identify", "campaign"),
-        *("plan", "verify-programme", "report", "plot", "export"),
+        *("plan", "verify-programme", "report", "export"),
     )
 }
 

@@ -170,10 +170,10 @@ def _write(found: Jitter, path: Path, suffix: str) -> None:
     from mahovik.writing import write
 
     if suffix in PICTURES:
-        from mahovik.out.report.plot.draw import draw
-        from mahovik.out.report.plot.jitter import panels
+        from mahovik.out.report.plots import draw
 
-        write(path, draw(f"{found.stand.name}: jitter", panels(found.study), suffix))
+        title = f"{found.stand.name}: {found.study.quantity} of {found.study.point}"
+        write(path, draw(title, found._panels(), suffix))
     else:
         from mahovik.use.vibration.tables import csv_text, json_text
 

@@ -6,20 +6,16 @@ from pathlib import Path
 
 import click
 
-from mahovik.out.cli.options import STAND_FILE, command, file_option, option
+from mahovik.errors import UsageError
+from mahovik.out.cli.options import STAND_FILE, command, file_option, flag, option
 from mahovik.out.cli.output import require_suffix
 from mahovik.out.progress import progress
 
 
-@command(short_help="Write one page on a stand, its proof and its motion.")
+@command(short_help="Write one page on a stand and its proof, or its derivation.")
 def report(
     stand_file: str = STAND_FILE,
     output: str = file_option("-o", "FILE.html", "Write the page to this file.", required=True),
-    run_file: str | None = file_option("--run", "RUN.csv|RUN.parquet", "Show this run of `mahovik simulate`."),
-    programme_file: str | None = file_option("--programme", "P.json", "Show this programme of `mahovik plan`."),
-    motion_file: str | None = file_option(
-        "--motion", "M.json", "Read the required motion of --programme from this file."
-    ),
     at: str | None = option(
         "--at", "Show the vibration of these points: names between commas, carrier, hold.reaction.", metavar="POINT,..."
     ),
@@ -29,23 +25,32 @@ def report(
         metavar="LIMIT",
         multiple=True,
     ),
+    derivation: bool = flag("--derivation", "Write the matrices of (8)-(11) instead; FILE.tex: in LaTeX."),
 ) -> None:
     """Report on a stand: one page that opens offline in any browser, and prints.
 
-    Shows bodies, modes, vibration, limits of the motors, verification, cost, and the motion of a run or programme.
-    Exit status 1 if a comparison fails or a requirement is not met; the page is written and shows it.
+    Shows bodies, modes, vibration, limits of the motors, requirements, verification and cost. With --derivation: one
+    generic flywheel in symbols, then the numbers of the stand. Exit status 1 if a comparison fails or a requirement is
+    not met; the page is written and shows it.
     """
-    require_suffix(output, [".html"])
+    suffix = require_suffix(output, (".html", ".tex") if derivation else (".html",))
+    if derivation and (at is not None or requirements):
+        raise UsageError("--derivation: shows no vibration; remove --at and --require")
     from mahovik.out.functions.stand_report import report as make
-    from mahovik.out.report.plot.draw import require
-    from mahovik.writing import probe
+    from mahovik.writing import probe, write
 
-    require("report")
     probe(Path(output))
+    if suffix == ".tex":
+        from mahovik.out.api.stands import Stand
+        from mahovik.out.report.derivation import article
+
+        write(Path(output), article(Stand.of(stand_file)))
+        click.echo(click.format_filename(output))
+        return
     with progress("sections of the report") as stage:
         found = make(
-            stand_file, at=[] if at is None else at.split(","), require=requirements, run=run_file,
-            programme=programme_file, motion=motion_file, progress=stage.show,
+            stand_file, at=[] if at is None else at.split(","), require=requirements, derivation=derivation,
+            progress=stage.show,
         )  # fmt: skip
     found.save(output)
     click.echo(click.format_filename(output))

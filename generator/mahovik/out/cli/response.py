@@ -116,10 +116,10 @@ def _write(found: Sweep, path: Path, suffix: str) -> None:
 
         write(path, json_text(found) if suffix == ".json" else csv_text(found))
         return
-    from mahovik.out.report.plot.draw import draw
-    from mahovik.out.report.plot.response import panels
+    from mahovik.out.functions.vibration import Response
+    from mahovik.out.report.plots import draw
 
-    write(path, draw(f"{found.stand.name}: response to unbalance", panels(found), suffix))
+    write(path, draw(f"{found.stand.name}: {found.quantity} of {found.point}", Response(found)._panels(), suffix))
 
 
 def _print(found: Sweep) -> None:

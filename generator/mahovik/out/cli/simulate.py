@@ -34,7 +34,7 @@ def simulate(
     until: float | None = option(
         "--until", 'Simulate for this time, "500 ms" or s.', metavar="TIME", parse=quantities.time
     ),
-    output: str | None = file_option("-o", "FILE.csv|FILE.parquet", "Write the motion to this file, in columns."),
+    output: str | None = file_option("-o", "FILE", "Write the motion: .csv, .parquet; a picture: .svg, .png."),
     regime: str | None = file_option(
         "--regime",
         "FILE",

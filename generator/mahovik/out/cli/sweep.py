@@ -44,7 +44,7 @@ class TimeLimit:
 def check_place(output: str, suffix: str) -> None:
     """Check, before anything is computed, that the file can be written. Raises UsageError."""
     if suffix in PICTURES:
-        from mahovik.out.report.plot.draw import require
+        from mahovik.out.report.plots import require
 
-        require("plot")
+        require("a picture")
     probe(Path(output))

@@ -21,7 +21,6 @@ from mahovik.out.functions.table import Column, Table
 from mahovik.out.notices import OnProgress, Progress, tell, warn
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plot.panel import Panel
     from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.verify.check import Report
 
@@ -55,11 +54,6 @@ class Verification(Table):
             Column("limit", "", numbers([row.limit for row in rows])),
             Column("verdict", "", np.array([row.verdict for row in rows], dtype=object)),
         )
-
-    def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.shares import shares
-
-        return [shares("difference", {name: self[name] for name in COMPARED}, self["limit"])]
 
     @property
     def passed(self) -> bool:

@@ -24,7 +24,7 @@ from mahovik.use.control.record import Record
 
 if TYPE_CHECKING:
     from mahovik.core.motion.servo import Servo
-    from mahovik.out.report.plot.panel import Panel
+    from mahovik.out.report.plots import Panel
 
 MEASURED_PERIODS = 10
 """Periods measured at the end of a run."""

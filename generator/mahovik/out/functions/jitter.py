@@ -17,7 +17,7 @@ from mahovik.out.functions.table import Column, Table
 from mahovik.out.functions.vibration import planned_speeds
 from mahovik.out.notices import OnProgress, Progress, tell, warn_of_turn
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.lines import LineName
+from mahovik.use.vibration.lines import LineName, coherent
 from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
 from mahovik.use.vibration.requirement import Requirement, judge, read_requirements
 from mahovik.use.vibration.speeds import ALL
@@ -28,7 +28,7 @@ from mahovik.use.vibration.tables import as_object, csv_text, json_text, order_e
 from mahovik.use.vibration.view import Observable, find_view, read_sight
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plot.panel import Panel
+    from mahovik.out.report.plots import Panel
 
 
 class Jitter(Table):
@@ -138,9 +138,13 @@ class Jitter(Table):
         write(Path(path), json_text(self.study, self.verdicts) if suffix == ".json" else csv_text(self.study))
 
     def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.jitter import panels
+        from mahovik.out.report.plots import column_panels
 
-        return panels(self.study)
+        if len(self.study.value) > 1:
+            return super()._panels()
+        f, a = coherent(self.study.lines.frequency[0], self.study.lines.amplitude[0])
+        columns = [(axis, self.unit, np.abs(a[:, i])) for i, axis in enumerate(self.study.axes)]
+        return column_panels(("frequency", "Hz", f), columns)
 
     def __repr__(self) -> str:
         study, many = self.study, len(self.study.value)

@@ -33,7 +33,7 @@ from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.smoothing import smoothing_warnings
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plot.panel import Panel
+    from mahovik.out.report.plots import Panel
     from mahovik.proof.verify.check import Check
 
 _KINDS = (("phi", "rad"), ("phi_dot", "rad/s"), ("phi_ddot", "rad/s2"))
@@ -112,11 +112,6 @@ class Programme(Table):
         from mahovik.writing import write
 
         write(Path(path), programme_text(self.programme))
-
-    def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.programme import panels
-
-        return panels(self.programme, self.stand, self.motion)
 
     def __repr__(self) -> str:
         own = self.programme
@@ -271,11 +266,6 @@ class Verdict(Table):
             Column("passed", "", np.array([not item.failed for item in self.findings])),
             Column("words", "", np.array([item.words for item in self.findings], dtype=object)),
         )
-
-    def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.shares import shares
-
-        return [shares("found", {"found": self["found"]}, self["accepted"])]
 
     @property
     def passed(self) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +26,6 @@ from mahovik.use.study.increments import lost_increments, lost_increments_line
 
 if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
-    from mahovik.out.report.plot.panel import Panel
 
 
 class Simulation(Table):
@@ -66,15 +64,16 @@ class Simulation(Table):
         return self.run.weak_motors
 
     def save(self, path: str | Path) -> None:
-        """Write the columns to a file .csv or .parquet. Raises UsageError."""
-        from mahovik.use.simulate.run import save_run
+        """Write the columns to a file .csv or .parquet, or a picture of them, .svg or .png. Raises UsageError."""
+        from mahovik.out.report.plots import SUFFIXES, draw
+        from mahovik.use.simulate.run import check_output, save_run
+        from mahovik.writing import write
 
-        save_run(self.run, Path(path))
-
-    def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.run import panels
-
-        return panels({name: self.run.data[:, i] for i, name in enumerate(self.run.names)})
+        suffix = check_output(Path(path))
+        if suffix in SUFFIXES:
+            write(Path(path), draw(f"{self.stand.name}: motion", self._panels(), suffix))
+        else:
+            save_run(self.run, Path(path))
 
     def __repr__(self) -> str:
         end = self.t[-1] if len(self.run.data) else 0.0

@@ -1,9 +1,9 @@
-"""`report`: the page on a stand: its motion, bodies, modes, vibration, limits, requirements, verification, cost."""
+"""`report`: the page on a stand: bodies, modes, vibration, limits, requirements, verification, cost."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from itertools import groupby
 from pathlib import Path
@@ -13,39 +13,29 @@ from markupsafe import Markup
 
 from mahovik.contract.quantities import RPM
 from mahovik.core.lower.program import lower
-from mahovik.core.motion.motion_file import load_motion
-from mahovik.core.motion.programme import Programme, load_programme
-from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Carrier, Instrument
 from mahovik.core.stand.summary import Summary, summarize
-from mahovik.errors import CheckError, MahovikError, StateError, UsageError
+from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.arguments import StandGiven
 from mahovik.out.commands.modes import modes
 from mahovik.out.functions.evidence import verify
 from mahovik.out.functions.jitter import jitter
 from mahovik.out.notices import OnProgress, Progress, tell
-from mahovik.out.report.page import Part, Row, figure, page, table
-from mahovik.out.report.plot.campbell import panel as campbell_panel
-from mahovik.out.report.plot.draw import require as require_drawing
-from mahovik.out.report.plot.programme import panels as programme_panels
-from mahovik.out.report.plot.response import orders_panel
-from mahovik.out.report.plot.run import SUFFIXES, identity, read
-from mahovik.out.report.plot.run import panels as run_panels
-from mahovik.out.report.stand.drawing import drawing
-from mahovik.out.report.stand.run import Run, refuse_foreign_run
-from mahovik.out.result import Result
-from mahovik.proof.verify.programme.verification import motion_check, stand_check
-from mahovik.use.vibration.campbell import campbell
+from mahovik.out.report.drawing import draw_stand
+from mahovik.out.report.page import Part, Row, figure, inline, page, table
+from mahovik.out.report.plots import Line, Mark, Panel, column_panels
+from mahovik.out.report.plots import require as require_drawing
+from mahovik.use.vibration.campbell import Campbell, campbell
 from mahovik.use.vibration.growth import compare_growth
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.sweep import sweep_outputs
 from mahovik.use.vibration.view import ARCSEC, REACTION, find_view
-from mahovik.writing import format_of, write
+from mahovik.writing import write
 
 STATES = 16
 """Random and extreme states at which the C is judged; `mahovik verify` takes more."""
@@ -70,114 +60,25 @@ COSTLY = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum",
 
 @dataclass(frozen=True)
 class Subject:
-    """What a page is about: the stand, its file's name, and what was given besides; `""` and None: nothing.
+    """What a page is about: the stand, points whose vibration is shown, limits of the angle of the first of them.
 
-    at       points, instruments, "carrier" or "hold.reaction" whose vibration is shown
-    require  limits of the angle of the first of them, "rms 0.1 arcsec"
+    at       points, instruments, "carrier" or "hold.reaction"; none: those of the stand
+    require  "rms 0.1 arcsec"
     """
 
     stand: Stand
-    file: str
-    run: Run | None = None
-    programme: Programme | None = None
-    programme_file: str = ""
-    motion: RequiredMotion | None = None
-    motion_file: str = ""
     at: tuple[str, ...] = ()
     require: tuple[str, ...] = ()
 
-    @property
-    def files(self) -> list[tuple[str, str]]:
-        """Kind and name of each file that the page is made from."""
-        run = "" if self.run is None else self.run.source
-        given = (("stand", self.file), ("run", run), ("programme", self.programme_file), ("motion", self.motion_file))
-        return [(kind, name) for kind, name in given if name]
 
-
-def gather(
-    stand: Stand,
-    file: str,
-    run: Path | None = None,
-    programme: Path | None = None,
-    motion: Path | None = None,
-    at: Sequence[str] = (),
-    require: Sequence[str] = (),
-) -> Subject:
-    """What a page is about, read from files; nothing is computed yet.
-
-    Raises UsageError, ProgrammeError, MotionError: a file that cannot be read, or of another stand or motion.
-    """
-    if motion is not None and programme is None:
-        raise UsageError(f"--motion {motion}: goes with --programme P.json, which is missing")
-    course = None if programme is None else load_programme(programme)
-    required = None if motion is None else load_motion(motion, stand, course)
-    if course is not None:
-        checks = [stand_check(stand, course), *([] if required is None else [motion_check(required, course)])]
-        for check in checks:
-            if check.failed:
-                raise UsageError(f"--programme {programme}: {check.words}")
-    named = ("" if path is None else path.name for path in (programme, motion))
-    return Subject(
-        stand, file, None if run is None else _run(run, stand), course, next(named), required, next(named),
-        tuple(at), tuple(require),
-    )  # fmt: skip
-
-
-def _run(path: Path, stand: Stand) -> Run:
-    if format_of(path, SUFFIXES) is None:
-        raise UsageError(f"--run {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
-    run = Run(path.name, tuple(s.name for s in stand.flywheels), read(path))
-    refuse_foreign_run(stand, run, identity(path), f"--run {path}")
-    return run
-
-
-def stand_parts(subject: Subject, on_part: Callable[[int], None] = lambda done: None) -> list[Part]:
+def parts(subject: Subject, on_part: Callable[[int], None] = lambda done: None) -> list[Part]:
     """The parts of the page in their order; `on_part` gets the number of those done, of all SECTIONS."""
-    parts = []
+    made = []
     for done, section in enumerate(SECTIONS, start=1):
         part = section(subject)
-        parts += [] if part is None else [part]
+        made += [] if part is None else [part]
         on_part(done)
-    return parts
-
-
-# -- what moves --------------------------------------------------------------------------------------------------------
-
-
-def run_part(subject: Subject) -> Part | None:
-    """Time histories of a run; None without one."""
-    run = subject.run
-    if run is None:
-        return None
-    words = f"{len(run.t)} rows, {run.t[0]:.6g} to {run.t[-1]:.6g} s. Of many rows every peak is drawn."
-    summary = f"{run.t[-1] - run.t[0]:.6g} s in {len(run.t)} rows"
-    return Part("Run", words, panels=tuple(run_panels(run.columns)), summary=summary)
-
-
-def programme_part(subject: Subject) -> Part | None:
-    """Speeds of a programme, and what its carrier does; None without one."""
-    programme = subject.programme
-    if programme is None:
-        return None
-    span = "period" if programme.periodic else "duration"
-    words = f"{programme.motion}: {span} {programme.span:.6g} s"
-    if programme.periodic:
-        turns = zip(programme.flywheels, programme.winding, strict=True)
-        words += f", turns a {span}: " + ", ".join(f"{name} {n}" for name, n in turns)
-    words += ". " + (
-        "With `--motion` its carrier's motion, torques and the residual of (12) are shown as well."
-        if subject.motion is None
-        else "The carrier as (8) moves it from the required state at t = 0, and as it is required."
-    )
-    try:
-        shown, failures = programme_panels(programme, subject.stand, subject.motion, 200), tuple[str, ...]()
-    except StateError as error:
-        shown, failures = programme_panels(programme), (f"programme: {error}",)
-    return Part("Programme", words, panels=tuple(shown), summary=f"{programme.motion}, {span} {programme.span:.6g} s",
-                failures=failures)  # fmt: skip
-
-
-# -- what there is -----------------------------------------------------------------------------------------------------
+    return made
 
 
 def bodies_part(subject: Subject) -> Part:
@@ -194,7 +95,13 @@ def bodies_part(subject: Subject) -> Part:
     tables += Markup("<dl>{}</dl>").format(
         Markup("").join(Markup("<dt>{}</dt><dd>{}</dd>").format(*pair) for pair in _surroundings(stand, summary))
     )
-    html = Markup('<div class="beside"><div>{}</div><div>{}</div></div>').format(tables, drawing(stand))
+    drawn, ties = draw_stand(stand)
+    words = (
+        "To scale, flywheels at phase 0. The stand file has no shapes: bodies are homogeneous ones of the same mass "
+        "and inertia; arrows from flywheels: spin axes, unbalance (the largest as long as the largest disc is wide)."
+    ) + f" {ties}." * bool(ties)
+    picture = inline(drawn, "three views of the stand") + Markup("<p>{}</p>").format(words)
+    html = Markup('<div class="beside"><div>{}</div><div>{}</div></div>').format(tables, picture)
     return Part("Bodies", html=html, notes=tuple(f"Warning: {line}" for line in summary.warnings))
 
 
@@ -260,31 +167,51 @@ def modes_part(subject: Subject) -> Part | None:
         return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
     frequency, damping = np.nan_to_num(found["frequency"]), found["damping"]
     swinging = np.flatnonzero(frequency > 0.0).tolist()[:MOST_ROWS]
-    rows = [[_largest_part(found, k), figure(frequency[k]), figure(damping[k], 3)] for k in swinging]
+    names = [str(name).partition(" [")[0] for name in found["coordinates"]]
+    rows = [
+        [names[int(np.abs(found["shape"][k]).argmax())], figure(frequency[k]), figure(damping[k], 3)] for k in swinging
+    ]
     still = int(np.sum(frequency == 0.0))
-    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much." * bool(
-        still
-    )
+    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
+    words *= bool(still)
     head = ("moves most", "frequency, Hz>", "damping ratio>") if rows else ()
     ends = [figure(frequency[k], 3) for k in (swinging[:1] + swinging[-1:])]
-    part = Part(
-        "Modes", words, head, tuple(rows), summary=f"{' to '.join(dict.fromkeys(ends))} Hz at rest" if rows else ""
-    )
-    if not stand.flywheels:
-        return part
-    scene, limit = Scene.of(stand), max(row.speed for row in summarize(stand).unbalance)
-    diagram = campbell(scene, np.linspace(0.0, limit, 4 * STEPS - 3))
-    if not np.isfinite(diagram.natural).any():
-        return part
-    growth = compare_growth(scene, diagram)
-    if growth is not None and growth.unstable is not None:
-        words += f" Deviations from steady motion grow at {RPM * growth.unstable:.4g} rpm: the stand is unstable there."
-    return Part("Modes", words.strip(), head, tuple(rows), (campbell_panel(diagram),), summary=part.summary)
+    summary = f"{' to '.join(dict.fromkeys(ends))} Hz at rest" if rows else ""
+    panels: tuple[Panel, ...] = ()
+    if stand.flywheels:
+        scene = Scene.of(stand)
+        diagram = campbell(scene, np.linspace(0.0, _fastest(stand), 4 * STEPS - 3))
+        if np.isfinite(diagram.natural).any():
+            panels = (campbell_panel(diagram),)
+            growth = compare_growth(scene, diagram)
+            if growth is not None and growth.unstable is not None:
+                words += (
+                    f" Deviations from steady motion grow at {RPM * growth.unstable:.4g} rpm: the stand is unstable."
+                )
+    return Part("Modes", words.strip(), head, tuple(rows), panels, summary=summary)
 
 
-def _largest_part(found: Result, k: int) -> str:
-    """The coordinate that a mode moves most, by its row of the table."""
-    return str(found["coordinates"][int(np.abs(found["shape"][k]).argmax())]).partition(" [")[0]
+def _fastest(stand: Stand) -> float:
+    """The speed (rad/s) up to which flywheels are shown."""
+    return max((row.speed for row in summarize(stand).unbalance), default=0.0)
+
+
+def campbell_panel(found: Campbell) -> Panel:
+    """Natural frequencies, orders of the flywheels, dots where they meet; to somewhat beyond the last crossing."""
+    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())  # the first columns, which are nowhere
+    speed, top = RPM * found.speed, 1.15 * float(np.nanmax(found.natural))
+    last = 1.6 * RPM * max((each.speed for each in found.crossings), default=0.0)
+    end = last if 0.0 < 2.0 * last < speed[-1] else float(speed[-1])
+    columns = range(absent, found.natural.shape[1])
+    lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
+    for n in found.orders:
+        x = np.minimum(np.array([0.0, 1.0]) * end, 60.0 * top / n)
+        lines.append(Line("", x, n * x / 60.0, None, dashed=True, tag=f"{n}×" if x[1] > 0.15 * end else ""))
+    return Panel(
+        "natural frequency, Hz", tuple(lines), abscissa="common speed, rpm", height=1.3, top=top, span=(0.0, end),
+        marks=tuple(Mark(RPM * each.speed, each.frequency, f"{each.order}×") for each in found.crossings),
+        note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
+    )  # fmt: skip
 
 
 def vibration_part(subject: Subject) -> Part | None:
@@ -292,12 +219,10 @@ def vibration_part(subject: Subject) -> Part | None:
     stand = subject.stand
     if not stand.flywheels:
         return None
-    limit = max(row.speed for row in summarize(stand).unbalance)
     points = subject.at or _measured(stand)
+    asked = read_speeds(stand, [f"all=0..{_fastest(stand)!r} rad/s"])
     try:
-        sweeps = sweep_outputs(
-            stand, read_speeds(stand, [f"all=0..{limit!r} rad/s"]), STEPS, [find_view(stand, p) for p in points]
-        )
+        sweeps = sweep_outputs(stand, asked, STEPS, [find_view(stand, point) for point in points])
     except CheckError as error:
         return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")
     if any(found.interrupted for found in sweeps):
@@ -308,15 +233,20 @@ def vibration_part(subject: Subject) -> Part | None:
         if sizes.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
-        shown.append(orders_panel(found))
+        columns = [(name, found.unit, values) for name, values in found.rms_columns()]
+        columns += [(line.name, found.unit, line.size) for line in found.lines()]
+        (panel,) = column_panels(("speed all", "rad/s", found.values), columns)
+        quantity = f"{found.quantity} of {point}, {found.unit}: RMS; amplitudes of orders, 0 to peak"
+        shown.append(replace(panel, quantity=quantity, height=1.8, abscissa="common speed, rpm"))
         speed = RPM * found.values[int(sizes.argmax())]
         summaries.append(f"{point} at most {sizes.max():.3g} {found.unit} RMS at {speed:.4g} rpm")
     words = (
-        f"Amplitudes by order, exact for the full equations; all flywheels at one of {STEPS} common speeds, phases 0 "
-        "at t = 0. `mahovik response` has other speeds, quantities and spectra."
+        "Exact for the full equations; all flywheels at one common speed, phases 0 at t = 0. `mahovik response` has "
+        "other speeds, quantities and spectra."
     )
-    said = words if shown else ""
-    return Part("Vibration", said, panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries))
+    return Part(
+        "Vibration", words if shown else "", panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries)
+    )
 
 
 def _measured(stand: Stand) -> list[str]:
@@ -332,7 +262,7 @@ def requirements_part(subject: Subject) -> Part | None:
     if not subject.require:
         return None
     stand = subject.stand
-    limit = max((row.speed for row in summarize(stand).unbalance), default=0.0)
+    limit = _fastest(stand)
     point = (subject.at or _measured(stand))[0]
     found = jitter(stand, {"all": f"0..{limit!r} rad/s"}, point, steps=4 * STEPS - 3, require=subject.require)
     arcsec = found.study.measure.arcsec
@@ -372,7 +302,7 @@ def limits_part(subject: Subject) -> Part | None:
 
 def verification_part(subject: Subject) -> Part:
     """The C by the reference and the second derivation, now, at few states."""
-    file = subject.file or f"{subject.stand.name}.toml"
+    file = f"{subject.stand.name}.toml"
     try:
         found = verify(subject.stand, states=STATES)
     except MahovikError as error:
@@ -417,8 +347,7 @@ def _sentence(error: Exception) -> str:
 
 
 SECTIONS = (
-    run_part, programme_part, bodies_part, modes_part, vibration_part, requirements_part, limits_part,
-    verification_part, cost_part,
+    bodies_part, modes_part, vibration_part, limits_part, requirements_part, verification_part, cost_part,
 )  # fmt: skip
 """The parts of a page in their order."""
 
@@ -445,24 +374,27 @@ def report(
     *,
     at: Sequence[str] = (),
     require: Sequence[str] = (),
-    run: str | Path | None = None,
-    programme: str | Path | None = None,
-    motion: str | Path | None = None,
+    derivation: bool = False,
     progress: OnProgress | None = None,
 ) -> Page:
-    """Report on a stand, on one page: bodies, modes, vibration, limits, verification, cost, a run or a programme.
+    """Report on a stand, on one page: bodies, modes, vibration, limits, requirements, verification, cost.
 
-    at       points, instruments, "carrier" or "hold.reaction" whose vibration is shown; none: the stand's first points
-    require  limits of the angle of the first of them over all common speeds, as "rms 0.1 arcsec"
-    run, programme, motion   files of `simulate`, `plan` and its motion
+    at          points, instruments, "carrier" or "hold.reaction" whose vibration is shown; none: the stand's first ones
+    require     limits of the angle of the first of them over all common speeds, as "rms 0.1 arcsec"
+    derivation  instead the matrices of (8)-(11): a generic flywheel in symbols, then the numbers of the stand
 
-    Raises StandError, UsageError where matplotlib is missing or a file is of another stand.
+    Raises StandError, UsageError where matplotlib is missing.
     """
-    require_drawing("report")
     own = Stand.of(stand)
     source = Path(stand).name if isinstance(stand, str | Path) else f"{own.name}.toml"
-    read, planned, required = (None if path is None else Path(path) for path in (run, programme, motion))
-    subject = gather(own, source, read, planned, required, at, require)
-    parts = stand_parts(subject, lambda done: tell(progress, Progress("sections of the report", done, len(SECTIONS))))
-    failures = [line for part in parts for line in part.failures]
-    return Page(own, page(own.name, parts, own, subject.files), failures)
+    if derivation:
+        from mahovik.out.report.derivation import derivation_parts
+
+        found = derivation_parts(own)
+    else:
+        require_drawing("report")
+        subject = Subject(own, tuple(at), tuple(require))
+        found = parts(subject, lambda done: tell(progress, Progress("sections of the report", done, len(SECTIONS))))
+    title = f"{own.name}: equations of motion" if derivation else own.name
+    failures = [line for part in found for line in part.failures]
+    return Page(own, page(title, found, own, [("stand", source)]), failures)

@@ -22,7 +22,7 @@ from mahovik.use.vibration.sweep import sweep as sweep_speeds
 from mahovik.use.vibration.view import REACTION, find_view
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plot.panel import Panel
+    from mahovik.out.report.plots import Panel
     from mahovik.use.vibration.quiet import QuietResult
 
 
@@ -56,9 +56,14 @@ class Response(Table):
         return tuple(step.problem for step in self.sweep.steps if step.problem is not None)
 
     def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.response import panels
+        from mahovik.out.report.plots import column_panels
 
-        return panels(self.sweep)
+        if len(self.sweep.steps) > 1 or self.problems:
+            return super()._panels()
+        step = self.sweep.steps[0]
+        return column_panels(
+            ("frequency", "Hz", step.frequencies[1:]), [("amplitude", self.sweep.unit, step.sizes[1:])]
+        )
 
     def __repr__(self) -> str:
         sweep, many = self.sweep, len(self.sweep.steps)
@@ -202,17 +207,16 @@ class Quiet(Table):
         write(Path(path), self.regime)
 
     def _panels(self) -> Sequence[Panel]:
-        from mahovik.out.report.plot.panel import Panel, stems
+        from mahovik.out.report.plots import Panel, stems
 
         found = []
         for when, jitter in (("before", self.result.before), ("after", self.result.after)):
             places = np.array([line.frequency for line in jitter.lines])
             sizes = np.array([(2.0 * line.mean_square) ** 0.5 for line in jitter.lines])
-            low, high = self.result.options.band
             found.append(
                 Panel(
                     f"{self.result.options.measure}, {self.result.unit}, {when}", (stems("lines", places, sizes),),
-                    abscissa="frequency, Hz", shaded=((low, high),),
+                    abscissa="frequency, Hz",
                 )
             )  # fmt: skip
         return found

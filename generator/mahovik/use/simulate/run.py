@@ -187,7 +187,7 @@ def identity_of(stand: Stand) -> dict[str, str]:
     return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
 
 
-RUN_SUFFIXES = (".csv", ".parquet")
+RUN_SUFFIXES = (".csv", ".parquet", ".svg", ".png")
 
 IDENTITY = "mahovik"
 """Metadata key in a Parquet file: an object with the stand's name, structure and physics. CSV has no metadata."""
