@@ -38,8 +38,8 @@ STYLE = {
 GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
 """Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
 
-BINS, DECADES = 1000, 4.0
-"""Points of long lines that are drawn are the extremes in this many bins; powers of ten shown of a sweep."""
+BINS, DECADES, LAST = 300, 4.0, 400
+"""Of long lines the extremes in so many bins are drawn; powers of ten of a sweep; samples of a motion that follows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,8 +176,12 @@ def _short(name: str) -> str:
 def _course(t: Array, columns: Columns) -> list[Panel]:
     """Quantities over time. Those that stay as they are have no panel, unless nothing moves."""
     groups: dict[tuple[str, str], list[Line]] = {}
+    if any(name.startswith("required") for name, _, _ in columns):  # what is followed is seen at the end
+        t, columns = t[-LAST:], [(name, unit, y[-LAST:]) for name, unit, y in columns]
     values = {name: y for name, _, y in columns}
-    if "qw" in values and not any(name.startswith("q ") for name in values):
+    held = any(name.startswith("q_dot ") for name in values)
+    freedoms = [name for name in values if name.startswith("q ") and "orientation" not in name]
+    if "qw" in values and "psi" not in values and not (freedoms and held):
         vectors = np.degrees(_rotation_vectors(np.stack([values[f"q{a}"] for a in "wxyz"], axis=1)))
         groups["attitude as a rotation vector, in E0", "deg"] = [
             Line(a, t, vectors[:, i], i) for i, a in enumerate("xyz")
@@ -185,7 +189,7 @@ def _course(t: Array, columns: Columns) -> list[Panel]:
     for name, unit, y in columns:
         required = name.startswith("required")
         quantity, member = _quantity(name.removeprefix("required").lstrip("_ ") if required else name)
-        if quantity in UNSHOWN:
+        if quantity in UNSHOWN or "orientation" in name or (held and quantity in ("", "v", "omega")):
             continue
         rpm = quantity == "phi_dot" and unit == "rad/s"
         scale, shown = (RPM, "rpm") if rpm else (np.degrees(1.0), "deg") if unit == "rad" else (1.0, unit)
