@@ -78,7 +78,7 @@ _PLACES = {
     "modes": "out.commands.modes",
     "plan": "out.functions.programmes",
     "quiet": "out.functions.vibration",
-    "report": "out.functions.stand_report",
+    "report": "out.commands.report",
     "response": "out.functions.vibration",
     "simulate": "out.functions.simulation",
     "verify": "out.functions.evidence",

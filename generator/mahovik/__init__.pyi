@@ -19,6 +19,7 @@ from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.commands.check import check as check
 from mahovik.out.commands.eval import eval as eval
 from mahovik.out.commands.modes import modes as modes
+from mahovik.out.commands.report import report as report
 from mahovik.out.functions.balancing import balance as balance
 from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import verify as verify
@@ -29,7 +30,6 @@ from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.stand_balancing import balance_stand as balance_stand
-from mahovik.out.functions.stand_report import report as report
 from mahovik.out.functions.vibration import quiet as quiet
 from mahovik.out.functions.vibration import response as response
 from mahovik.out.identify.face import identify as identify

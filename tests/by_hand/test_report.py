@@ -13,8 +13,8 @@ import pytest
 
 from by_hand.stands import SPIN, stand, wheel
 from mahovik.core.stand.frames import placement
-from mahovik.out.functions.stand_report import Subject, bodies_part, limits_part
 from mahovik.out.report.page import Part
+from mahovik.out.report.sections import Subject, bodies_part, limits_part
 
 W = 2 * pi * 50.0  # 3000 rpm
 

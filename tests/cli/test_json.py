@@ -22,7 +22,7 @@ SPIN = str(Path(SHAKER2).with_name("shaker2_spin.motion.json"))
 BAND = ("30..40Hz", "--momentum", "1 0 0")
 
 WITHOUT = {
-    *("eval", "generate", "report", "import urdf", "import mjcf"),
+    *("eval", "generate", "import urdf", "import mjcf"),
     *("campaign shard", "campaign merge", "campaign report", "export target", "export attitude", "export fuzz"),
     *("export programme", "export servo", "export fmu", "export cmake"),
 }

@@ -98,7 +98,7 @@ CASES = [
     ("verify", "--rigorous --judges", "--rigorous measures the C: not with --judges, --targets"),
     ("replay", "", "none.log: cannot be read"),
     ("replay", "-o states.txt", "expected a name that ends in .csv or .jsonl"),
-    ("report", "--derivation --at acc1", "--derivation: shows no vibration; remove --at and --require"),
+    ("report", "--derivation --at acc1", "--derivation: shows no vibration; remove at and require"),
     ("report", "--require 'rms 1 kg'", "rms 1 kg"),
     ("judge", "--states 3", "--states"),
     ("judge", "--log missing.csv", "no such file"),

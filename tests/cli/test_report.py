@@ -14,7 +14,7 @@ from mahovik import __version__
 from mahovik.contract import limits
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand import identities, load
-from mahovik.out.functions import stand_report as sections
+from mahovik.out.report import sections
 from mahovik.out.report.page import Part
 from report.reports import read, words
 
@@ -22,7 +22,7 @@ from report.reports import read, words
 def report_page(*options: str, stand: str = DEMO3) -> str:
     """The page."""
     result = run("report", stand, "-o", "r.html", *options)
-    assert (result.exit_code, result.stdout) == (0, "r.html\n"), result.output
+    assert (result.exit_code, result.stdout) == (0, "file: r.html\n"), result.output
     return Path("r.html").read_text(encoding="utf-8")
 
 
@@ -77,7 +77,7 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
     monkeypatch.setitem(limits.LIMITS, "double", replace(DOUBLE, value=1e-30))
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 1
-    assert "error: verification: FAILED: " in result.stderr
+    assert "error: verification: FAILED: " in result.stdout
     found = Path("r.html").read_text(encoding="utf-8")
     assert read(found).wrong == []
     assert "FAIL verification: FAILED" in words(found[: found.index("<main>")])
@@ -89,7 +89,7 @@ def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> 
         raise KeyboardInterrupt
 
     Path("r.html").write_text("before", encoding="utf-8")
-    monkeypatch.setattr(sections, "parts", interrupted)
+    monkeypatch.setattr(sections, "SECTIONS", [interrupted])
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 130
     assert result.stderr == "error: interrupted; no file is half written\n"

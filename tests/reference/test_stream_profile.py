@@ -22,7 +22,7 @@ from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import StandError, StateError
-from mahovik.out.functions.stand_report import Subject, bodies_part
+from mahovik.out.report.sections import Subject, bodies_part
 from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend

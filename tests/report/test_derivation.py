@@ -16,7 +16,7 @@ from mahovik.core.derive.wrench import weight
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.random import Features, random_stand, random_state
-from mahovik.out.functions.stand_report import report
+from mahovik.out.commands.report import report
 from mahovik.out.report.derivation import article, document
 from mahovik.proof.reference.evaluate import evaluate
 from report.reports import read
@@ -50,9 +50,10 @@ def general(flywheels: int, seed: int = 1) -> Stand:
 @pytest.mark.parametrize(
     "example", [general(0), pytest.param(stand("auv6"), marks=pytest.mark.slow)], ids=["rigid", "auv6"]
 )
-def test_page_stands_alone(example: Stand) -> None:
+def test_page_stands_alone(example: Stand, tmp_path: Path) -> None:
     """Well-formed, no external resource, both identities and the version, no date; the article is ASCII."""
-    page, tex = report(example, derivation=True).html, article(example)
+    report(example, output=tmp_path / "d.html", derivation=True)
+    page, tex = (tmp_path / "d.html").read_text(encoding="utf-8"), article(example)
     parsed = read(page)
     assert parsed.wrong == []
     assert all(value.startswith("#") for _, key, value in parsed.attributes if key in ("src", "href", "data", "srcset"))

@@ -13,17 +13,17 @@ import pytest
 from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.out.api.stands import Stand
-from mahovik.out.functions.stand_report import (
-    Subject,
-    limits_part,
-    modes_part,
-    report,
-    requirements_part,
-    vibration_part,
-)
+from mahovik.out.commands.report import report
 from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
 from mahovik.out.report.page import Part, figure, page, picture, table, write_page
 from mahovik.out.report.plots import Line, Mark, Panel
+from mahovik.out.report.sections import (
+    Subject,
+    limits_part,
+    modes_part,
+    requirements_part,
+    vibration_part,
+)
 from mahovik.use.measured.orders import OrderMap
 from report.chromium import Opened, launched
 from report.reports import read, words
@@ -122,11 +122,10 @@ def test_what_cannot_be_shown_is_said(name: str, modes: str | None, vibration: s
 @pytest.mark.parametrize("name", [*stands.names(), "cube"])
 def test_four_screens_without_requests_or_overflow(name: str, tmp_path: Path) -> None:
     """Light, dark, on a phone and on paper; at most 300 kB."""
-    made = report(subject(name).stand)
     file = tmp_path / "page.html"
-    made.save(file)
-    assert made.failures == () and file.stat().st_size < 300_000
-    assert read(made.html).wrong == [] and made.stand.name in words(made.html)
+    assert report(subject(name).stand, output=file).ok and file.stat().st_size < 300_000
+    html = file.read_text(encoding="utf-8")
+    assert read(html).wrong == [] and subject(name).stand.name in words(html)
     with launched() as browser:
         opened = Opened(browser, file, viewport={"width": 1280, "height": 900}, color_scheme="dark")
         shown = opened.page

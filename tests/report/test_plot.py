@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -45,8 +44,10 @@ def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
     found = shown(*columns)
     assert list(found) == ["attitude as a rotation vector, in E0, deg", "reaction of the hold, in E1 about O1, N"]
     assert np.abs(next(iter(found.values())).lines[1].y - np.degrees(angle)).max() < 1e-9
-    held = shown(*columns, ("q pitch", "rad", angle))
-    assert list(held)[1] == "freedoms, deg" and len(held) == 2
+    held = shown(*columns, ("q pitch", "rad", angle), ("q_dot pitch", "rad/s", T))
+    assert list(held) == [list(found)[1], "freedoms, deg", "rates of the freedoms, rad/s"]
+    follows = shown(("q pitch", "rad", angle), ("required pitch", "rad", angle))
+    assert [line.name for line in follows["freedoms, deg"].lines] == ["pitch", "pitch, required"]
 
 
 def test_a_sweep_is_one_large_panel_a_unit() -> None:
@@ -78,7 +79,8 @@ def test_an_envelope_keeps_every_extreme() -> None:
     kept = envelope(y)
     assert len(kept) <= 3 * BINS + 2 and np.all(np.diff(kept) > 0)
     assert {0, len(y) - 1, 12_345, 67_890} <= set(kept.tolist()) and np.isnan(y[kept]).any()
-    for low, high in pairwise(np.linspace(0, len(y), BINS + 1).astype(int)):
+    for part in np.array_split(np.arange(len(y)), BINS):
+        low, high = int(part[0]), int(part[-1]) + 1
         inside = kept[(kept >= low) & (kept < high)]
         assert np.nanmax(y[inside]) == np.nanmax(y[low:high]) and np.nanmin(y[inside]) == np.nanmin(y[low:high])
 

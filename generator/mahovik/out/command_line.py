@@ -74,6 +74,9 @@ COMMANDS: dict[str, dict[str, str]] = {
     "Motion and vibration": {
         "modes": "Find natural frequencies, damping, shapes.",
     },
+    "Pages": {
+        "report": "Write one page on a stand and its proof, or its derivation.",
+    },
 }
 """Commands and what they do, under the headings of `--help`, in the order of use."""
 

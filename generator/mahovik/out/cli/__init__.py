@@ -15,7 +15,7 @@ OLD = {
     "Not yet functions": (
         *("new", "import", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
         *("simulate", "replay", "response", "jitter", "quiet", "balance", "identify", "campaign"),
-        *("plan", "verify-programme", "report", "export"),
+        *("plan", "verify-programme", "export"),
     )
 }
 

@@ -35,6 +35,9 @@ STYLE = {
     "legend.handlelength": 1.6, "legend.labelspacing": 0.25, "legend.columnspacing": 1.0, "legend.borderaxespad": 0.0,
 }  # fmt: skip
 
+ARCSEC = 648000.0 / np.pi
+"""Seconds of arc in a radian."""
+
 GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
 """Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
 
@@ -89,7 +92,7 @@ def limit(name: str, x: Array, value: float) -> Line:
     return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)
 
 
-def stems(name: str, x: Array, sizes: Array, colour: int = 0) -> Line:
+def stems(name: str, x: Array | Sequence[float], sizes: Array, colour: int = 0) -> Line:
     """A vertical line at each place, from 0 to the size there."""
     y = np.stack([0.0 * sizes, sizes, np.full(len(x), np.nan)], axis=1)
     return Line(name, np.repeat(np.asarray(x, dtype=np.float64), 3), y.ravel(), colour)
@@ -127,6 +130,8 @@ def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[
     numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in columns if _is_number(x)]
     if not numbers or not len(numbers[0][2]):
         raise UsageError("there are no rows of numbers to draw")
+    if not (index and index[0] in ("t", "time")):  # small angles
+        numbers = [(name, "arcsec", ARCSEC * y) if unit == "rad" else (name, unit, y) for name, unit, y in numbers]
     name, unit, x = index if index and _is_number(index[2]) else ("row", "", np.arange(1.0, 1.0 + len(numbers[0][2])))
     x = np.asarray(x, dtype=np.float64)
     if name.startswith("speed") and len(x) > 1:
@@ -189,6 +194,8 @@ def _course(t: Array, columns: Columns) -> list[Panel]:
     for name, unit, y in columns:
         required = name.startswith("required")
         quantity, member = _quantity(name.removeprefix("required").lstrip("_ ") if required else name)
+        if required and not member:
+            quantity, member = "q", quantity
         if quantity in UNSHOWN or "orientation" in name or (held and quantity in ("", "v", "omega")):
             continue
         rpm = quantity == "phi_dot" and unit == "rad/s"
@@ -210,7 +217,7 @@ def _quantity(name: str) -> tuple[str, str]:
         return "quaternion", name
     match = _MEMBERS.fullmatch(name)
     if match is None:
-        return ("q", name) if name.isidentifier() else (name, "")
+        return name, ""
     return (match[4], match[5]) if match[4] else (match[1].rstrip("_. ") + (match[3] or ""), match[2])
 
 
@@ -260,7 +267,7 @@ def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[
             return make_figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
         frames = list(np.ravel(np.asarray(axes, dtype=object)))
         if len(frames) > len(panels):
-            raise UsageError(f"axes: {len(frames)} are given, but there are {len(panels)} panels to draw")
+            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(panels)} panels")
         for frame, panel in zip(frames, panels, strict=False):
             _draw_panel(frame, panel)
     return frames

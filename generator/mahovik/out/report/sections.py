@@ -1,12 +1,11 @@
-"""`report`: the page on a stand: bodies, modes, vibration, limits, requirements, verification, cost."""
+"""Sections of the page on a stand: bodies, modes, vibration, limits, requirements, verification, cost."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from html import escape
 from itertools import groupby
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 from markupsafe import Markup
@@ -16,26 +15,25 @@ from mahovik.core.lower.program import lower
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.laws import body_laws, carrier_laws
-from mahovik.core.stand.model import Carrier, Instrument
+from mahovik.core.stand.model import Carrier, Instrument, Stand
 from mahovik.core.stand.summary import Summary, summarize
 from mahovik.errors import CheckError, MahovikError, UsageError
-from mahovik.out.api.stands import Stand
-from mahovik.out.arguments import StandGiven
-from mahovik.out.commands.modes import modes
-from mahovik.out.functions.evidence import verify
-from mahovik.out.functions.jitter import jitter
-from mahovik.out.notices import OnProgress, Progress, tell
 from mahovik.out.report.drawing import draw_stand
-from mahovik.out.report.page import Part, Row, figure, inline, page, table
+from mahovik.out.report.page import Part, Row, figure, inline, table
 from mahovik.out.report.plots import Line, Mark, Panel, column_panels
-from mahovik.out.report.plots import require as require_drawing
+from mahovik.proof.verify.check import conclusion
+from mahovik.proof.verify.harness import verify_c
+from mahovik.use.study.linear import linear_model, modes
+from mahovik.use.study.rest import rest
 from mahovik.use.vibration.campbell import Campbell, campbell
+from mahovik.use.vibration.chain import Makers
 from mahovik.use.vibration.growth import compare_growth
+from mahovik.use.vibration.requirement import judge, read_requirements
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.study import jitter
 from mahovik.use.vibration.sweep import sweep_outputs
 from mahovik.use.vibration.view import ARCSEC, REACTION, find_view
-from mahovik.writing import write
 
 STATES = 16
 """Random and extreme states at which the C is judged; `mahovik verify` takes more."""
@@ -64,21 +62,13 @@ class Subject:
 
     at       points, instruments, "carrier" or "hold.reaction"; none: those of the stand
     require  "rms 0.1 arcsec"
+    document keys of the stand's file, which the second derivation reads; None without one
     """
 
     stand: Stand
     at: tuple[str, ...] = ()
     require: tuple[str, ...] = ()
-
-
-def parts(subject: Subject, on_part: Callable[[int], None] = lambda done: None) -> list[Part]:
-    """The parts of the page in their order; `on_part` gets the number of those done, of all SECTIONS."""
-    made = []
-    for done, section in enumerate(SECTIONS, start=1):
-        part = section(subject)
-        made += [] if part is None else [part]
-        on_part(done)
-    return made
+    document: dict[str, Any] | None = None
 
 
 def bodies_part(subject: Subject) -> Part:
@@ -162,20 +152,19 @@ def modes_part(subject: Subject) -> Part | None:
     if stand.hold is not None and not stand.hold.freedoms:
         return None
     try:
-        found = modes(stand)
+        found = modes(linear_model(stand, rest(stand).state, ["carrier"], locked=True))
     except (CheckError, UsageError) as error:
         return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
-    frequency, damping = np.nan_to_num(found["frequency"]), found["damping"]
-    swinging = np.flatnonzero(frequency > 0.0).tolist()[:MOST_ROWS]
-    names = [str(name).partition(" [")[0] for name in found["coordinates"]]
+    swinging = [mode for mode in found.modes if mode.kind != "free" and mode.frequency > 0.0]
     rows = [
-        [names[int(np.abs(found["shape"][k]).argmax())], figure(frequency[k]), figure(damping[k], 3)] for k in swinging
+        [found.coordinates[int(np.abs(mode.shape).argmax())].name, figure(mode.frequency), figure(mode.damping, 3)]
+        for mode in swinging[:MOST_ROWS]
     ]
-    still = int(np.sum(frequency == 0.0))
-    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
+    still = len(found.modes) - len(swinging)
+    words = f"{still} of the {len(found.modes)} small motions about rest do not oscillate: free, or damped too much."
     words *= bool(still)
     head = ("moves most", "frequency, Hz>", "damping ratio>") if rows else ()
-    ends = [figure(frequency[k], 3) for k in (swinging[:1] + swinging[-1:])]
+    ends = [figure(mode.frequency, 3) for mode in swinging[:1] + swinging[-1:]]
     summary = f"{' to '.join(dict.fromkeys(ends))} Hz at rest" if rows else ""
     panels: tuple[Panel, ...] = ()
     if stand.flywheels:
@@ -264,18 +253,22 @@ def requirements_part(subject: Subject) -> Part | None:
     stand = subject.stand
     limit = _fastest(stand)
     point = (subject.at or _measured(stand))[0]
-    found = jitter(stand, {"all": f"0..{limit!r} rad/s"}, point, steps=4 * STEPS - 3, require=subject.require)
-    arcsec = found.study.measure.arcsec
-    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, found.unit)
+    view = find_view(stand, point, None, "angle")
+    limits = read_requirements(subject.require, view.measure)
+    asked = read_speeds(stand, [f"all=0..{limit!r} rad/s"])
+    found = jitter(stand, asked, 4 * STEPS - 3, view, makers=Makers())
+    verdicts = [judge(found, each) for each in limits]
+    arcsec = view.measure.arcsec
+    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, view.measure.unit)
     rows = [
         [each.requirement.text, figure(scale * each.requirement.limit, 4), figure(scale * each.value, 4),
-         found.study.axes[each.axis], figure(RPM * found.study.value[each.step], 4), "met" if each.met else FAILED]
-        for each in found.verdicts
+         found.axes[each.axis], figure(RPM * found.value[each.step], 4), "met" if each.met else FAILED]
+        for each in verdicts
     ]  # fmt: skip
     head = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "axis", "at, rpm>", "")
-    failures = tuple(f"{point}: {each.requirement.text} is not met" for each in found.verdicts if not each.met)
-    words = f"{found.study.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
-    met = sum(each.met for each in found.verdicts)
+    failures = tuple(f"{point}: {each.requirement.text} is not met" for each in verdicts if not each.met)
+    words = f"{found.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
+    met = sum(each.met for each in verdicts)
     summary = f"{met} of {len(rows)} met at {point}"
     return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)
 
@@ -304,10 +297,10 @@ def verification_part(subject: Subject) -> Part:
     """The C by the reference and the second derivation, now, at few states."""
     file = f"{subject.stand.name}.toml"
     try:
-        found = verify(subject.stand, states=STATES)
+        found = verify_c(subject.stand, seed=1, count=STATES, document=subject.document)
     except MahovikError as error:
         return Part("Verification", f"The C was not judged: {_sentence(error)}. `mahovik verify {file}`")
-    checks = [check for check in found.result.rows if check.verdict != "not compared"]
+    checks = [check for check in found.rows if check.verdict != "not compared"]
     worst = [max(rows, key=lambda check: check.share) for _, rows in groupby(checks, key=lambda check: check.judged)]
     shown = sorted(worst, key=lambda check: -check.share)[: MOST_ROWS - 2]
     rows = [
@@ -321,8 +314,9 @@ def verification_part(subject: Subject) -> Part:
         f"Lagrange's equations in CasADi. The worst of {len(worst)} lines; `mahovik verify {file}` has all, at more "
         f"states, `mahovik evidence {file}` everything else that speaks for the C."
     )
-    failures = () if found.passed else (f"verification: {found.conclusion}",)
-    return Part("Verification", words, head, tuple(rows), summary=found.conclusion, failures=failures)
+    verdict = conclusion(found)
+    failures = () if found.passed else (f"verification: {verdict}",)
+    return Part("Verification", words, head, tuple(rows), summary=verdict, failures=failures)
 
 
 def cost_part(subject: Subject) -> Part:
@@ -350,51 +344,3 @@ SECTIONS = (
     bodies_part, modes_part, vibration_part, limits_part, requirements_part, verification_part, cost_part,
 )  # fmt: skip
 """The parts of a page in their order."""
-
-
-class Page:
-    """The report of a stand: `html`, one page that opens offline; `failures` are what it shows as failed."""
-
-    def __init__(self, stand: Stand, html: str, failures: Sequence[str]) -> None:
-        self.stand, self.html, self.failures = stand, html, tuple(failures)
-
-    def save(self, path: str | Path) -> None:
-        """Write the page. Raises UsageError."""
-        write(Path(path), self.html)
-
-    def _repr_html_(self) -> str:
-        return f'<iframe srcdoc="{escape(self.html)}" style="width: 100%; height: 40em; border: 0"></iframe>'
-
-    def __repr__(self) -> str:
-        return f"<Page on {self.stand.name}: {len(self.html) // 1000} kB, {len(self.failures)} failures>"
-
-
-def report(
-    stand: StandGiven,
-    *,
-    at: Sequence[str] = (),
-    require: Sequence[str] = (),
-    derivation: bool = False,
-    progress: OnProgress | None = None,
-) -> Page:
-    """Report on a stand, on one page: bodies, modes, vibration, limits, requirements, verification, cost.
-
-    at          points, instruments, "carrier" or "hold.reaction" whose vibration is shown; none: the stand's first ones
-    require     limits of the angle of the first of them over all common speeds, as "rms 0.1 arcsec"
-    derivation  instead the matrices of (8)-(11): a generic flywheel in symbols, then the numbers of the stand
-
-    Raises StandError, UsageError where matplotlib is missing.
-    """
-    own = Stand.of(stand)
-    source = Path(stand).name if isinstance(stand, str | Path) else f"{own.name}.toml"
-    if derivation:
-        from mahovik.out.report.derivation import derivation_parts
-
-        found = derivation_parts(own)
-    else:
-        require_drawing("report")
-        subject = Subject(own, tuple(at), tuple(require))
-        found = parts(subject, lambda done: tell(progress, Progress("sections of the report", done, len(SECTIONS))))
-    title = f"{own.name}: equations of motion" if derivation else own.name
-    failures = [line for part in found for line in part.failures]
-    return Page(own, page(title, found, own, [("stand", source)]), failures)
