@@ -24,7 +24,7 @@ from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plots import Panel
+    from mahovik.out.report.plots import Drawing
 
 Array = NDArray[Any]
 
@@ -122,7 +122,8 @@ class Result(Mapping[str, Any]):
     messages   sentences for people, printed below the table
     ok         whether the verdict is good: False is exit status 1
     details    entries of `meta` that JSON has and tables for people leave out
-    panels     those of its picture; none: the columns of numbers over the index, or over `t`
+    drawings   panels of its picture: `out.report.plots.Panel`, or functions of the result and axes of matplotlib;
+               none: the columns of numbers over the index, or over `t`
     """
 
     title: str
@@ -134,7 +135,7 @@ class Result(Mapping[str, Any]):
     messages: Sequence[str] = ()
     ok: bool = True
     details: Sequence[str] = ()
-    panels: Sequence[Panel] = ()
+    drawings: Sequence[Drawing] = ()
 
     def __getitem__(self, key: str) -> Any:
         for one in self.columns:
@@ -242,7 +243,7 @@ class Result(Mapping[str, Any]):
         else:
             from mahovik.out.report.plots import draw
 
-            write(path, draw(self.title, self._panels(), suffix))
+            write(path, draw(self.title, self._drawings(), suffix, self))
 
     def _csv(self) -> str:
         text, columns = io.StringIO(), self.flat()
@@ -269,15 +270,15 @@ class Result(Mapping[str, Any]):
         """
         from mahovik.out.report.plots import draw_on_axes
 
-        found = draw_on_axes(self.title, self._panels(), ax)
+        found = draw_on_axes(self.title, self._drawings(), ax, self)
         return found if ax is None else ax
 
-    def _panels(self) -> Sequence[Panel]:
+    def _drawings(self) -> Sequence[Drawing]:
         from mahovik.out.report.plots import column_panels
 
         columns = [(one.name, one.unit, one.values) for one in self.flat()]
         index = next((one for one in columns if one[0] in (self.index, "t")), None)
-        return self.panels or column_panels(index, [one for one in columns if index is None or one[0] != index[0]])
+        return self.drawings or column_panels(index, [one for one in columns if index is None or one[0] != index[0]])
 
     # ---- text
 

@@ -104,7 +104,7 @@ def modes(
             "zero_eigenvalues", "unstable", "steady", *channels, *(f"{name[:-1]}_units" for name in channels),
             "points", *matrices,
         ),
-        panels=_pictures(found),
+        drawings=_pictures(found),
     )  # fmt: skip
 
 

@@ -86,6 +86,14 @@ class Panel:
     log_abscissa: bool = False
     marks: tuple[Mark, ...] = ()
 
+    def __call__(self, of: Any, axes: Any) -> None:
+        """Draw it on axes of matplotlib; it has all that it shows, and needs nothing of a result."""
+        _draw_panel(self, axes)
+
+
+Drawing = Callable[[Any, Any], None]
+"""Draws something of a result on axes of matplotlib; a `Panel` is one."""
+
 
 def limit(name: str, x: Array, value: float) -> Line:
     """A level."""
@@ -245,47 +253,51 @@ def require(command: str) -> tuple[Any, Any]:
         raise UsageError(f'{command} needs matplotlib: pip install "mahovik[report]"') from None
 
 
-def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
-    """A picture: `suffix` .svg or .png. Raises UsageError where matplotlib is not installed."""
+def draw(title: str, drawings: Sequence[Drawing], suffix: str, of: Any = None) -> bytes:
+    """A picture of the drawings, of a result: `suffix` .svg or .png. Raises UsageError where matplotlib is missing."""
     matplotlib, figures = require("a picture")
     with matplotlib.rc_context(STYLE):
-        figure, _ = make_figure(figures.Figure, title, panels)
+        figure, _ = make_figure(figures.Figure, title, drawings, of)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
 
 
-def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[Any]:
-    """Panels on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
+def draw_on_axes(title: str, drawings: Sequence[Drawing], axes: Any = None, of: Any = None) -> list[Any]:
+    """Drawings on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
 
-    Raises UsageError where matplotlib is not installed, or more axes are given than there are panels.
+    Raises UsageError where matplotlib is not installed, or more axes are given than there are drawings.
     """
     matplotlib, _ = require("plot")
     with matplotlib.rc_context(STYLE):
         if axes is None:
-            return make_figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
+            return make_figure(import_module("matplotlib.pyplot").figure, title, drawings, of)[1]
         frames = list(np.ravel(np.asarray(axes, dtype=object)))
-        if len(frames) > len(panels):
-            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(panels)} panels")
-        for frame, panel in zip(frames, panels, strict=False):
-            _draw_panel(frame, panel)
+        if len(frames) > len(drawings):
+            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(drawings)} panels")
+        for frame, drawing in zip(frames, drawings, strict=False):
+            drawing(of, frame)
     return frames
 
 
-def make_figure(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
-    """A figure that `make` makes, with all panels, and their axes."""
-    heights = [panel.height for panel in panels]
+def make_figure(make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None) -> tuple[Any, Any]:
+    """A figure that `make` makes, with all drawings one below the other, and their axes."""
+    heights = [getattr(each, "height", 1.2) for each in drawings]
     figure = make(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
     if title:
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-    axes = figure.subplots(len(panels), squeeze=False, height_ratios=heights)[:, 0]
-    for k, (frame, panel) in enumerate(zip(axes, panels, strict=True)):
-        _draw_panel(frame, panel, k + 1 == len(panels) or panels[k + 1].abscissa != panel.abscissa)
-    return figure, list(axes)
+    axes = list(figure.subplots(len(drawings), squeeze=False, height_ratios=heights)[:, 0])
+    for frame, drawing in zip(axes, drawings, strict=True):
+        drawing(of, frame)
+    for k, frame in enumerate(axes[:-1]):  # the same abscissa is written once
+        if isinstance(drawings[k], Panel) and frame.get_xlabel() == axes[k + 1].get_xlabel():
+            frame.set_xlabel("")
+            frame.tick_params(labelbottom=False)
+    return figure, axes
 
 
-def _draw_panel(axes: Any, panel: Panel, last: bool = True) -> None:
+def _draw_panel(panel: Panel, axes: Any) -> None:
     for line in panel.lines:
         kept, turn = envelope(line.y), (line.colour or 0) // len(COLOURS)
         colour = GREY if line.colour is None else COLOURS[line.colour % len(COLOURS)]
@@ -305,7 +317,6 @@ def _draw_panel(axes: Any, panel: Panel, last: bool = True) -> None:
         axes.set_ylim(low - 0.1 * abs(low), high + 0.1 * abs(high))
     axes.set_title(panel.quantity, loc="left", fontsize="medium")
     axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
-    axes.set_xlabel(panel.abscissa if last else "")
-    axes.tick_params(labelbottom=last)
+    axes.set_xlabel(panel.abscissa)
     if named := sum(bool(line.name) for line in panel.lines):
         axes.legend(loc="upper left", bbox_to_anchor=(1.005, 1.02), frameon=False, ncols=-(-named // LEGEND))
