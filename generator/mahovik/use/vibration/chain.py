@@ -12,13 +12,13 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.use.numeric import Array, Complex, skew
-from mahovik.use.vibration.lines import TABLE, LineName, Lines
+from mahovik.use.vibration.lines import MAKER, LineName, Lines
 from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.structure import Structure, way_back
 from mahovik.use.vibration.torus import Whole
-from mahovik.use.vibration.view import LinearMotion, LoadView, Observable, View
+from mahovik.use.vibration.view import LinearMotion, LoadView, Observable
 
 CHUNK = 2_000_000
 """Speeds, lines and modes treated at once: their product."""
@@ -74,11 +74,9 @@ class Chain:
             ratios = (np.zeros(0), np.zeros(0))
             unseen = np.zeros((N, 0, 6))
             return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, none, unseen, ratios)
-        if not isinstance(seen, View):
+        if isinstance(seen, LoadView) or not seen.parts:
             what = "load" if isinstance(seen, LoadView) else "freedom"
-            raise UsageError(
-                f"--modes: structural modes have no shape of a {what}, {seen.name}; expected a point as --at"
-            )
+            raise UsageError(f"modes: structural modes have no shape of a {what}, {seen.name}; expected a point")
         about = np.array([_to_mount(L) for L in tables.Lm])
         modes = np.zeros((N, len(structure.omega), 6))
         for s, name in enumerate(names):
@@ -115,7 +113,7 @@ class Chain:
         if self.makers.structure is not None:
             force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
             q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
-            a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
+            a += (q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None]
         return a
 
     def motion(self, speeds: Array, omega: Array, wrench: Complex, by_wheel: Callable[[int], Complex]) -> LinearMotion:
@@ -139,6 +137,24 @@ class Chain:
             return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
 
         return self.motion(speeds, omega, wrench[..., None], by_wheel)
+
+    def first_orders(self, speeds: Array, phases: Array) -> tuple[Array, Complex]:
+        """omega (S, N; rad/s) and amplitudes (S, N, 3) of the first orders, to first order in unbalance.
+
+        Speeds (S, N; rad/s), phases (N, rad) at t = 0; zero for a wheel at rest, NaN at an undamped resonance.
+        """
+        omega, wrench = self.plant.unbalance(speeds, phases)
+        still = omega == 0.0
+        positive = np.where(still, 1.0, omega)
+        motion = self.by_unbalance(speeds, positive, wrench)
+        a = self.seen.linear(motion)[..., 0]
+        if self.one_way:
+            mounts = self.mounts(speeds, positive, motion.pose[..., 0])
+            each = np.arange(wrench.shape[1])
+            mounts[:, each, each] += wrench
+            a += self.driven_amplitudes(speeds, positive, mounts)
+        a[still] = 0.0
+        return omega, np.asarray(a, dtype=np.complex128)
 
     def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
@@ -165,7 +181,7 @@ class Chain:
 
     def table_lines(self, speeds: Array) -> Lines:
         """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
-        found = Lines((), np.zeros((len(speeds), 0)), np.zeros((len(speeds), 0, 3), dtype=np.complex128))
+        found = Lines.none(len(speeds))
         for s, name in enumerate(self.names):
             table = self.makers.harmonics.get(name)
             if table is not None:
@@ -177,15 +193,22 @@ class Chain:
         omega = np.abs(speeds[:, s, None]) * table.order
         still = omega == 0.0
         size = table.amplitude[:, there] * np.where(still, 0.0, 1.0)[..., None] * (speeds[:, s] ** 2)[:, None, None]
-        answer = self.unit_answers(s, there, speeds, np.where(still, 1.0, omega))  # (S, H, 3, P)
+        forward, backward = (
+            self.unit_answers(s, there, speeds, np.where(still, 1.0, omega), back) for back in (False, True)
+        )  # (S, H, 3, P)
+        sense = np.array(table.sense)[:, None, None]
+        larger = np.where(np.isnan(forward) | (np.abs(backward) <= np.abs(forward)), forward, backward)
+        answer = np.where(sense == "forward", forward, np.where(sense == "backward", backward, larger))
         a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
         parts = [list(PARTS)[i] for i in there]
-        tolerance = np.repeat(table.tolerance, len(parts))
-        names = [LineName(name, float(order), TABLE, part) for order in table.order for part in parts]
-        names = [label._replace(tolerance=float(t)) for label, t in zip(names, tolerance, strict=True)]
+        names = [
+            LineName(name, float(order), MAKER, part, float(tolerance))
+            for order, tolerance in zip(table.order, table.tolerance, strict=True)
+            for part in parts
+        ]
         kept = (table.amplitude[:, there] > 0.0).ravel()
         frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
-        return Lines(tuple(names), frequency, a).select(kept)
+        return Lines(tuple(names), frequency, np.asarray(a, dtype=np.complex128)).select(kept)
 
     def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
         """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
@@ -238,7 +261,7 @@ class Chain:
             by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
             by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
             bent = out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
-            a = a + bent * self.seen.derivative(omega)[:, :, None, None]
+            a = a + bent * self.seen.measure.derivative(omega)[:, :, None, None]
         return np.asarray(a)
 
 
