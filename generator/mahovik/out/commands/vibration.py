@@ -18,9 +18,13 @@ if TYPE_CHECKING:
     from mahovik.use.vibration.study import Vibration as Study
     from mahovik.use.vibration.view import Observable
 
-Turning = Annotated[float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"]
+Turning = Annotated[
+    float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
+]
 Tables = Annotated[Mapping[str, str | Path], "NAME=FILE.csv"]
 Vector = Annotated[str | Sequence[float], '"X Y Z"']
+
+Interval = tuple[float, float]
 
 SHOWN = 12
 """Lines of a sweep with columns of their own."""
@@ -123,12 +127,12 @@ def vibration(
     verdicts = [found.judge(each) for each in limits]
     meta: dict[str, Any] = {"requirements": [_verdict(found, each) for each in verdicts]} if limits else {}
     messages = [*(_verdict_line(found, each) for each in verdicts), *_messages(found)]
-    better = True
+    ok = all(each.met for each in verdicts)
     if improve:
-        search = _Search(own, found, within or (0.0, np.inf), clock)
-        better, words = search.run(momentum, limit, avoid, seed, meta)
+        better, words = _improve(own, found, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
+        meta["improved"] = better
         messages += words
-    ok = better and all(each.met for each in verdicts)
+        ok = ok and better["after"] < better["before"]
     return _result(found, within, meta, messages, ok)
 
 
@@ -253,78 +257,65 @@ def _messages(found: Study) -> list[str]:
     return messages
 
 
-class _Search:
-    """The search of quieter speeds and phases, judged by the whole equations before and after."""
+def _improve(
+    stand: Stand, found: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
+) -> tuple[dict[str, Any], list[str]]:
+    """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
+    from mahovik.contract.quantities import RPM
+    from mahovik.core.stand.units import SPEED
+    from mahovik.errors import whole_number
+    from mahovik.out.arguments import quantity
+    from mahovik.use.vibration.improve import Freedom, improve
+    from mahovik.use.vibration.speeds import SpeedPlan
+    from mahovik.use.vibration.study import vibration as find
 
-    def __init__(self, stand: Stand, found: Study, band: tuple[float, float], clock: _Clock) -> None:
-        self.stand, self.found, self.band, self.clock = stand, found, band, clock
-
-    def run(
-        self, momentum: Any, limit: Any, avoid: str | Sequence[str], seed: int, meta: dict[str, Any]
-    ) -> tuple[bool, list[str]]:
-        """Whether it is quieter, and messages; `meta` gets `improved`. Raises UsageError, CheckError."""
-        from mahovik.contract.quantities import RPM
-        from mahovik.core.stand.units import SPEED
-        from mahovik.errors import whole_number
-        from mahovik.out.arguments import quantity
-        from mahovik.use.vibration.improve import Freedom, improve
-        from mahovik.use.vibration.speeds import SpeedPlan
-        from mahovik.use.vibration.study import vibration as find
-
-        found, within = self.found, None if self.band == (0.0, np.inf) else self.band
-        most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
-        freedom = Freedom.of(self.stand, found.speeds[0], self.momentum(momentum), most, self.avoided(avoid))
-        whole_number("seed", seed, 0)
-        speeds, phases = improve(found.chain, freedom, self.band, seed=seed, go_on=self.clock.go_on)
-        plan = SpeedPlan.constants(self.stand, speeds.tolist())
-        after = find(
-            found.scene, plan, found.seen, phases=phases.tolist(), makers=found.chain.makers, bands=[within]
-        )  # fmt: skip
-        before, now = (float(np.linalg.norm(each.sums(within).rms[0])) for each in (found, after))
-        meta["improved"] = {"speeds": speeds, "phases": phases, "before": before, "after": now}
-        unit = found.seen.measure.unit
-        words = f"{before / now:.4g} times quieter" if 0.0 < now < before else "no allowed speeds are quieter"
-        said = [f"{words}: RMS {before:.4g} before, {now:.4g} {unit} after, of the whole equations"]
-        for wheel, turning, angle in zip(plan.names, speeds, phases, strict=True):
-            said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
-        return now < before, said
-
-    def momentum(self, given: Any) -> Any:
-        """The momentum to hold (3). Raises UsageError."""
-        from mahovik.errors import UsageError
-
-        if given is None:
-            return None
-        try:
-            found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
-        except ValueError:
-            found = np.zeros(0)
-        if found.shape != (3,) or not np.isfinite(found).all():
-            raise UsageError(f'momentum {given}: expected three numbers, in N m s, as "0 0 14"')
-        return found
-
-    def avoided(self, given: str | Sequence[str]) -> list[tuple[float, float]]:
-        """Bands to be avoided (Hz). Raises UsageError."""
-        from mahovik.use.vibration.band import read_band, read_frequency
-        from mahovik.use.vibration.campbell import natural_at
-
-        found = []
-        for text in [given] if isinstance(given, str) else given:
-            if text == "modes":
-                scene, plan = self.found.scene, self.found.plan
-                single = natural_at(scene, plan, self.found.value)[0][0] if scene.count else []
-            elif ".." in text:
-                found.append(read_band("avoid", text))
-                continue
-            else:
-                single = [read_frequency("avoid", text)]
-            found += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
-        return found
+    most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
+    freedom = Freedom.of(stand, found.speeds[0], _momentum(momentum), most, avoided_bands(found, avoid))
+    whole_number("seed", seed, 0)
+    speeds, phases = improve(found.chain, freedom, band, seed=seed, go_on=clock.go_on)
+    plan, within = SpeedPlan.constants(stand, speeds.tolist()), None if band == (0.0, np.inf) else band
+    after = find(found.scene, plan, found.seen, phases=phases.tolist(), makers=found.chain.makers, bands=[within])
+    before, now = (float(np.linalg.norm(each.sums(within).rms[0])) for each in (found, after))
+    words = f"{before / now:.4g} times quieter" if 0.0 < now < before else "no allowed speeds are quieter"
+    said = [f"{words}: RMS {before:.4g} before, {now:.4g} {found.seen.measure.unit} after, of the whole equations"]
+    for wheel, turning, angle in zip(plan.names, speeds, phases, strict=True):
+        said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
+    return {"speeds": speeds, "phases": phases, "before": before, "after": now}, said
 
 
-def _result(
-    found: Study, band: tuple[float, float] | None, meta: dict[str, Any], messages: list[str], ok: bool
-) -> Result:
+def _momentum(given: Any) -> Any:
+    """The momentum to hold (3); None: that of the speeds. Raises UsageError."""
+    from mahovik.errors import UsageError
+
+    if given is None:
+        return None
+    try:
+        found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
+    except ValueError:
+        found = np.zeros(0)
+    if found.shape != (3,) or not np.isfinite(found).all():
+        raise UsageError(f'momentum {given}: expected three numbers, in N m s, as "0 0 14"')
+    return found
+
+
+def avoided_bands(found: Study, avoid: str | Sequence[str]) -> list[Interval]:
+    """Bands (Hz) to be avoided: ranges as they are, 10 % to both sides of frequencies. Raises UsageError."""
+    from mahovik.use.vibration.band import read_band, read_frequency
+    from mahovik.use.vibration.campbell import natural_at
+
+    bands = []
+    for text in [avoid] if isinstance(avoid, str) else avoid:
+        if ".." in text:
+            bands.append(read_band("avoid", text))
+            continue
+        single = [read_frequency("avoid", text)] if text != "modes" else []
+        if text == "modes" and found.scene.count:
+            single = natural_at(found.scene, found.plan, found.value)[0][0].tolist()
+        bands += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
+    return bands
+
+
+def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:
     """Lines of one set of speeds, or a row a speed."""
     seen, unit, stand = found.seen, found.seen.measure.unit, found.scene.stand
     axes, swept = seen.axes, found.plan.sweep is not None
@@ -366,7 +357,7 @@ def _result(
     )
 
 
-def _orders(found: Study, band: tuple[float, float] | None) -> tuple[Column, ...]:
+def _orders(found: Study, band: Interval | None) -> tuple[Column, ...]:
     """The lines of one set of speeds, largest first; amplitudes along the axes."""
     from mahovik.use.vibration.band import in_band
     from mahovik.use.vibration.lines import MAKER
@@ -388,7 +379,7 @@ def _orders(found: Study, band: tuple[float, float] | None) -> tuple[Column, ...
     )
 
 
-def _line_columns(found: Study, band: tuple[float, float] | None) -> list[Column]:
+def _line_columns(found: Study, band: Interval | None) -> list[Column]:
     """The largest lines of a sweep: magnitude of the amplitude over the axes."""
     from mahovik.use.vibration.band import in_band
 

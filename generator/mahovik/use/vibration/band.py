@@ -50,8 +50,8 @@ def read_frequency(name: str, text: str) -> float:
     """A frequency of an argument, Hz. Raises UsageError."""
     try:
         return number(text, FREQUENCY)
-    except QuantityError as error:
-        raise UsageError(f"{name} {text}: {error}") from None
+    except QuantityError:
+        raise UsageError(f'{name} {text}: expected a frequency with its unit, as "35Hz"') from None
 
 
 def rms(amplitudes: Complex, frequencies: Array, band: tuple[float, float] | None = None) -> Array:

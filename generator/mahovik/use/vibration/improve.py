@@ -181,8 +181,8 @@ def improve(
     band    Hz, in which the root mean square counts, of all axes together; go_on: False ends the search
     """
     search = _Search(chain, freedom, (band[0] * (1.0 - GUARD), band[1] * (1.0 + GUARD)), np.random.default_rng(seed))
-    tried = np.unique(np.round(list(freedom.intersections(search.band, search.rng)), 6), axis=0)
-    tried = np.vstack([freedom.start, tried])
+    tried = np.array(list(freedom.intersections(search.band, search.rng)))
+    tried = tried[np.unique(np.round(tried, 6), axis=0, return_index=True)[1]]
     tried = tried[freedom.allows(tried)]
     if not len(tried):
         raise CheckError("avoid: no speeds that hold the momentum keep out of these frequencies within the limits")
