@@ -107,14 +107,18 @@ class Chain:
         """
         passed = self._transmit(speeds, omega, mounts)
         each = (passed - mounts)[..., None]
-        a = np.zeros((*omega.shape, 3), dtype=np.complex128)
+        a = self.bent(omega, passed)
         if each.any():
             a += self.seen.linear(self.motion(speeds, omega, each.sum(axis=2), lambda s: each[:, :, s]))[..., 0]
-        if self.makers.structure is not None:
-            force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
-            q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
-            a += (q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None]
         return a
+
+    def bent(self, omega: Array, mounts: Complex) -> Complex:
+        """Amplitudes (S, L, 3) of what the structural modes move, by mount wrenches (S, L, N, 6) in E1 about O1."""
+        if self.makers.structure is None:
+            return np.zeros((*omega.shape, 3), dtype=np.complex128)
+        force = np.einsum("smi,tlsi->tlm", self.mount_modes, mounts)
+        q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
+        return np.asarray((q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None])
 
     def motion(self, speeds: Array, omega: Array, wrench: Complex, by_wheel: Callable[[int], Complex]) -> LinearMotion:
         """Motion of the rigid carrier by wrenches (S, L, 6, P) on it in E1 about O1; `by_wheel`: those of one wheel."""
@@ -221,10 +225,17 @@ class Chain:
         turned = np.where(sense[:, :, None] < 0.0, basis.conj(), basis)  # (S, 6, P)
         S, L = omega.shape
         a = np.empty((S, L, 3, len(parts)), dtype=np.complex128)
-        step = max(1, CHUNK // max(L * max(len(self.seen_modes.T), 6), 1))
+        step = max(1, CHUNK // max(L * len(self.names) * max(len(self.seen_modes.T), 6), 1))
         for i in range(0, S, step):
             at = slice(i, i + step)
-            a[at] = self._rigid_and_modes(s, speeds[at], omega[at], turned[at])
+            wrench = np.broadcast_to(turned[at, None], (*omega[at].shape, *turned.shape[1:]))
+            none = np.zeros_like(wrench)
+            motion = self.motion(speeds[at], omega[at], wrench, lambda w, on=wrench, no=none: on if w == s else no)
+            a[at] = self.seen.linear(motion)
+            for p in range(len(parts) if self.makers.structure is not None else 0):
+                mounts = self.mounts(speeds[at], omega[at], motion.pose[..., p])
+                mounts[:, :, s] += wrench[..., p]
+                a[at, ..., p] += self.bent(omega[at], mounts)
         return a * gains[:, :, None, :]
 
     def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
@@ -235,34 +246,6 @@ class Chain:
         found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
         gains = np.stack(found, axis=-1)
         return np.where(signed[..., None] < 0.0, gains.conj(), gains)
-
-    def _rigid_and_modes(self, s: int, speeds: Array, omega: Array, wrench: Complex) -> Complex:
-        """Amplitudes (S, L, 3, P) by wrenches (S, 6, P) of wheel s on its mount."""
-        on_carrier = np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:]))
-        none = np.zeros_like(on_carrier)
-        motion = self.motion(speeds, omega, on_carrier, lambda wheel: on_carrier if wheel == s else none)
-        a, pose = self.seen.linear(motion), motion.pose
-        structure = self.makers.structure
-        if structure is not None:
-            S, m = len(speeds), len(structure.omega)
-            # the carrier's motion p moves all wheels: sum_s mount_modes_s (omega^2 Theta_s + i omega gyro_s phi_s') p
-            inertia = np.einsum("smi,sij->mj", self.mount_modes, self.Theta)
-            spin = np.einsum("smi,sij,ts->tmj", self.mount_modes, self.gyro, speeds)
-            direct = self.mount_modes[s] @ wrench  # (S, m, P)
-            P = wrench.shape[2]
-            right = np.empty((S, m, 3 * (P + 12)), dtype=np.complex128)
-            right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
-            right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
-            right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
-            excited = np.asarray(right.any(axis=2))[:, None]
-            out = np.where(excited, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
-            L = omega.shape[1]
-            w = omega[:, :, None, None]
-            by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
-            by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
-            bent = out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
-            a = a + bent * self.seen.measure.derivative(omega)[:, :, None, None]
-        return np.asarray(a)
 
 
 def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:
