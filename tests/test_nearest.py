@@ -52,10 +52,9 @@ def test_a_misspelt_unit(unit: str, words: str) -> None:
     [
         (("new", "bench9"), "bench8"),
         (("check", BENCH8, "--spede", "1"), "--speed"),
-        (("response", SAT4, "--speed", "rw1=10", "--at", "acc11"), "acc1"),
-        (("response", SAT4, "--speed", "rw1=2*rw22", "--at", "acc1"), "rw2"),
-        (("response", SAT4, "--speed", "rw1=10 rpmm", "--at", "acc1"), "rpm"),
-        (("quiet", SAT4, "--point", "acc11", "--band", "1..2Hz", "--momentum", "0 0 1"), "acc1"),
+        (("vibration", SAT4, "--speed", "rw1=10", "--at", "acc11"), "acc1"),
+        (("vibration", SAT4, "--speed", "rw1=2*rw22", "--at", "acc1"), "rw2"),
+        (("vibration", SAT4, "--speed", "rw1=10 rpmm", "--at", "acc1"), "rpm"),
         (("verify", BENCH8, "--targets", "m77"), "m7"),
         (("judge", BENCH8, "--with", "cat", "--want", "forwrad"), "forward"),
         (("evidence", BENCH8, "--only", "slftest"), "selftest"),

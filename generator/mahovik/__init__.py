@@ -40,17 +40,15 @@ __all__ = [
     "generate",
     "identifiable",
     "identify",
-    "jitter",
     "judge",
     "load",
     "modes",
     "plan",
-    "quiet",
     "report",
-    "response",
     "simulate",
     "verify",
     "verify_programme",
+    "vibration",
 ]
 
 _PLACES = {
@@ -72,17 +70,15 @@ _PLACES = {
     "generate": "out.functions.evidence",
     "identifiable": "out.api.identifying",
     "identify": "out.identify.face",
-    "jitter": "out.functions.jitter",
     "judge": "out.functions.judging",
     "load": "out.api.stands",
     "modes": "out.commands.modes",
     "plan": "out.functions.programmes",
-    "quiet": "out.functions.vibration",
     "report": "out.commands.report",
-    "response": "out.functions.vibration",
     "simulate": "out.functions.simulation",
     "verify": "out.functions.evidence",
     "verify_programme": "out.functions.programmes",
+    "vibration": "out.commands.vibration",
 }
 
 

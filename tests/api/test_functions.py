@@ -36,8 +36,6 @@ def results() -> dict[str, Table]:
     made = planned().programme
     return {
         "simulate": mahovik.simulate(shaker(), 0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy"),
-        "response": mahovik.response(shaker(), {"left": "0..600rpm", "right": "-1*left"}, "carrier", steps=3),
-        "jitter": mahovik.jitter(shaker(), {"left": "0..600rpm", "right": "-100rpm"}, "carrier", steps=3),
         "plan": planned(),
         "programme": made,
         "verify_programme": mahovik.verify_programme(shaker(), SPIN, made),
@@ -46,7 +44,7 @@ def results() -> dict[str, Table]:
 
 
 NAMES = (
-    "simulate", "response", "jitter", "plan", "programme", "verify_programme", "generate",
+    "simulate", "plan", "programme", "verify_programme", "generate",
 )  # fmt: skip
 
 
@@ -71,7 +69,7 @@ def test_a_result_has_columns_with_units_in_every_form(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["simulate", "response"])
+@pytest.mark.parametrize("name", ["simulate"])
 def test_a_result_is_drawn_on_new_axes_or_given_ones(name: str) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
@@ -95,11 +93,16 @@ def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
     assert mahovik.report(shaker(), output=tmp_path / "report.html").ok and (tmp_path / "report.html").is_file()
 
 
-def test_speeds_are_a_mapping_texts_or_one_text() -> None:
-    given = ({"left": "600 rpm", "right": "-1*left"}, ["left=600rpm", "right=-1*left"], "all=600rpm")
-    mapping, texts, one = (mahovik.response(shaker(), speeds, "carrier").sweep.steps[0].turning for speeds in given)
-    assert mapping == texts
-    assert one.speeds == (mapping.speeds[0],) * 2
+def test_speeds_are_a_mapping_texts_or_one_for_all() -> None:
+    given: tuple[Any, ...] = (
+        {"left": "600 rpm", "right": "-1*left"},
+        ["left=600rpm", "right=-1*left"],
+        ["600 rpm", -20.0 * math.pi],
+    )
+    found = [mahovik.vibration(shaker(), speed=speed, at="carrier")["rms"].tolist() for speed in given]
+    assert found[0] == found[1] == pytest.approx(found[2])
+    one, many = (mahovik.vibration(shaker(), speed=x, at="carrier")["worst"].tolist() for x in (60.0, {"all": 60.0}))
+    assert one == many
 
 
 def test_an_unknown_column_is_named() -> None:
@@ -147,21 +150,16 @@ def test_a_mismatch_that_is_no_share_is_refused(mismatch: Any, words: str) -> No
 
 
 REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
-    ("response", "sat4", {"steps": 0}, "steps 0: expected a whole number from 2 to 100000"),
-    ("response", "sat4", {"steps": 2.5}, "steps 2.5: expected a whole number"),
-    ("response", "sat4", {"band": (30.0, 10.0)}, "band 30..10 Hz: expected two frequencies, the lower first"),
-    ("response", "sat4", {"band": (math.nan, 10.0)}, "band nan..10 Hz: expected two frequencies"),
-    ("response", "sat4", {"band": (10.0,)}, "band 10 Hz: expected two frequencies"),
-    ("response", "sat4", {"speeds": [1, 2]}, "speeds: 1 in a list, expected texts"),
-    ("response", "sat4", {"go_on": lambda done: False}, "response of sat4: go_on ended it before the first speed"),
-    ("jitter", "sat4", {"steps": -3}, "steps -3: expected a whole number from 2 to 100000"),
-    ("jitter", "sat4", {"speeds": {"all": 100.0}, "order": 0}, "order 0: expected a whole number from 1 to 20"),
-    ("jitter", "sat4", {"exact": True, "go_on": lambda done: False}, "jitter of sat4: go_on ended it before"),
-    ("quiet", "sat4", {"band": (200.0, 20.0)}, "band 200..20 Hz: expected two frequencies, the lower first"),
-    ("quiet", "sat4", {"avoid": [(3.0, 1.0)]}, "avoid 3..1 Hz: expected two frequencies, the lower first"),
-    ("quiet", "sat4", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
-    ("quiet", "sat4", {"momentum": (0, 0)}, "momentum: 2 numbers, expected 3"),
-    ("quiet", "sat4", {"axes": ((1, 2, 3),)}, "axes: [1, 2, 3], expected directions of three numbers and length 1"),
+    ("vibration", "sat4", {"steps": 2.5}, "steps 2.5: expected a whole number"),
+    ("vibration", "sat4", {"band": (math.nan, 10.0)}, "band nan..10 Hz: expected two frequencies"),
+    ("vibration", "sat4", {"band": (10.0,)}, "band 10 Hz: expected two frequencies"),
+    ("vibration", "sat4", {"speed": [1, 2]}, "speed 1: expected NAME=SPEED"),
+    (
+        "vibration",
+        "sat4",
+        {"speed": 1.0, "improve": True, "momentum": (0, 0)},
+        "momentum (0, 0): expected three numbers",
+    ),
     ("verify", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
     ("verify", "demo3", {"real": "half"}, "real: unknown 'half', expected one of double, float"),
     ("verify", "demo3", {"seed": -1}, "seed -1: expected a whole number of at least 0"),
@@ -176,9 +174,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("judge", "demo3", {"timeout": "1 kg"}, 'timeout: unit "kg" does not fit'),
 ]
 USUAL: dict[str, dict[str, Any]] = {
-    "response": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
-    "jitter": {"speeds": {"all": "100..3000rpm"}, "at": "acc1"},
-    "quiet": {"point": "acc1", "band": (20.0, 200.0), "momentum": (0.0, 0.0, 1.0)},
+    "vibration": {"speed": {"all": "100..3000rpm"}, "at": "acc1"},
     "plan": {"motion": stands.path("demo3").with_suffix(".motion.json")},
     "judge": {"command": "false"},
 }
@@ -193,7 +189,7 @@ def test_values_without_meaning_are_refused_by_the_name_of_the_argument(
     assert words in str(caught.value)
 
 
-DEMO3, SAT4 = str(stands.path("demo3")), str(stands.path("sat4"))
+DEMO3 = str(stands.path("demo3"))
 
 
 TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
@@ -201,7 +197,6 @@ TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
 
 SEARCHES: dict[str, Callable[[str], object]] = {
     "plan": lambda limit: mahovik.plan(SHAKER2, TILT, seconds=limit),
-    "quiet": lambda limit: mahovik.quiet(SAT4, "acc1", (20.0, 200.0), seconds=limit),
 }
 
 

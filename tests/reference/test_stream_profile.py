@@ -171,12 +171,9 @@ def test_file_comes_back_and_other_stands_are_as_before() -> None:
     assert identities(plain).structure != identities(stand).structure
 
 
-SPEEDS = ["all=100rpm"]
 STUDIES: dict[str, Callable[[Stand], object]] = {
     "modes": mahovik.modes,
-    "response": lambda stand: mahovik.response(stand, SPEEDS, "carrier"),
-    "quiet": lambda stand: mahovik.quiet(stand, "carrier", (1, 10), least="10 rpm", limit="100 rpm", speeds=[1, 2]),
-    "jitter": lambda stand: mahovik.jitter(stand, SPEEDS, "carrier"),
+    "vibration": lambda stand: mahovik.vibration(stand, speed="100rpm", at="carrier"),
     "plan": uniform_stream,
 }
 

@@ -159,7 +159,7 @@ def test_a_requirement_has_one_verdict_in_all_branches(
 ) -> None:
     """One set of speeds or the end of a sweep, the torus or a common period, lines on the end of a band."""
     stand, speeds, sweep = QUESTIONS[name]
-    at = {"at": "acc1" if stand == "sat4" else "carrier", "quantity": "acceleration"}
+    at: dict[str, Any] = {"at": "acc1" if stand == "sat4" else "carrier", "quantity": "acceleration"}
     edge = 110.0 / 60.0 if stand == "shaker2" else 50.0
     sums = [f"{sum} VALUE m/s2{band}" for sum in ("rms", "peak", "worst") for band in ("", f" 1..{edge!r}Hz")]
     wanted = command(path(stand), speed=speeds, **at, require=[each.replace("VALUE", "1") for each in sums])
@@ -177,7 +177,7 @@ def test_a_requirement_has_one_verdict_in_all_branches(
 @pytest.mark.parametrize(("stand", "most"), [("shaker2", 3000), ("bench8", 3000), ("auv6", 600)])
 def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int) -> None:
     """However coarse its grid: a dense sweep about the peak finds nothing larger by 2 %, and no speed is coarse."""
-    asked = {"at": "carrier", "quantity": "displacement"}
+    asked: dict[str, Any] = {"at": "carrier", "quantity": "displacement"}
     found = command(path(stand), speed={"all": f"0..{most}rpm"}, steps=7, **asked)
     largest = found["largest"]
     assert not any("coarse" in message for message in found.messages)

@@ -73,6 +73,7 @@ COMMANDS: dict[str, dict[str, str]] = {
     },
     "Motion and vibration": {
         "modes": "Find natural frequencies, damping, shapes.",
+        "vibration": "Find steady vibration; meet limits.",
     },
     "Pages": {
         "report": "Write one page on a stand and its proof, or its derivation.",

@@ -14,7 +14,7 @@ from mahovik.errors import MahovikError
 OLD = {
     "Not yet functions": (
         *("new", "import", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
-        *("simulate", "replay", "response", "jitter", "quiet", "balance", "identify", "campaign"),
+        *("simulate", "replay", "balance", "identify", "campaign"),
         *("plan", "verify-programme", "export"),
     )
 }

@@ -29,7 +29,7 @@ Interval = tuple[float, float]
 SHOWN = 12
 """Lines of a sweep with columns of their own."""
 
-NO_LINE = 1e-9
+NO_LINE = 1e-6
 """Part of the largest amplitude below which a line is not listed."""
 
 
@@ -94,6 +94,7 @@ def vibration(
     from mahovik.errors import UsageError
     from mahovik.out.api.stands import Stand
     from mahovik.out.arguments import by_flywheel
+    from mahovik.out.notices import warn_of_turn
     from mahovik.use.vibration.band import read_band
     from mahovik.use.vibration.chain import Makers
     from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
@@ -103,7 +104,7 @@ def vibration(
     from mahovik.use.vibration.study import vibration as find
 
     own = Stand.of(stand)
-    seen = _seen(own, at, quantity, sight)
+    seen = _observable(own, at, quantity, sight)
     limits = read_requirements([require] if isinstance(require, str) else require, seen)
     within = None if band is None else read_band("band", band)
     makers = Makers(
@@ -124,6 +125,7 @@ def vibration(
     found = find(
         own, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
     )  # fmt: skip
+    warn_of_turn(own)
     verdicts = [found.judge(each) for each in limits]
     meta: dict[str, Any] = {"requirements": [_verdict(found, each) for each in verdicts]} if limits else {}
     messages = [*(_verdict_line(found, each) for each in verdicts), *_messages(found)]
@@ -136,7 +138,7 @@ def vibration(
     return _result(found, within, meta, messages, ok)
 
 
-def _seen(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
+def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
     """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.errors import UsageError
     from mahovik.use.vibration.view import find_view, read_sight
@@ -167,7 +169,7 @@ def _by_wheel(
 
 def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
-    from mahovik.out.functions.motor_limits import warn_of_speeds
+    from mahovik.out.notices import warn_of_speeds
     from mahovik.use.vibration.speeds import by_name
 
     fastest = np.abs(plan.rows(np.array(plan.sweep or (0.0,)))).max(axis=0)
@@ -237,9 +239,8 @@ def _messages(found: Study) -> list[str]:
         more = f"; so at {len(found.problems)} speeds" if len(found.problems) > 1 else ""
         messages.append(f"warning: {where}{words}{more}")
     if found.coarse is not None:
-        messages.append(f"warning: coarse near {RPM * found.coarse:.6g} rpm: the largest amplitude may be above")
-    if found.cut:
-        messages.append("warning: time ended it before all speeds were solved")
+        near = f"coarse near {RPM * found.coarse:.6g} rpm"
+        messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
     unstable = [step for step, each in found.whole.items() if each.unstable]
     if unstable:
         messages.append(f"warning: unstable at {_rpm(found, min(unstable))}: deviations from this motion grow")
@@ -333,7 +334,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
             units=units,
             messages=messages,
             ok=ok,
-            details=details,
+            details=[*details, "phase"],
             drawings=(_draw_orders,),
         )
     largest, listed = found.largest(band), _line_columns(found, band)
@@ -391,10 +392,16 @@ def _line_columns(found: Study, band: Interval | None) -> list[Column]:
     return [column(lines.names[i].text, found.seen.measure.unit, size[:, i]) for i in listed]
 
 
+def _drawn_unit(found: Result) -> tuple[str, float]:
+    """Unit of a picture, and how many there are of it in the SI unit: seconds of arc for what turns."""
+    unit = found.units["rms"]
+    return (f"arcsec{unit[3:]}", 648000.0 / np.pi) if unit.startswith("rad") else (unit, 1.0)
+
+
 def _draw_orders(found: Result, ax: Any) -> None:
     """A stem a line, over its frequency."""
-    unit = found.to_dict()["units"]["amplitude"]
-    size = np.linalg.norm(found["amplitude"], axis=1)
+    unit, scale = _drawn_unit(found)
+    size = scale * np.linalg.norm(found["amplitude"], axis=1)
     ax.vlines(found["frequency"], 0.0, size)
     ax.plot(found["frequency"], size, "o", markersize=3)
     for wheel, order, f, a in list(zip(found["wheel"], found["order"], found["frequency"], size, strict=True))[:5]:
@@ -406,13 +413,13 @@ def _draw_sweep(found: Result, ax: Any) -> None:
     """Worst case and RMS over the swept speed, root of the sum of squares of the axes."""
     from mahovik.contract.quantities import RPM
 
-    x, sums = RPM * found["speeds"], {name: np.linalg.norm(found[name], axis=1) for name in ("worst", "rms")}
+    unit, scale = _drawn_unit(found)
+    x, sums = RPM * found["speeds"], {name: scale * np.linalg.norm(found[name], axis=1) for name in ("worst", "rms")}
     order = np.argsort(x)
     for name, values in sums.items():
         ax.plot(x[order], values[order], label={"worst": "worst case over phases", "rms": "RMS"}[name])
     high = np.nanmax(sums["worst"], initial=0.0)
     if high > 0.0 and high > 50.0 * np.nanmedian(sums["worst"]):
         ax.set(yscale="log", ylim=(max(1e-5 * high, 0.5 * np.nanmin(sums["rms"][sums["rms"] > 0.0])), 2.0 * high))
-    unit = found.to_dict()["units"]["rms"]
     ax.set(xlabel=f"speed of {found['swept']}, rpm", title=f"{found['quantity']} of {found['at']}, {unit}")
     ax.legend(frameon=False)

@@ -26,14 +26,11 @@ from mahovik.proof.verify.harness import verify_c
 from mahovik.use.study.linear import linear_model, modes
 from mahovik.use.study.rest import rest
 from mahovik.use.vibration.campbell import Campbell, campbell
-from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.growth import compare_growth
-from mahovik.use.vibration.requirement import judge, read_requirements
+from mahovik.use.vibration.requirement import read_requirements
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import read_speeds
-from mahovik.use.vibration.study import jitter
-from mahovik.use.vibration.sweep import sweep_outputs
-from mahovik.use.vibration.view import ARCSEC, REACTION, find_view
+from mahovik.use.vibration.study import vibration
+from mahovik.use.vibration.view import REACTION, find_view
 
 STATES = 16
 """Random and extreme states at which the C is judged; `mahovik verify` takes more."""
@@ -172,11 +169,6 @@ def modes_part(subject: Subject) -> Part | None:
         diagram = campbell(scene, np.linspace(0.0, _fastest(stand), 4 * STEPS - 3))
         if np.isfinite(diagram.natural).any():
             panels = (campbell_panel(diagram),)
-            growth = compare_growth(scene, diagram)
-            if growth is not None and growth.unstable is not None:
-                words += (
-                    f" Deviations from steady motion grow at {RPM * growth.unstable:.4g} rpm: the stand is unstable."
-                )
     return Part("Modes", words.strip(), head, tuple(rows), panels, summary=summary)
 
 
@@ -209,29 +201,29 @@ def vibration_part(subject: Subject) -> Part | None:
     if not stand.flywheels:
         return None
     points = subject.at or _measured(stand)
-    asked = read_speeds(stand, [f"all=0..{_fastest(stand)!r} rad/s"])
-    try:
-        sweeps = sweep_outputs(stand, asked, STEPS, [find_view(stand, point) for point in points])
-    except CheckError as error:
-        return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")
-    if any(found.interrupted for found in sweeps):
-        raise KeyboardInterrupt  # a part of a sweep makes no section
+    asked = read_speeds(stand, f"0..{_fastest(stand)!r} rad/s")
     shown, summaries, remarks = [], [], []
-    for point, found in zip(points, sweeps, strict=True):
-        sizes = np.linalg.norm(np.nan_to_num(found.rms()), axis=1)
-        if sizes.max() < STILL:
+    for point in points:
+        view = find_view(stand, point)
+        unit, quantity = view.measure.unit, view.quantity
+        try:
+            found = vibration(stand, asked, view, steps=STEPS)
+        except CheckError as error:
+            return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")
+        sums = found.sums()
+        rms, worst = (np.linalg.norm(np.nan_to_num(each), axis=1) for each in (sums.rms, sums.worst))
+        if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
-        columns = [(name, found.unit, values) for name, values in found.rms_columns()]
-        columns += [(line.name, found.unit, line.size) for line in found.lines()]
-        (panel,) = column_panels(("speed all", "rad/s", found.values), columns)
-        quantity = f"{found.quantity} of {point}, {found.unit}: RMS; amplitudes of orders, 0 to peak"
-        shown.append(replace(panel, quantity=quantity, height=1.8, abscissa="common speed, rpm"))
-        speed = RPM * found.values[int(sizes.argmax())]
-        summaries.append(f"{point} at most {sizes.max():.3g} {found.unit} RMS at {speed:.4g} rpm")
+        columns = [("RMS", unit, rms), ("worst case over phases", unit, worst)]
+        (panel,) = column_panels(("speed all", "rad/s", found.value), columns)
+        words = f"{quantity} of {point}, {unit}"
+        shown.append(replace(panel, quantity=words, height=1.8, abscissa="common speed, rpm"))
+        speed = RPM * found.value[int(rms.argmax())]
+        summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
     words = (
-        "Exact for the full equations; all flywheels at one common speed, phases 0 at t = 0. `mahovik response` has "
-        "other speeds, quantities and spectra."
+        "All flywheels at one common speed, phases 0 at t = 0. `mahovik vibration` has other speeds, quantities and "
+        "orders."
     )
     return Part(
         "Vibration", words if shown else "", panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries)
@@ -254,20 +246,19 @@ def requirements_part(subject: Subject) -> Part | None:
     limit = _fastest(stand)
     point = (subject.at or _measured(stand))[0]
     view = find_view(stand, point, None, "angle")
-    limits = read_requirements(subject.require, view.measure)
-    asked = read_speeds(stand, [f"all=0..{limit!r} rad/s"])
-    found = jitter(stand, asked, 4 * STEPS - 3, view, makers=Makers())
-    verdicts = [judge(found, each) for each in limits]
-    arcsec = view.measure.arcsec
-    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, view.measure.unit)
+    limits = read_requirements(subject.require, view)
+    bands = [each.band for each in limits]
+    found = vibration(stand, read_speeds(stand, f"0..{limit!r} rad/s"), view, steps=4 * STEPS - 3, bands=bands)
+    verdicts = [found.judge(each) for each in limits]
     rows = [
-        [each.requirement.text, figure(scale * each.requirement.limit, 4), figure(scale * each.value, 4),
-         found.axes[each.axis], figure(RPM * found.value[each.step], 4), "met" if each.met else FAILED]
+        [each.requirement.text, f"{figure(100.0 * each.value / each.requirement.limit, 4)} %",
+         view.axes[min(each.axis, len(view.axes) - 1)], figure(RPM * found.value[each.step], 4),
+         "met" if each.met else FAILED]
         for each in verdicts
     ]  # fmt: skip
-    head = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "axis", "at, rpm>", "")
+    head = ("requirement", "largest, of it>", "axis", "at, rpm>", "")
     failures = tuple(f"{point}: {each.requirement.text} is not met" for each in verdicts if not each.met)
-    words = f"{found.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
+    words = f"{view.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
     met = sum(each.met for each in verdicts)
     summary = f"{met} of {len(rows)} met at {point}"
     return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)

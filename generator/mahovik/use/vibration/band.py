@@ -33,10 +33,10 @@ def check_band(name: str, band: Sequence[float]) -> tuple[float, float]:
     return float(band[0]), float(band[1])
 
 
-def read_band(name: str, value: Sequence[float] | str) -> tuple[float, float]:
-    """An argument that is a band, in Hz: two numbers, or a text as "20..200Hz". Raises UsageError."""
+def read_band(name: str, value: Sequence[float | str] | str) -> tuple[float, float]:
+    """An argument that is a band, in Hz: two frequencies, or a text as "20..200Hz". Raises UsageError."""
     if not isinstance(value, str):
-        return check_band(name, value)
+        return check_band(name, [read_frequency(name, each) if isinstance(each, str) else each for each in value])
     low, dots, high = value.partition("..")
     unit = re.sub(r"^[-+\d.eE\s]+", "", high)
     if not (dots and low.strip() and unit):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -229,8 +230,7 @@ class Chain:
         for i in range(0, S, step):
             at = slice(i, i + step)
             wrench = np.broadcast_to(turned[at, None], (*omega[at].shape, *turned.shape[1:]))
-            none = np.zeros_like(wrench)
-            motion = self.motion(speeds[at], omega[at], wrench, lambda w, on=wrench, no=none: on if w == s else no)
+            motion = self.motion(speeds[at], omega[at], wrench, partial(_of_wheel, s, wrench))
             a[at] = self.seen.linear(motion)
             for p in range(len(parts) if self.makers.structure is not None else 0):
                 mounts = self.mounts(speeds[at], omega[at], motion.pose[..., p])
@@ -246,6 +246,11 @@ class Chain:
         found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
         gains = np.stack(found, axis=-1)
         return np.where(signed[..., None] < 0.0, gains.conj(), gains)
+
+
+def _of_wheel(s: int, wrench: Complex, wheel: int) -> Complex:
+    """The wrench of a wheel where it is that of wheel s alone."""
+    return wrench if wheel == s else np.zeros_like(wrench)
 
 
 def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:

@@ -67,11 +67,11 @@ def read_columns(
         if len(cells) != len(found):
             raise refuse(path, i, f"{len(cells)} cells, but the header has {len(found)}")
     numbers, words = dict[str, Array](), dict[str, list[str]]()
-    for (name, scale), cells in zip(columns, zip(*rows, strict=True), strict=True):
+    for (name, scale), column in zip(columns, zip(*rows, strict=True), strict=True):
         if name in texts:
-            words[name] = [cell.strip() for cell in cells]
+            words[name] = [cell.strip() for cell in column]
         else:
-            numbers[name] = np.array([_number(path, i, name, cell) * scale for i, cell in enumerate(cells)])
+            numbers[name] = np.array([_number(path, i, name, cell) * scale for i, cell in enumerate(column)])
     return Columns(path, numbers, words, len(rows))
 
 

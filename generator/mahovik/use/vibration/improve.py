@@ -90,7 +90,7 @@ class Freedom:
         start = speeds + np.linalg.pinv(axes, rcond=RANK) @ (wanted - axes @ speeds)
         motors = [math.inf if s.motor is None or s.motor.speed is None else s.motor.speed for s in stand.flywheels]
         limits = np.minimum(np.array(motors), math.inf if limit is None else limit)
-        return Freedom(_within(start, right[rank:].T, limits), right[rank:].T, axes, limits, tuple(avoid))
+        return Freedom(start_within_limits(start, right[rank:].T, limits), right[rank:].T, axes, limits, tuple(avoid))
 
     def allows(self, speeds: Array) -> Flags:
         """Whether speeds (S, N) are within the limits and avoid what they must."""
@@ -152,7 +152,7 @@ def _draw(P: int, pairs: int, d: int, rng: np.random.Generator) -> list[int]:
     return sorted({int(rng.integers(0, pairs if rng.random() < 0.7 else P)) for _ in range(k)})
 
 
-def _within(start: Array, nullspace: Array, limit: Array) -> Array:
+def start_within_limits(start: Array, nullspace: Array, limit: Array) -> Array:
     """Speeds of the momentum of `start` within the limits, the start itself where it is. Raises CheckError."""
     bounded = np.isfinite(limit)
     if (np.abs(start) <= limit).all():

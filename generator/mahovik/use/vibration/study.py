@@ -84,8 +84,7 @@ class Vibration:
     whole      by step: solutions of the whole equations, or why there is none
     problems   by step: why there is no steady motion, or an inaccurate one; no requirement is met there
     off        largest difference of the linear equations' RMS from the whole ones', where both are known
-    coarse     a speed (rad/s) near which time ended the search of the largest amplitude; None: it is the true one
-    cut        whether time ended it before all was solved
+    coarse     a speed (rad/s) near which `go_on` ended the search of the largest amplitude; None: it is the true one
     """
 
     scene: Scene
@@ -99,7 +98,6 @@ class Vibration:
     problems: dict[int, str]
     off: float = 0.0
     coarse: float | None = None
-    cut: bool = False
 
     @property
     def seen(self) -> Observable:
@@ -199,12 +197,13 @@ class _Study:
         orders = [{*orders_of(self.scene), *(tables[s].order if s in tables else ())} for s in self.plan.names]
         value = merged(self.plan, value, resonances(self.scene, self.plan, steps, orders, self.chain.modes))
         value, _ = self.refine(value, lambda value: self.result(value, noisy=False))
-        found, rows = self.result(value), np.linspace(0, len(value) - 1, COMPARED).astype(int).tolist()
-        while rows and self.solve(value[rows]):  # what is largest by the linear equations need not stay so
+        rows = np.linspace(0, len(value) - 1, COMPARED).astype(int).tolist()
+        self.solve(value[self.largest(self.result(value)) + rows])
+        found = self.result(value)
+        while (rows := self.largest(found)) and self.solve(value[rows]):  # the largest need not stay so
             found = self.result(value)
-            rows = self.largest(found)
         if found.off <= FAR_OFF or self.cut:
-            return found
+            return replace(found, coarse=float(value[found.largest().step]) if self.cut else None)
         value, coarse = self.refine(value, lambda value: self.result(value) if self.solve(value) else None)
         return replace(self.result(value), coarse=coarse)
 
@@ -264,7 +263,7 @@ class _Study:
         noises = self.noise(value, set(whole)) if noisy else np.zeros((len(self.bands), len(value), 3))
         found = Vibration(
             self.scene, self.plan, self.chain, value, self.phases, lines, dict(zip(self.bands, noises, strict=True)),
-            spectra, problems, off, cut=self.cut,
+            spectra, problems, off,
         )  # fmt: skip
         return replace(found, problems=problems | self.inaccurate(found))
 
