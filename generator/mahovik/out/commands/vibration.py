@@ -13,6 +13,7 @@ from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
+    from mahovik.out.report.plots import Panel
     from mahovik.use.vibration.speeds import Asked
     from mahovik.use.vibration.study import Verdict
     from mahovik.use.vibration.study import Vibration as Study
@@ -335,7 +336,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
             messages=messages,
             ok=ok,
             details=[*details, "phase"],
-            drawings=(_draw_orders,),
+            panels=_picture(found, sums, swept=False),
         )
     largest, listed = found.largest(band), _line_columns(found, band)
     wheel = found.plan.names[found.plan.swept or 0]
@@ -354,7 +355,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
         messages=[line, *messages],
         ok=ok,
         details=[*details, "swept", "peak", *(each.name for each in listed)],
-        drawings=(_draw_sweep,),
+        panels=_picture(found, sums, swept=True),
     )
 
 
@@ -392,34 +393,23 @@ def _line_columns(found: Study, band: Interval | None) -> list[Column]:
     return [column(lines.names[i].text, found.seen.measure.unit, size[:, i]) for i in listed]
 
 
-def _drawn_unit(found: Result) -> tuple[str, float]:
-    """Unit of a picture, and how many there are of it in the SI unit: seconds of arc for what turns."""
-    unit = found.units["rms"]
-    return (f"arcsec{unit[3:]}", 648000.0 / np.pi) if unit.startswith("rad") else (unit, 1.0)
-
-
-def _draw_orders(found: Result, ax: Any) -> None:
-    """A stem a line, over its frequency."""
-    unit, scale = _drawn_unit(found)
-    size = scale * np.linalg.norm(found["amplitude"], axis=1)
-    ax.vlines(found["frequency"], 0.0, size)
-    ax.plot(found["frequency"], size, "o", markersize=3)
-    for wheel, order, f, a in list(zip(found["wheel"], found["order"], found["frequency"], size, strict=True))[:5]:
-        ax.annotate(f"{order:g} x {wheel}", (f, a), xytext=(3, 3), textcoords="offset points")
-    ax.set(xlabel="frequency, Hz", title=f"{found['quantity']} of {found['at']}, {unit}, 0 to peak", ylim=(0.0, None))
-
-
-def _draw_sweep(found: Result, ax: Any) -> None:
-    """Worst case and RMS over the swept speed, root of the sum of squares of the axes."""
+def _picture(found: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
+    """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
     from mahovik.contract.quantities import RPM
+    from mahovik.out.report.plots import ARCSEC, Line, Panel, stems
 
-    unit, scale = _drawn_unit(found)
-    x, sums = RPM * found["speeds"], {name: scale * np.linalg.norm(found[name], axis=1) for name in ("worst", "rms")}
-    order = np.argsort(x)
-    for name, values in sums.items():
-        ax.plot(x[order], values[order], label={"worst": "worst case over phases", "rms": "RMS"}[name])
-    high = np.nanmax(sums["worst"], initial=0.0)
-    if high > 0.0 and high > 50.0 * np.nanmedian(sums["worst"]):
-        ax.set(yscale="log", ylim=(max(1e-5 * high, 0.5 * np.nanmin(sums["rms"][sums["rms"] > 0.0])), 2.0 * high))
-    ax.set(xlabel=f"speed of {found['swept']}, rpm", title=f"{found['quantity']} of {found['at']}, {unit}")
-    ax.legend(frameon=False)
+    seen, unit, scale = found.seen, found.seen.measure.unit, 1.0
+    if unit.startswith("rad"):
+        unit, scale = f"arcsec{unit[3:]}", ARCSEC
+    title = f"{seen.quantity} of {seen.name}, {unit}"
+    if not swept:
+        size = scale * np.linalg.norm(found.lines.amplitude[0], axis=1)
+        lines, end = stems("", found.lines.frequency[0], size), 1.1 * float(found.lines.frequency.max(initial=1.0))
+        return [Panel(f"{title}, 0 to peak", (lines,), abscissa="frequency, Hz", height=1.6, span=(0.0, end))]
+    x, order = RPM * found.value, np.argsort(found.value)
+    names = {"worst": "worst case over phases", "rms": "RMS"}
+    size = scale * np.linalg.norm(np.stack([sums[name] for name in names]), axis=2)[:, order]
+    drawn = tuple(Line(words, x[order], y, k) for k, (words, y) in enumerate(zip(names.values(), size, strict=True)))
+    steep = bool(np.nanmax(size[0]) > 50.0 * np.nanmedian(size[0]) > 0.0)
+    words, span = f"speed of {found.plan.names[found.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))
+    return [Panel(title, drawn, log=steep, abscissa=words, height=2.6, span=span)]
