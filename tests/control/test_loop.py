@@ -24,7 +24,7 @@ from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
 from mahovik.use.control.record import following
 from mahovik.use.numeric import mount_axes
-from mahovik.use.plan.runup.boundary import transient_family
+from mahovik.use.plan.transient import TransientFamily
 from strategies import stands
 from verify.programme.programmes import shaker
 
@@ -78,7 +78,7 @@ def test_a_run_up_is_followed_from_rest() -> None:
     """Torques of the run-up are fed forward: flywheels stay on it, though the carrier is where it likes."""
     stand, motion, programme = shaker()
     t = np.linspace(0.0, 0.5, 201)
-    family = transient_family(programme, 0.5, t, up=True)
+    family = TransientFamily.of(programme, 0.5, t, up=True)
     table = RunUpTable(0.5, Samples(t, *family.angles(np.zeros((2, family.P)))))
     with_table = type(wanted()).of(stand, motion, replace(programme, runup=table), 64)
     record = close_loop(Case(with_table, stand, servo(), 2, start="rest"))

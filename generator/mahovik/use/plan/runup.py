@@ -1,4 +1,7 @@
-"""Solve a run-up or run-down: coarse nodes first, then bounds, then nodes fine enough to trust; table and report."""
+"""Run-up from rest into a periodic programme, and run-down: by shooting, the carrier free to deviate on the way.
+
+Coarse nodes first, then bounds, then nodes fine enough to trust; the table and its report.
+"""
 
 from __future__ import annotations
 
@@ -7,28 +10,33 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError
-from mahovik.use.numeric import Array, Mechanics
+from mahovik.use.numeric import Mechanics
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.runup.boundary import NODES, Boundary, Flight, boundary
-from mahovik.use.plan.runup.newton import measure, nonzero_mask, reduce_excess, shares, shoot
+from mahovik.use.plan.step import Range, Rules, descend, size
+from mahovik.use.plan.transient import KEEP, NODES, Boundary, Flight
 
 GOAL = 1e-8
 """Terminal error at the nodes, in amplitudes."""
 ACCEPTED_ERROR = 1e-6
 """Accepted terminal error of the table, with nodes twice as dense."""
+NOTHING = 1e-4
+"""Singular value of the derivatives of the terminal error (1/rad), or part of the largest, that counts as zero."""
+NEWTON = Rules(60, longest=0.5, span=60, rank=NOTHING, least=1.0, shrink=0.5, corrections=0)
+"""Shooting: two equations a freedom and more unknowns, steps of least length, or to the least additions."""
+INSIDE = Rules(24, longest=0.5, span=4, stall=0.9, rank=NOTHING, least=1.0)
+"""Steps towards the bounds that keep the terminal conditions."""
 
 _ATTEMPTS = ((6, 0.0), (10, 0.0), (10, 0.7), (10, 1.4), (14, 0.0))
 """Splines per flywheel, and range (rad) of the random first angles of rest about those of the plain fade."""
 RICHER = (12, 20)
 """Splines per flywheel, tried in order while a bound is exceeded."""
-_STEPS, _COARSE = 60, 1e-4
+_COARSE, _NO_LIMIT = 1e-4, 10**9
 
 Problems = Callable[[int, int], Boundary]
 """Problem for given numbers of nodes and splines."""
@@ -44,7 +52,6 @@ class RunUpSolution:
     attempts  1: the first
     """
 
-    problem: Boundary
     flight: Flight
     error: float
     steps: int
@@ -68,12 +75,12 @@ def solve(
 
     Raises CheckError: there is no rest, or no run-up was found.
     """
-    budget = budget or Budget(0)
+    budget = budget or Budget(_NO_LIMIT)
     rng = np.random.default_rng(seed)
     best = np.inf
 
     def problem(nodes: int, splines: int) -> Boundary:
-        return boundary(mechanics, motion, programme, duration, up=up, nodes=nodes, splines=splines)
+        return Boundary.of(mechanics, motion, programme, duration, up=up, nodes=nodes, splines=splines)
 
     which, where = ("run-up", "into the programme") if up else ("run-down", "to rest")
     for number, (splines, spread) in enumerate(_ATTEMPTS):
@@ -81,22 +88,22 @@ def solve(
             ended = "interrupted" if budget.interrupted else "cut by time"
             raise CheckError(f"{which}: {ended} after {number} of {len(_ATTEMPTS)} attempts, none was found")
         coarse = problem(NODES, splines)
-        c = np.zeros((mechanics.N, coarse.family.P))
-        c[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
+        added = np.zeros((mechanics.N, coarse.family.P))
+        added[:, 0] = spread * rng.uniform(-1.0, 1.0, mechanics.N)
         try:
-            flight, steps = shoot(coarse, coarse.fly(c), _COARSE, _STEPS, budget)
+            flight, steps = shoot(coarse.fly(added), _COARSE, budget)
             best = min(best, flight.size)
             if flight.size > _COARSE:
-                if not budget.is_spent() and is_out_of_reach(coarse, flight):
+                if not budget.is_spent() and is_out_of_reach(flight):
                     raise CheckError(
                         f"{which}: the surroundings cannot absorb the momentum of the programme, so no "
                         "run-up or run-down exists; a programme of rocking flywheels may have no momentum"
                     )
                 continue
-            found = _refine_nodes(problem, *_reduce_excess(problem, coarse, flight, motion.bounds, budget))
+            found, error = _refine_nodes(problem, _keep_bounds(problem, flight, motion.bounds, budget))
         except StateError:
             continue
-        return RunUpSolution(*found, steps, number + 1)
+        return RunUpSolution(found, error, steps, number + 1)
     ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
@@ -104,70 +111,65 @@ def solve(
     )
 
 
-def is_out_of_reach(problem: Boundary, flight: Flight) -> bool:
+def shoot(start: Flight, goal: float, budget: Budget) -> tuple[Flight, int]:
+    """Newton steps until the terminal error meets the goal or falls no more: the best flight, number of steps."""
+    run = descend(start.within(Bounds()), NEWTON, budget, lambda flight: flight.size <= goal)
+    return run.point, run.steps
+
+
+def is_out_of_reach(flight: Flight) -> bool:
     """Whether the remaining terminal error cannot be reduced by any flywheel motion, to first order."""
-    J, _ = problem.sensitivity(problem.linearise_again(flight))
-    U, sigma, _ = np.linalg.svd(J)
-    lost = U[:, ~nonzero_mask(sigma)].T @ flight.error
-    return float(np.linalg.norm(lost)) > 0.5 * float(np.linalg.norm(flight.error))
+    A = flight.model().A
+    left = flight.c - A @ Range.of(A, NOTHING, 1.0, null=False).least(flight.c)
+    return size(left) > 0.5 * size(flight.c)
 
 
-def _reduce_excess(
-    problem: Problems, own: Boundary, flight: Flight, bounds: Bounds, budget: Budget
-) -> tuple[Boundary, Flight]:
-    """Bring a flight inside the bounds or nearer to them: more splines while bounds are exceeded and time is left."""
-    tried = [(own, flight)]
-    if shares(own, flight, bounds).excess > 0.0:
-        flight = reduce_excess(own, flight, bounds, budget)
-        tried.append((own, flight))
-    for splines in RICHER:
-        if shares(own, flight, bounds).largest <= 1.0:
-            return own, flight
-        if budget.is_spent():
+def _keep_bounds(problem: Problems, flight: Flight, bounds: Bounds, budget: Budget) -> Flight:
+    """A flight inside the bounds or nearer to them: more splines while bounds are exceeded and time is left."""
+    tried = [flight]
+    for splines in (0, *RICHER):
+        if flight.largest(bounds) <= (1.0 if splines else KEEP) or budget.is_spent():
             break
-        richer = problem(NODES, splines)
-        added = own.family.basis[0] @ flight.c.T
-        c = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
-        try:
-            there = shoot(richer, richer.fly(c), _COARSE, _STEPS, budget)[0]
-        except StateError:
-            break
-        if there.size > _COARSE:
-            break
-        own, flight = richer, reduce_excess(richer, there, bounds, budget)
-        tried.append((own, flight))
-    return min(tried, key=lambda each: shares(each[0], each[1], bounds).largest)
+        if splines:
+            richer = problem(NODES, splines)
+            added = flight.problem.family.basis[0] @ flight.added.T
+            added = np.linalg.lstsq(richer.family.basis[0], added, rcond=None)[0].T
+            try:
+                flight = shoot(richer.fly(added), _COARSE, budget)[0]
+            except StateError:
+                break
+            if flight.size > _COARSE:
+                break
+        inside = descend(flight.within(bounds), INSIDE, budget, lambda point: point.largest(bounds) <= KEEP).point
+        inside = shoot(inside, _COARSE, budget)[0]
+        if inside.size <= _COARSE and inside.largest(bounds) < flight.largest(bounds):
+            flight = inside
+        tried.append(flight)
+    return min(tried, key=lambda each: each.largest(bounds))
 
 
-def _refine_nodes(problem: Problems, coarse: Boundary, start: Flight) -> tuple[Boundary, Flight, float]:
-    """Refine the nodes until the table of the solution ends accurately: problem, flight, terminal error of the table.
+def _refine_nodes(problem: Problems, coarse: Flight) -> tuple[Flight, float]:
+    """Refine the nodes until the table of the solution ends accurately: flight, terminal error of the table.
 
     Raises StateError if even the densest table does not.
     """
-    before, flight, nodes = coarse, start, 2 * NODES
-    splines = coarse.family.P - 1
+    flight, nodes, splines = coarse, 2 * NODES, coarse.problem.family.P - 1
     own = problem(nodes, splines)
     while nodes <= DENSEST:
-        flight = own.fly(flight.c, guess=interpolate_states(before, own, flight.course.y))
-        flight = shoot(own, flight, GOAL, 6)[0]
+        flight = own.fly(flight.added, guess=flight.problem.interpolate(flight.course.y, own))
+        flight = shoot(flight, GOAL, Budget(6))[0]
         nodes *= 2
         denser = problem(nodes, splines)
-        error = denser.table_error(table_of(own, flight), interpolate_states(own, denser, flight.course.y))
+        error = denser.table_error(table_of(flight), own.interpolate(flight.course.y, denser))
         if error <= ACCEPTED_ERROR:
-            return own, flight, error
-        before, own = own, denser
+            return flight, error
+        own = denser
     raise StateError("the motion is too rough for the densest nodes")
 
 
-def table_of(problem: Boundary, flight: Flight) -> Samples:
+def table_of(flight: Flight) -> Samples:
     """Table with a row at every second node."""
-    angles = problem.family.angles(flight.c)
-    return Samples(problem.family.t[::2], *(x[::2] for x in angles))
-
-
-def interpolate_states(own: Boundary, other: Boundary, y: Array) -> Array:
-    """States y at the nodes of `own`, interpolated at those of `other`."""
-    return np.asarray(CubicSpline(own.family.t, y)(other.family.t))
+    return Samples(flight.problem.family.t[::2], *(x[::2] for x in flight.angles))
 
 
 UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
@@ -194,7 +196,7 @@ def with_runup(
     report: dict[str, Any] = dict(programme.report)
     whole = budget or Budget(0)
     for key, up in (("runup", True), ("rundown", False)):
-        own = Budget(0, whole.seconds_left(0.5 if up else 1.0), interrupted=whole.interrupted)
+        own = Budget(_NO_LIMIT, whole.seconds_left(0.5 if up else 1.0), interrupted=whole.interrupted)
         if say is not None:
             say("run-up" if up else "run-down")
         try:
@@ -205,7 +207,7 @@ def with_runup(
         except CheckError as error:
             tables[key], report[key] = None, {"reason": str(error)}
         else:
-            table = RunUpTable(motion.runup, table_of(found.problem, found.flight))
+            table = RunUpTable(motion.runup, table_of(found.flight))
             tables[key], report[key] = table, runup_figures(found, motion, stand)
     return replace(programme, runup=tables["runup"], rundown=tables["rundown"], report=report)
 
@@ -223,11 +225,11 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
 
 def runup_figures(found: RunUpSolution, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
     """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
-    values, t = measure(found.problem, found.flight), found.problem.family.t
-    name = "run-up" if found.problem.up else "run-down"
+    values, t = found.flight.values, found.flight.problem.family.t
+    name = "run-up" if found.flight.problem.up else "run-down"
     at = np.argmax(values["deviation"], axis=0)
     exceeded = []
-    for bound, share in shares(found.problem, found.flight, motion.bounds).by_name.items():
+    for bound, share in found.flight.shares(motion.bounds).items():
         i, k = np.unravel_index(int(np.argmax(share)), share.shape)
         if share[i, k] > 1.0:
             value = abs(float(values[bound][i, k]))
