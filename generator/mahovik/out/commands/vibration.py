@@ -336,7 +336,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
             messages=messages,
             ok=ok,
             details=[*details, "phase"],
-            panels=_picture(found, sums, swept=False),
+            drawings=_picture(found, sums, swept=False),
         )
     largest, listed = found.largest(band), _line_columns(found, band)
     wheel = found.plan.names[found.plan.swept or 0]
@@ -355,7 +355,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
         messages=[line, *messages],
         ok=ok,
         details=[*details, "swept", "peak", *(each.name for each in listed)],
-        panels=_picture(found, sums, swept=True),
+        drawings=_picture(found, sums, swept=True),
     )
 
 
