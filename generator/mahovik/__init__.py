@@ -67,7 +67,7 @@ _PLACES = {
     "example": "out.api.stands",
     "examples": "out.api.stands",
     "follow": "out.functions.following",
-    "generate": "out.functions.evidence",
+    "generate": "out.commands.generate",
     "identifiable": "out.api.identifying",
     "identify": "out.identify.face",
     "judge": "out.functions.judging",

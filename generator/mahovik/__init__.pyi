@@ -18,11 +18,11 @@ from mahovik.out.api.states import States as States
 from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.commands.check import check as check
 from mahovik.out.commands.eval import eval as eval
+from mahovik.out.commands.generate import generate as generate
 from mahovik.out.commands.modes import modes as modes
 from mahovik.out.commands.report import report as report
 from mahovik.out.commands.vibration import vibration as vibration
 from mahovik.out.functions.balancing import balance as balance
-from mahovik.out.functions.evidence import generate as generate
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.judging import judge as judge

@@ -39,12 +39,11 @@ def results() -> dict[str, Table]:
         "plan": planned(),
         "programme": made,
         "verify_programme": mahovik.verify_programme(shaker(), SPIN, made),
-        "generate": mahovik.generate(shaker()),
     }
 
 
 NAMES = (
-    "simulate", "plan", "programme", "verify_programme", "generate",
+    "simulate", "plan", "programme", "verify_programme",
 )  # fmt: skip
 
 

@@ -22,9 +22,6 @@ FORMER = {
     "replay": (("log.txt", DEMO3), (DEMO3, "--log", "log.txt")),
     "replay, log only": (("log.txt",), ("--log", "log.txt")),
     "verify-programme": ((SHAKER2, SPIN, "p.json"), (SHAKER2, "--motion", SPIN, "--programme", "p.json")),
-    "export programme": ((SHAKER2, "p.json"), (SHAKER2, "--programme", "p.json")),
-    "export target": (("m77", DEMO3), (DEMO3, "--target", "m77")),
-    "export target, stand first": ((DEMO3, "m77"), (DEMO3, "--target", "m77")),
 }
 """Command: arguments in another order, and in the order of all commands."""
 

@@ -125,7 +125,7 @@ def test_options_of_periodic_programmes_are_refused(files: dict[str, str], more:
 def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp_path: Path) -> None:
     board = str(tmp_path / "board")
     assert run("generate", files["sat.toml"], "-o", board).exit_code == 0
-    assert run("export", "servo", *arguments(files), "-o", board).exit_code == 0
+    assert run("generate", *arguments(files), "-o", board).exit_code == 0
     judge = ["verify", files["sat.toml"], "--servo", files["S.toml"], "--against", board, "--motion", files["M.json"]]
     said = run(*judge, "--programme", files["P.json"], "--states", "20", "--json")
     assert said.exit_code == 0, said.output

@@ -69,6 +69,7 @@ COMMANDS: dict[str, dict[str, str]] = {
         "check": "Validate a stand; print its figures.",
     },
     "Its C, and the evidence": {
+        "generate": "Write the C of a stand, or a project around it.",
         "eval": "Evaluate states from standard input.",
     },
     "Motion and vibration": {

@@ -18,5 +18,5 @@ $follow
 sed 's/0.5 ms/0.5 mm/; s/latency/latencie/' servo.toml > bad.toml
 $follow --servo bad.toml
 mahovik generate shaker2.toml -o c --only forward > generate.log
-mahovik export servo shaker2.toml $spin --programme p.json --servo servo.toml -o c
-mahovik export programme $STANDS/demo3.toml --programme p.json -o table
+mahovik generate shaker2.toml $spin --programme p.json --servo servo.toml -o c
+mahovik generate $STANDS/demo3.toml --programme p.json -o table

@@ -13,9 +13,9 @@ from mahovik.errors import MahovikError
 
 OLD = {
     "Not yet functions": (
-        *("new", "import", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
+        *("new", "import", "verify", "judge", "cost", "evidence", "judge-log"),
         *("simulate", "replay", "balance", "identify", "campaign"),
-        *("plan", "verify-programme", "export"),
+        *("plan", "verify-programme"),
     )
 }
 

@@ -290,7 +290,7 @@ def verify_programme(
     """Verify that a programme makes the carrier move as required, by the literal reference alone.
 
     tolerance  of the relative residual; None: 1e-6, with damping of V|V| 1e-5
-    against    folder of the C that `export programme` wrote: each of its functions is judged too; `name`: of that C
+    against    folder of the C that `generate --programme` wrote: each of its functions is judged too; `name`: of that C
 
     Raises StandError, MotionError, ProgrammeError, ToolchainError.
     """
