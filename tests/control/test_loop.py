@@ -14,6 +14,7 @@ from mahovik import stands as examples
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.stand import Stand, load
+from mahovik.core.stand.frames import placement
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
@@ -23,7 +24,6 @@ from mahovik.use.control.loop import Case, close_loop, starting_state
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
 from mahovik.use.control.record import following
-from mahovik.use.numeric import mount_axes
 from mahovik.use.plan.transient import TransientFamily
 from strategies import stands
 from verify.programme.programmes import shaker
@@ -134,7 +134,7 @@ def test_every_number_that_is_measured_is_wrong() -> None:
         assert own.center_of_mass != other.center_of_mass
         assert np.abs(inertia_about_center(own) - inertia_about_center(other)).diagonal().min() > 0.0
         assert own.position != other.position
-        turned = mount_axes(own).T @ mount_axes(other)
+        turned = placement(own)[1].T @ placement(other)[1]
         angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
         assert 0.0 < angle <= SHARE
         assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
