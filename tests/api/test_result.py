@@ -113,9 +113,9 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib").use("Agg")
     from matplotlib import pyplot
 
-    found = Result("run", (column("t", "s", [0.0, 1.0]), Column("x", "m", np.array([1.0, 2.0]))), index="t")
+    found = Result("run", (column("t", "s", [0.0, 1.0]), Column("height", "m", np.array([1.0, 2.0]))), index="t")
     (axes,) = found.plot()
-    assert axes.get_xlabel() == "t, s" and axes.get_title() == "x, m" and len(axes.lines) == 1
+    assert axes.get_xlabel() == "t, s" and axes.get_title(loc="left") == "height, m" and len(axes.lines) == 1
     _, ax = pyplot.subplots()
     assert found.plot(ax) is ax and ax.lines
     with pytest.raises(mahovik.UsageError, match="2 axes are given, but run has 1 panels"):

@@ -1,4 +1,4 @@
-"""Files that other programs read: units of an FMU, and the seal of a folder of evidence; speeds that `quiet` avoids.
+"""Units of an FMU, the seal of a folder of evidence, frequencies that a search of speeds avoids.
 
 In FMI a display unit says how many of it are one SI unit: 1 rad is 180 / pi degrees, 1 rad/s is 30 / pi turns a
 minute. A mass of 20 kg on springs of the stiffness k swings at `sqrt(k / 20) / 2 pi` Hz.
@@ -12,11 +12,14 @@ from pathlib import Path
 
 import pytest
 
-import mahovik
 from by_hand.stands import stand, wheel
 from mahovik.core.stand import rest_state
+from mahovik.out.commands.vibration import avoided_bands
 from mahovik.out.export.fmu import export_fmu
 from mahovik.proof.evidence import check, seal
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.study import vibration
+from mahovik.use.vibration.view import find_view
 
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])
@@ -65,11 +68,9 @@ def test_natural_frequencies_are_avoided_on_both_sides() -> None:
         *(wheel(name, unbalance={"static": "1 g mm"}) for name in "ab"), suspension=springs, point=[{"name": "eye"}]
     )
 
-    def broken(hertz: float) -> tuple[str, ...]:
-        speeds = {"a": 2 * pi * hertz, "b": 2 * pi * hertz}
-        quiet = mahovik.quiet(sprung, "eye", (100.0, 400.0), speeds=speeds, modes=True, orders=(1,))
-        return quiet.result.broken_options
-
-    options = {hertz: broken(hertz) for hertz in (13.0, 14.0, 16.0, 17.0)}
-    assert options == {13.0: (), 14.0: ("--avoid",), 16.0: ("--avoid",), 17.0: ()}
-    assert sqrt(k / 20) / (2 * pi) == pytest.approx(15.0)
+    found = vibration(sprung, read_speeds(sprung, 0.0), find_view(sprung, "eye"))
+    f = 15.0
+    kept = [(round(low, 3), round(high, 3)) for low, high in avoided_bands(found, "modes") if high < 20.0]
+    assert kept == [(0.9 * f, 1.1 * f)] * 2  # along x and y
+    assert avoided_bands(found, ["40Hz", "50..60Hz"]) == [pytest.approx((36.0, 44.0)), (50.0, 60.0)]
+    assert sqrt(k / 20) / (2 * pi) == pytest.approx(f)

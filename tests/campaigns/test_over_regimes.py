@@ -33,8 +33,8 @@ WANTED: dict[str, Keys] = {
 
 def columns(stand: mahovik.Stand, until: float, **options: Any) -> dict[str, np.ndarray]:
     """The columns of a simulation by name."""
-    run = mahovik.simulate(stand, until=until, mounts=True, **options)
-    return {f"{one.name} [{one.unit}]" if one.unit else one.name: one.values for one in run.columns}
+    run = mahovik.simulate(stand, until, mounts=True, **options).run
+    return dict(zip(run.names, run.data.T, strict=True))
 
 
 def vector(found: dict[str, np.ndarray], names: str, what: str) -> np.ndarray:
@@ -163,7 +163,7 @@ def test_a_stand_without_equilibrium_needs_a_start() -> None:
         )
 
 
-def test_constant_speeds_are_those_of_response() -> None:
+def test_constant_speeds_are_those_of_vibration() -> None:
     """RMS above 0 Hz and within a band, of all axes and of one."""
     speeds = {"rw1": "3000 rpm", "rw2": "-1500 rpm"}
     wanted: dict[str, Keys] = {
@@ -177,10 +177,10 @@ def test_constant_speeds_are_those_of_response() -> None:
     values, reasons = own.values(tables)
     assert not any(reasons)
     stand = tables.stand(1)
-    found = mahovik.response(stand, speeds, "acc1", band=(20.0, 30.0), phases={"rw2": "40 deg"})
-    columns = {column.name: float(column.values[0]) for column in found.columns}
-    for name, column in (("a", "rms xyz"), ("low", "band rms xyz"), ("y", "rms y")):
-        assert_allclose(values[name][1], columns[column], rtol=1e-12)
+    asked: dict[str, Any] = {"speed": speeds, "at": "acc1", "quantity": "acceleration", "phase": {"rw2": "40 deg"}}
+    rms, low = (mahovik.vibration(stand, **asked, band=band)["rms"] for band in (None, (20.0, 30.0)))
+    for name, wanted_rms in (("a", np.linalg.norm(rms)), ("low", np.linalg.norm(low)), ("y", rms[1])):
+        assert_allclose(values[name][1], wanted_rms, rtol=1e-8)
     assert 0.0 < values["turn"][1] < 1e-5
 
 
@@ -239,11 +239,13 @@ def test_a_programme_with_servos_is_that_of_follow(tmp_path: Path) -> None:
     mass = stand.carrier.mass
     values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([mass, 1.01 * mass])}))
     assert not any(reasons)
-    files = {"motion": "m.json", "programme": "p.json", "servo": "servo.toml"}
-    found = mahovik.simulate(stand, **{name: tmp_path / file for name, file in files.items()}, periods=12)
-    assert values["share"][0] == found["error"]
-    assert values["z"][0] == found["coordinates"]["rms"][2]
-    assert values["tau"][0] == found["peak_torque"][0]
+    found = mahovik.follow(
+        stand, tmp_path / "m.json", tmp_path / "p.json", tmp_path / "servo.toml", periods=12, causes=False
+    )
+    assert found.errors is not None
+    assert values["share"][0] == found.errors.share
+    assert values["z"][0] == found.errors.rms[2]
+    assert values["tau"][0] == np.abs(found.record.tau[:, 0]).max()
     assert values["share"][1] > 100 * values["share"][0]
 
 

@@ -10,13 +10,13 @@ from cli.run import DEMO3, run
 from mahovik import stands
 
 SHAKER2 = str(stands.path("shaker2"))
-RESPONSE = ("response", SHAKER2, "--at", "carrier", "--speed", "left=0..100rpm", "--steps", "3")
+VIBRATION = ("vibration", SHAKER2, "--at", "carrier", "--speed", "left=0..100rpm", "--steps", "3")
 SIMULATE = ("simulate", DEMO3, "--until", "0.002")
 
 
 @pytest.mark.parametrize(
     "arguments",
-    [RESPONSE, SIMULATE, ("modes", DEMO3), ("derive", DEMO3), ("new", "demo3")],
+    [VIBRATION, SIMULATE, ("modes", DEMO3), ("report", DEMO3), ("new", "demo3")],
     ids=lambda each: each[0],
 )
 def test_a_device_and_a_link_to_one_need_no_ending(arguments: tuple[str, ...], tmp_path: Path) -> None:

@@ -51,9 +51,9 @@ def folder(delivered: Path, tmp_path: Path) -> Path:
 
 def generate(folder: Path, *options: str) -> str:
     """Writes C and self-test into the folder; returns what is said beside the list of files."""
-    result = run("generate", DEMO3, "-o", str(folder), "--with", "selftest", *options)
+    result = run("generate", DEMO3, "-o", str(folder), "--with", "selftest", *options, "--json")
     assert result.exit_code == 0, result.output
-    return "".join(f"{line}\n" for line in result.output.splitlines() if not line.endswith(" lines"))
+    return result.stderr + "".join(f"{line}\n" for line in json.loads(result.stdout)["messages"])
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -99,7 +99,7 @@ def test_again_touches_nothing_that_is_the_same(folder: Path) -> None:
 def test_check_finds_what_was_changed_or_lost_and_writes_nothing(folder: Path) -> None:
     """A folder of the other element type differs in every file: that is one line."""
     check = ("generate", DEMO3, "-o", str(folder), "--check")
-    assert run(*check).output == f"{folder}   as the stand file gives it\n"
+    assert run(*check).output == f"{folder} is as the stand file gives it\n"
     said = refused(*check, "--real", "float", status=1)
     assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"
     for name in ("demo3.c", "verification/demo3_selftest.c", "manifest.json"):
@@ -184,11 +184,11 @@ def test_a_page_of_cost_that_was_measured_on_other_c_is_removed_and_that_of_othe
 def test_a_project_and_a_delivered_folder_are_not_mixed(folder: Path, tmp_path: Path) -> None:
     """And the program of the user stays in a project."""
     before = contents(folder)
-    said = refused("export", "target", DEMO3, "--target", "host", "-o", str(folder))
+    said = refused("generate", DEMO3, "--project", "host", "-o", str(folder))
     assert said.startswith(f"error: {folder}: holds what `mahovik generate` delivers: ")
     assert contents(folder) == before
     project, program = tmp_path / "project", "int main(void) { return 0; }\n"
-    export = ("export", "target", DEMO3, "--target", "host", "-o", str(project))
+    export = ("generate", DEMO3, "--project", "host", "-o", str(project))
     assert run(*export).exit_code == 0
     before = contents(project)
     assert "holds the project of target host" in refused("generate", DEMO3, "-o", str(project))

@@ -66,7 +66,8 @@ def held_text(freedoms: str = 'freedoms = ["pitch"]') -> str:
 def exported(text: str, fmu: str, *options: str) -> None:
     Path("exported.toml").write_text(text, encoding="utf-8")
     Path("start.json").write_text("{}", encoding="utf-8")
-    result = run("export", "fmu", "exported.toml", *options, "--start", "start.json", "-o", fmu)
+    settings = [word for one in ("start=start.json", *options) for word in ("--fmu", one)]
+    result = run("generate", "exported.toml", "--project", "fmu", *settings, "-o", fmu)
     assert result.exit_code == 0, result.output
 
 
@@ -97,7 +98,7 @@ def test_a_right_fmu_agrees(fmu: Path) -> None:
 @pytest.mark.parametrize("freedoms", ['freedoms = ["pitch"]', 'freedoms = ["yaw", "x", "y"]', "axis = [0, 1, 1]"])
 def test_an_fmu_of_a_held_carrier_agrees(freedoms: str) -> None:
     """It refuses poses that the hold blocks, so it is asked in those that the hold allows."""
-    exported(held_text(freedoms), "held.fmu", "--inputs", "acceleration")
+    exported(held_text(freedoms), "held.fmu", "inputs=acceleration")
     result = run(*judged(held_text(freedoms), "held.fmu", HELD_MAP, "--states", "12", "--json"))
     assert result.exit_code == 0, result.output
     rows = {row["quantity"]: row["verdict"] for row in json.loads(result.stdout)["rows"]}
@@ -106,7 +107,7 @@ def test_an_fmu_of_a_held_carrier_agrees(freedoms: str) -> None:
 
 @pytest.mark.slow
 def test_a_wrong_number_of_an_fmu_is_named() -> None:
-    exported(FREE.replace("inertia = [0.2,", "inertia = [0.25,"), "heavy.fmu", "--version", "3.0", "--kind", "me")
+    exported(FREE.replace("inertia = [0.2,", "inertia = [0.25,"), "heavy.fmu", "version=3.0", "kind=me")
     result = run(*judged(FREE, "heavy.fmu", FREE_MAP, "--states", "4", "--explain", "--json"))
     assert result.exit_code == 1
     (found,) = json.loads(result.stdout)["diagnosis"]["found"]
@@ -116,7 +117,7 @@ def test_a_wrong_number_of_an_fmu_is_named() -> None:
 @pytest.mark.slow
 def test_a_wrong_number_of_a_held_fmu_is_named() -> None:
     wrong = held_text().replace("inertia = [0.02, 0.02,", "inertia = [0.02, 0.025,")
-    exported(wrong, "wrong.fmu", "--inputs", "acceleration")
+    exported(wrong, "wrong.fmu", "inputs=acceleration")
     result = run(*judged(held_text(), "wrong.fmu", HELD_MAP, "--states", "12", "--explain", "--json"))
     assert result.exit_code == 1
     (found,) = json.loads(result.stdout)["diagnosis"]["found"]

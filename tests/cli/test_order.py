@@ -22,15 +22,6 @@ FORMER = {
     "replay": (("log.txt", DEMO3), (DEMO3, "--log", "log.txt")),
     "replay, log only": (("log.txt",), ("--log", "log.txt")),
     "verify-programme": ((SHAKER2, SPIN, "p.json"), (SHAKER2, "--motion", SPIN, "--programme", "p.json")),
-    "export programme": ((SHAKER2, "p.json"), (SHAKER2, "--programme", "p.json")),
-    "export target": (("m77", DEMO3), (DEMO3, "--target", "m77")),
-    "export target, stand first": ((DEMO3, "m77"), (DEMO3, "--target", "m77")),
-    "plot": (("p.json", "-o", "p.svg"), ("--programme", "p.json", "-o", "p.svg")),
-    "plot, run": (("r.csv", "-o", "p.svg"), ("--run", "r.csv", "-o", "p.svg")),
-    "plot, stand": (
-        ("p.json", "--stand", SHAKER2, "--motion", SPIN, "-o", "p.svg"),
-        (SHAKER2, "--programme", "p.json", "--motion", SPIN, "-o", "p.svg"),
-    ),
 }
 """Command: arguments in another order, and in the order of all commands."""
 
@@ -45,7 +36,7 @@ def test_another_order_works_and_is_noted(case: str) -> None:
     assert (found.exit_code, found.stdout, rest) == (expected.exit_code, expected.stdout, expected.stderr)
     assert expected.stderr.startswith("error: ") and "note:" not in expected.stderr
     told = shlex.split(note.removeprefix("note: arguments have a new order, from now on write: "))
-    words = [each for each in ours if each not in ("-o", "p.svg")]
+    words = list(ours)
     assert told == ["mahovik", *command, *words, "..."]
 
 

@@ -30,8 +30,7 @@ buoyancy = { displaced_mass = 1e-9 }
     [
         ("modes",),
         ("simulate", "--until", "0.02", "--every", "0.01", "-o", "a.csv", "--backend", "scipy"),
-        ("response", "--speed", "w=600rpm", "--at", "carrier"),
-        ("jitter", "--speed", "w=600rpm", "--at", "carrier"),
+        ("vibration", "--speed", "w=600rpm", "--at", "carrier"),
     ],
 )
 def test_what_starts_from_a_turned_rest_pose_says_so(

@@ -12,6 +12,8 @@ from cli.run import BENCH8, DEMO3, refused
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
+        (("simulate", DEMO3, "--until", "1", "-o", "a.csv", "--regime"), "a regime file"),
+        (("simulate", DEMO3, "--programme", "p.json", "--motion", "m.json", "--servo"), "a servo file"),
         (("identify", DEMO3, "--free", "w*.unbalance", "-o", "new.toml", "--data"), "measured data"),
         (("identify", DEMO3, "--data", "d.csv", "-o", "new.toml", "--free"), "a file that names free numbers"),
         (("balance", DEMO3, "--data"), "measured data"),

@@ -29,8 +29,8 @@ NUMBERS = {"numpy", "pydantic"}
 CASES = {
     ("--help",): NOTHING,
     ("--version",): NOTHING,
-    ("generate", "--help"): NOTHING,
-    ("generate", BENCH8, "-o", "bench8"): NUMBERS | {"jinja2"},
+    ("generate", "--help"): {"numpy"},
+    ("generate", BENCH8, "-o", "bench8"): NUMBERS | {"jinja2", "rich"},
     ("verify", "--help"): NOTHING,
     ("new", "--list"): NOTHING,
     ("new", "demo3"): NOTHING,
@@ -41,7 +41,6 @@ CASES = {
     ("eval", BENCH8, "--backend", "casadi"): NUMBERS | {"casadi"},
     ("judge-log", "--log", "log"): NUMBERS | {"jinja2"},
     ("replay", "--log", "log"): NUMBERS | {"jinja2", "cffi"},
-    ("export", "--help"): NOTHING,
 }
 """What of these a command may import."""
 

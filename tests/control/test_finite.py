@@ -19,7 +19,7 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.write import dumps
 from mahovik.proof.verify.programme.verification import ARCSEC
-from mahovik.use.control.errors import errors_of
+from mahovik.use.control.finite import tracking
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
@@ -73,22 +73,21 @@ def heavier(share: float) -> Stand:
 @pytest.mark.parametrize("kind", ["attitude", "sight"])
 def test_a_slew_from_rest_ends_where_demanded(kind: str) -> None:
     record = close_loop(case(kind))
-    found = errors_of(record)
+    found = tracking(record)
     assert record.stopped is None
     assert found.amplitude[3:].max() > 0.1
     assert np.abs(record.V[0]).max() == 0.0
     assert found.slew is not None
-    assert found.slew["angle"] < 0.1 * ARCSEC
-    assert found.slew["rate"] < ARCSEC
-    assert found.share_end is not None
+    assert found.slew.angle < 0.1 * ARCSEC
+    assert found.slew.rate < ARCSEC
     assert 0.0 < found.share_end <= found.share < 1e-5
 
 
 @pytest.mark.slow
 def test_a_stand_with_more_inertia_turns_less_by_the_law_of_momentum() -> None:
-    found = errors_of(close_loop(case("attitude", heavier(0.02))))
+    found = tracking(close_loop(case("attitude", heavier(0.02))))
     assert found.slew is not None
-    assert found.slew["angle"] == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
+    assert found.slew.angle == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
     assert found.share_end == pytest.approx(found.share, rel=1e-3)
 
 
@@ -111,9 +110,9 @@ def arguments(files: dict[str, str]) -> list[str]:
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        (["--periods", "12"], "--periods 12: P.json is finite, and followed once"),
-        (["--begin", "settled"], "--begin settled: P.json is finite, and followed once"),
-        (["--table", "64"], "--table 64: P.json is finite, and followed once"),
+        (["--periods", "12"], "--periods 12: P.json is finite and is followed once"),
+        (["--begin", "settled"], "--begin settled: P.json is finite and begins in the required state"),
+        (["--table", "64"], "--table 64: P.json is finite, a table of its own"),
     ],
 )
 def test_options_of_periodic_programmes_are_refused(files: dict[str, str], more: list[str], words: str) -> None:
@@ -126,7 +125,7 @@ def test_options_of_periodic_programmes_are_refused(files: dict[str, str], more:
 def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp_path: Path) -> None:
     board = str(tmp_path / "board")
     assert run("generate", files["sat.toml"], "-o", board).exit_code == 0
-    assert run("export", "servo", *arguments(files), "-o", board).exit_code == 0
+    assert run("generate", *arguments(files), "-o", board).exit_code == 0
     judge = ["verify", files["sat.toml"], "--servo", files["S.toml"], "--against", board, "--motion", files["M.json"]]
     said = run(*judge, "--programme", files["P.json"], "--states", "20", "--json")
     assert said.exit_code == 0, said.output

@@ -14,17 +14,17 @@ from mahovik import stands as examples
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.stand import Stand, load
+from mahovik.core.stand.frames import placement
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.use.control.controller import Encoders
-from mahovik.use.control.errors import errors_of
 from mahovik.use.control.loop import Case, close_loop, starting_state
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
-from mahovik.use.numeric import mount_axes
-from mahovik.use.plan.runup.boundary import transient_family
+from mahovik.use.control.record import following
+from mahovik.use.plan.transient import TransientFamily
 from strategies import stands
 from verify.programme.programmes import shaker
 
@@ -34,7 +34,7 @@ Z = 2
 @pytest.mark.slow
 def test_without_mismatch_only_sampling_is_left() -> None:
     record = run(0.0, trim=False)
-    found = errors_of(record)
+    found = following(record, 10)
     assert record.stopped is None
     assert found.share < 1e-5
     assert found.apart.max() < 1e-5
@@ -43,7 +43,7 @@ def test_without_mismatch_only_sampling_is_left() -> None:
 
 @pytest.mark.slow
 def test_mismatch_disturbs_and_the_trim_takes_its_harmonics_away() -> None:
-    plain, trimmed = (errors_of(run(0.02, trim)) for trim in (False, True))
+    plain, trimmed = (following(run(0.02, trim), 10) for trim in (False, True))
     assert plain.share > 1e-3
     before, after = (f.harmonics[:2, Z].max() / f.amplitude[Z] for f in (plain, trimmed))
     assert before > 5e-3
@@ -78,7 +78,7 @@ def test_a_run_up_is_followed_from_rest() -> None:
     """Torques of the run-up are fed forward: flywheels stay on it, though the carrier is where it likes."""
     stand, motion, programme = shaker()
     t = np.linspace(0.0, 0.5, 201)
-    family = transient_family(programme, 0.5, t, up=True)
+    family = TransientFamily.of(programme, 0.5, t, up=True)
     table = RunUpTable(0.5, Samples(t, *family.angles(np.zeros((2, family.P)))))
     with_table = type(wanted()).of(stand, motion, replace(programme, runup=table), 64)
     record = close_loop(Case(with_table, stand, servo(), 2, start="rest"))
@@ -134,7 +134,7 @@ def test_every_number_that_is_measured_is_wrong() -> None:
         assert own.center_of_mass != other.center_of_mass
         assert np.abs(inertia_about_center(own) - inertia_about_center(other)).diagonal().min() > 0.0
         assert own.position != other.position
-        turned = mount_axes(own).T @ mount_axes(other)
+        turned = placement(own)[1].T @ placement(other)[1]
         angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
         assert 0.0 < angle <= SHARE
         assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
@@ -147,7 +147,7 @@ def test_every_number_that_is_measured_is_wrong() -> None:
 
 @pytest.mark.parametrize("share", [-0.01, 0.5, float("nan")])
 def test_a_share_out_of_range_is_refused(share: float) -> None:
-    with pytest.raises(UsageError, match="mismatch"):
+    with pytest.raises(UsageError, match="--mismatch"):
         with_mismatch(BENCH8, share, 1)
 
 

@@ -8,8 +8,7 @@ import sympy as sp
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
-from mahovik.core.derive.document.carrier import velocity_matrix
-from mahovik.core.derive.document.flywheel import in_mounting_axes
+from mahovik.core.derive.document import in_mounting_axes, velocity_matrix
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.derive.screw import L, Phi, Theta, blocks, cross, elementary, f
 from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector

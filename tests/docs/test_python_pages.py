@@ -15,7 +15,7 @@ FOLDER = ROOT / "docs" / "python"
 PLACES: dict[str, str] = vars(mahovik)["_PLACES"]
 FUNCTIONS = tuple(name for name in PLACES if PLACES[name].startswith("out.functions.") and name.islower())
 
-QUICK = ("balance", "jitter", "quiet", "response")
+QUICK = ("balance",)
 """Pages whose example takes about a second or less; the others plan, or need a compiler or a program."""
 
 each_function = pytest.mark.parametrize("name", FUNCTIONS)

@@ -336,7 +336,11 @@ def test_a_held_carrier_is_refused_with_what_to_use_instead() -> None:
 @pytest.mark.parametrize(
     ("text", "options", "message"),
     [
-        ("", LoopOptions(task="pointin"), r'--task pointin: stand "eye4" has no such task, did you mean "pointing"\?'),
+        (
+            "",
+            LoopOptions(task="pointin"),
+            r'attitude task pointin: stand "eye4" has no such task, did you mean "pointing"\?',
+        ),
         (
             ('rows = ["wx", "wy", "wz"]', 'rows = ["wx", "wy"]'),
             LoopOptions(),
@@ -346,8 +350,8 @@ def test_a_held_carrier_is_refused_with_what_to_use_instead() -> None:
         (("[task.pointing]", "[task.other]"), LoopOptions(task="pointing"), "has no such task"),
         ("", LoopOptions(rate=5.0, bandwidth=1.0), "too slow for a bandwidth of 1 Hz; expected 20.9 Hz or more"),
         ("", LoopOptions(momentum=3.0), r"above 70 % of its no-load speed; expected at most 1\.\d+ N m s"),
-        ("", LoopOptions(momentum=float("nan")), "--momentum nan: expected"),
-        ("", LoopOptions(bandwidth=0.0), "--bandwidth 0: expected a number above 0"),
+        ("", LoopOptions(momentum=float("nan")), "attitude momentum nan: expected"),
+        ("", LoopOptions(bandwidth=0.0), "attitude bandwidth 0: expected a number above 0"),
     ],
 )
 def test_wishes_that_cannot_be_met_are_refused(
@@ -391,7 +395,7 @@ def test_three_wheels_of_which_one_fails_are_refused() -> None:
     whole = load(path("eye4"))
     three = replace(whole, flywheels=whole.flywheels[1:])
     with pytest.raises(
-        UsageError, match=r'without its first flywheel "rw2" .* expected a fourth flywheel, or --failure none'
+        UsageError, match=r'without its first flywheel "rw2" .* expected a fourth flywheel, or failure=none'
     ):
         design_attitude(three, LoopOptions(momentum=0.1))
     assert design_attitude(three, LoopOptions(momentum=0.1, failure="none")).samples

@@ -94,7 +94,7 @@ def user(folder: Path, how: str) -> Path:
 def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The project of bench8."""
     folder = tmp_path_factory.mktemp("cmake") / "bench8"
-    result = run("export", "cmake", BENCH8, "-o", str(folder))
+    result = run("generate", BENCH8, "--project", "cmake", "-o", str(folder))
     assert result.exit_code == 0, result.output
     return folder
 
@@ -140,16 +140,20 @@ def test_installed_and_found(exported: Path, plain: str, tmp_path: Path) -> None
 @pytest.mark.slow
 def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
     before = {path: path.read_bytes() for path in exported.rglob("*") if path.is_file()}
-    assert run("export", "cmake", BENCH8, "-o", str(exported)).exit_code == 0
+    assert run("generate", BENCH8, "--project", "cmake", "-o", str(exported)).exit_code == 0
     assert {path: path.read_bytes() for path in exported.rglob("*") if path.is_file()} == before
     readme = (exported / "README.md").read_text()
     assert [path.name for path in before if path.name not in readme] == ["README.md"]
     delivered = tmp_path / "bench8"
     assert run("generate", BENCH8, "-o", str(delivered)).exit_code == 0
-    assert "holds what `mahovik generate` delivers" in refused("export", "cmake", BENCH8, "-o", str(delivered))
+    assert "holds what `mahovik generate` delivers" in refused(
+        "generate", BENCH8, "--project", "cmake", "-o", str(delivered)
+    )
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "CMakeLists.txt").write_text("project(mine)\n")
-    assert "was not written by mahovik" in refused("export", "cmake", BENCH8, "-o", str(tmp_path / "mine"))
+    assert "was not written by mahovik" in refused(
+        "generate", BENCH8, "--project", "cmake", "-o", str(tmp_path / "mine")
+    )
     assert [p.name for p in (tmp_path / "mine").iterdir()] == ["CMakeLists.txt"]
 
 
@@ -198,7 +202,7 @@ def project(name: str, folder: Path, *options: str) -> Path:
     """The stand file of a hold; its project is in `folder`/arm."""
     folder.mkdir(exist_ok=True)
     (folder / "arm.toml").write_text(HELD + HOLDS[name])
-    result = run("export", "cmake", str(folder / "arm.toml"), "-o", str(folder / "arm"), *options)
+    result = run("generate", str(folder / "arm.toml"), "--project", "cmake", "-o", str(folder / "arm"), *options)
     assert result.exit_code == 0, result.output
     return folder / "arm.toml"
 

@@ -1,4 +1,4 @@
-"""`mahovik export programme`: what it writes where, and what it refuses."""
+"""`mahovik generate --programme`: what it writes where, and what it refuses."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from mahovik.core.motion.programme import Programme, save_programme
 from mahovik.errors import CheckError
 from mahovik.out.export.programme import export_programme
 
-EXPORT = ("export", "programme")
 STAND = str(stands.path("shaker2"))
 MOTION = str(stands.path("shaker2").parent / "shaker2_spin.motion.json")
 FILES = [f"shaker2_programme{end}" for end in (".c", ".h", ".json", ".md", "_test.c")]
@@ -34,21 +33,21 @@ def save(programme: Programme, folder: Path) -> str:
 
 def test_files_and_what_is_said(saved: str, tmp_path: Path) -> None:
     folder = tmp_path / "made"
-    result = run(*EXPORT, STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder))
+    result = run("generate", STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder))
     assert result.exit_code == 0, result.output
-    assert sorted(path.name for path in folder.rglob("*.*")) == FILES
+    assert {path.name for path in folder.rglob("*.*")} >= {*FILES, "shaker2.c"}
     lines = result.stdout.splitlines()
-    assert [Path(line).name for line in lines[:5]] == [FILES[i] for i in (1, 0, 4, 3, 2)]
-    assert lines[5] == "programme: quintic, 256 intervals, double, 0.05 s"
+    lines = lines[[line.startswith("programme: ") for line in lines].index(True) :]
+    assert lines[0] == "programme: quintic, 256 intervals, double, 0.05 s"
     assert lines[-2].startswith("programme: relative residual ")
     assert lines[-1] == "limit 1e-06"
-    again = run(*EXPORT, STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder), "--table", "fourier")
+    again = run("generate", STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder), "--table", "fourier")
     assert "programme: fourier, 2 harmonics, double" in again.stdout
 
 
 @pytest.mark.parametrize("name", ["forward", "left", "2nd"])
 def test_a_name_that_the_stand_has_is_refused(name: str, saved: str, tmp_path: Path) -> None:
-    message = refused("export", "programme", STAND, "--programme", saved, "-o", str(tmp_path / "new"), "--name", name)
+    message = refused("generate", STAND, "--programme", saved, "-o", str(tmp_path / "new"), "--name", name)
     assert f"--name {name}: " in message
     assert not (tmp_path / "new").exists()
 
@@ -56,14 +55,14 @@ def test_a_name_that_the_stand_has_is_refused(name: str, saved: str, tmp_path: P
 def test_the_element_type_is_that_of_the_header(saved: str, tmp_path: Path) -> None:
     for name, text in stand_files("float").items():
         (tmp_path / name).write_text(text)
-    assert "64 intervals, float" in run(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path)).stdout
-    said = refused(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path), "--real", "double")
+    assert "64 intervals, float" in run("generate", STAND, "--programme", saved, "-o", str(tmp_path)).stdout
+    said = refused("generate", STAND, "--programme", saved, "-o", str(tmp_path), "--real", "double")
     assert "has float, expected double: leave --real out" in said
     header = tmp_path / "shaker2.h"
     text = header.read_text()
     physics = text.split("SHAKER2_PHYSICS   0x")[1][:8]
     header.write_text(text.replace(physics, "00000000"))
-    assert "is of another stand" in refused(*EXPORT, STAND, "--programme", saved, "-o", str(tmp_path), status=1)
+    assert "is of another stand" in refused("generate", STAND, "--programme", saved, "-o", str(tmp_path), status=1)
 
 
 @pytest.mark.parametrize("part", ["", "runup"])
@@ -72,14 +71,13 @@ def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Pat
     over = {"exceeded": ["speed of upper 131 rad/s exceeds its bound, 100 rad/s"]}
     saved = save(replace(spin(), report={part: over} if part else over), tmp_path)
     folder = tmp_path / "made"
-    result = run(*EXPORT, STAND, "--programme", saved, "-o", str(folder))
+    result = run("generate", STAND, "--programme", saved, "-o", str(folder))
     assert result.exit_code == 1
     assert result.stderr.splitlines()[-1].endswith(
-        "P.json: exceeds its bounds: speed of upper 131 rad/s exceeds its bound, 100 rad/s: plan again, or --force; "
+        "P.json: exceeds its bounds: speed of upper 131 rad/s exceeds its bound, 100 rad/s: plan again; "
         "nothing was written"
     )
     assert not folder.exists()
-    assert run(*EXPORT, STAND, "--programme", saved, "-o", str(folder), "--force").exit_code == 0
 
 
 def test_bounds_of_the_motion_are_measured() -> None:

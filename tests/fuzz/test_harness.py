@@ -106,7 +106,7 @@ def test_a_planted_fault_is_found(fault: Fault, harness: list[str], tmp_path: Pa
 
 def test_nothing_is_found_in_the_c_of_a_held_carrier(tmp_path: Path) -> None:
     folder = tmp_path / "project"
-    assert run("export", "fuzz", str(PENDULUM), "-o", str(folder)).exit_code == 0
+    assert run("generate", str(PENDULUM), "--project", "fuzz", "-o", str(folder)).exit_code == 0
     program = compile_harness(folder, ("-O0", *sources("pendulum")))
     assert fuzz(program, tmp_path / "corpus", runs=20_000).executions >= 20_000
 
@@ -125,7 +125,7 @@ def test_without_a_fault_nothing_is_found_and_the_corpus_is_kept_small(harness: 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_the_harness_is_clean_c_and_runs_files_without_libfuzzer(real: str, tmp_path: Path) -> None:
     folder = tmp_path / "project"
-    assert run("export", "fuzz", DEMO3, "-o", str(folder), "--real", real).exit_code == 0
+    assert run("generate", DEMO3, "--project", "fuzz", "-o", str(folder), "--real", real).exit_code == 0
     for compiler in ("gcc", "clang"):
         compile_c(compiler, folder / "demo3_fuzz.c", "-I", folder, "-DDEMO3_FUZZ_MAIN", "-c", "-o", tmp_path / "fuzz.o")
     assert (folder / "Makefile").is_file()

@@ -196,12 +196,12 @@ def test_half_of_a_pair_is_no_character() -> None:
 
 
 @fuzzed(15)
-@given(text=spoiled_toml(STANDS), command=st.sampled_from(("check", "derive", "rest")))
+@given(text=spoiled_toml(STANDS), command=st.sampled_from(("check", "report", "rest")))
 def test_the_commands_end_with_a_status(text: str, command: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.getbasetemp()
     file = folder / "stand.toml"
     file.write_text(text, encoding="utf-8", errors="surrogatepass")
-    more = ["-o", str(folder / "page.html")] if command == "derive" else []
+    more = ["-o", str(folder / "page.html"), "--derivation"] if command == "report" else []
     with soon(120):
         result = run(command, str(file), *more)
     assert result.exit_code in (0, 1, 2)
@@ -268,15 +268,14 @@ def test_readers_of_states(reader: str, data: bytes, tmp_path_factory: pytest.Te
 
 COMMANDS = {
     "check": ("check", "{}"),
-    "derive": ("derive", "{}", "-o", "{out}"),
+    "report": ("report", "{}", "-o", "{out}"),
     "generate": ("generate", "{}", "-o", "{out}"),
     "verify": ("verify", "{}"),
     "verify --against": ("verify", DEMO3, "--against", "{}"),
     "eval": ("eval", "{}"),
-    "rest": ("rest", "{}"),
     "cost": ("cost", "{}", "-o", "{out}"),
-    "export target": ("export", "target", "{}", "--target", "m7", "-o", "{out}"),
-    "export fuzz": ("export", "fuzz", "{}", "-o", "{out}"),
+    "generate --project m7": ("generate", "{}", "--project", "m7", "-o", "{out}"),
+    "generate --project fuzz": ("generate", "{}", "--project", "fuzz", "-o", "{out}"),
     "simulate": ("simulate", "{}", "--until", "0.001", "-o", "{out}/x.csv"),
     "regime": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--regime", "{}"),
     "start": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--start", "{}"),

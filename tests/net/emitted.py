@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import hashlib
 import re
-import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import mahovik
 from mahovik.contract.functions import ALL
+from mahovik.core.emit.delivery import delivery
 
 STANDS = Path(__file__).parent / "stands"
 
@@ -48,9 +48,9 @@ def digest(text: str) -> str:
 def emitted(stand: Path | mahovik.Stand, options: dict[str, Any]) -> dict[str, dict[str, str]]:
     """Hashes of the C of a stand: `files` by name, `functions` by name."""
     additions = ("selftest", "eva", *(("recorder",) if options.get("only") == ALL else ()))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        files = mahovik.generate(stand, **options, additions=additions).files
+    additions = (*additions, *(("batch",) if options.get("batch") else ()))
+    own = mahovik.load(stand) if isinstance(stand, Path) else stand
+    files = delivery(own, options.get("real", "double"), options.get("only", ()), additions)
     sources = {name: text for name, text in files.items() if name.endswith((".c", ".h"))}
     functions: dict[str, str] = {}
     for name, header in sources.items():

@@ -35,10 +35,10 @@ from mahovik.proof.verify.programme.mechanics import (
 from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item, verify_programme
 from mahovik.use.numeric import Array, Chart, Mechanics, drive, equilibrium
 from mahovik.use.plan import PlanOptions, plan_motion
+from mahovik.use.plan import runup as runups
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import drop_refused_tables, failed_items, make_programme
 from mahovik.use.plan.runup import shortcomings, with_runup
-from mahovik.use.plan.runup import solve as runups
 from plan.held_stands import HOLDS, stand, wheel
 from plan.problems import example
 from plan.test_finite import move

@@ -22,7 +22,7 @@ from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import StandError, StateError
-from mahovik.out.functions.stand_report import Subject, bodies_part
+from mahovik.out.report.sections import Subject, bodies_part
 from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
@@ -150,10 +150,9 @@ def test_a_run_that_leaves_the_profile_says_so() -> None:
     stand = loads(FILE.replace("added_mass", "buoyancy = { displaced_mass = 40 }\nadded_mass"))
     still = {"position": [0, 0, 0.1], "V": [0] * 6, "phi": [], "phi_dot": []}
     for backend in ("c", "scipy"):
-        run = mahovik.simulate(stand, until=1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
-        assert run["t"][-1] < 0.5
-        words = r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m"
-        assert re.search(words, str(run["stopped"]))
+        run = mahovik.simulate(stand, 1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
+        assert run.t[-1] < 0.5
+        assert re.search(r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m", str(run.stopped))
 
 
 def test_file_comes_back_and_other_stands_are_as_before() -> None:
@@ -172,12 +171,9 @@ def test_file_comes_back_and_other_stands_are_as_before() -> None:
     assert identities(plain).structure != identities(stand).structure
 
 
-SPEEDS = ["all=100rpm"]
 STUDIES: dict[str, Callable[[Stand], object]] = {
     "modes": mahovik.modes,
-    "response": lambda stand: mahovik.response(stand, SPEEDS, "carrier"),
-    "quiet": lambda stand: mahovik.quiet(stand, "carrier", (1, 10), least="10 rpm", limit="100 rpm", speeds=[1, 2]),
-    "jitter": lambda stand: mahovik.jitter(stand, SPEEDS, "carrier"),
+    "vibration": lambda stand: mahovik.vibration(stand, speed="100rpm", at="carrier"),
     "plan": uniform_stream,
 }
 
@@ -217,7 +213,7 @@ def test_refusals(old: str, new: str, words: str) -> None:
 
 
 def test_the_report_names_the_velocity_of_each_station() -> None:
-    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)), "s.toml")).markup)
+    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)))).markup)
     assert "(0.5, 0.1, 0) m/s at 10 m" in words and "(0, 0, 0) m/s at 50 m" in words
 
 

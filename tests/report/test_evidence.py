@@ -21,7 +21,7 @@ from mahovik.out.command_line import main
 from mahovik.proof.evidence import PIECES, Subject, Verdict, check, conclusion, failures
 from mahovik.stands import path
 from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, piece
-from report.stand.reports import read
+from report.reports import read
 from toolchain.quick import quick
 from toolchain.tools import require
 

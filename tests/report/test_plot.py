@@ -1,4 +1,4 @@
-"""Pictures: what panels show, and that the command writes them; the same input gives the same bytes."""
+"""Pictures of columns: what panels show; the same numbers give the same bytes."""
 
 from __future__ import annotations
 
@@ -6,140 +6,96 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner, Result
 
+from cli.run import run
 from mahovik import stands
 from mahovik.contract.quantities import RPM
-from mahovik.core.motion.programme import save_programme
-from mahovik.out.command_line import main
-from mahovik.out.report.plot import run, waterfall
-from mahovik.out.report.plot.panel import Panel
-from mahovik.out.report.plot.programme import panels
-from verify.programme.programmes import shaker
+from mahovik.out.report.plots import BINS, Line, Panel, column_panels, draw, envelope
 
-SPIN = next(path for path in stands.motions("shaker2") if "spin" in path.name)
-WITH = [str(stands.path("shaker2")), "--motion", str(SPIN)]
+T = np.linspace(0.0, 3.0, 31)
+TIME = ("t", "s", T)
 
 
-def plot(*arguments: object) -> Result:
-    return CliRunner().invoke(main, ["plot", *map(str, arguments)])
+def shown(*columns: tuple[str, str, object], index: tuple[str, str, object] | None = TIME) -> dict[str, Panel]:
+    return {panel.quantity: panel for panel in column_panels(index, columns)}
 
 
-@pytest.fixture
-def programme(tmp_path: Path) -> Path:
-    path = tmp_path / "p.json"
-    save_programme(shaker()[2], path)
-    return path
+def test_a_run_has_speeds_in_rpm_and_angles_in_degrees() -> None:
+    wheels = [("phi_dot w1", "rad/s", 10.0 * T), ("phi_dot w2", "rad/s", T), ("tau w1", "N m", 0.5 * T)]
+    found = shown(("x", "m", 1e-3 * T), ("y", "m", 0.0 * T), *wheels, ("phi w1", "rad", T), ("psi", "rad", T))
+    assert list(found) == ["place of O1, m", "speed of the flywheels, rpm", "drive torque, N m", "attitude, deg"]
+    speeds = found["speed of the flywheels, rpm"].lines
+    assert [line.name for line in speeds] == ["w1", "w2"] and speeds[0].y[-1] == pytest.approx(30.0 * RPM)
+    assert found["attitude, deg"].lines[0].y[-1] == pytest.approx(np.degrees(3.0))
 
 
-def by_quantity(found: list[Panel], word: str) -> Panel:
-    (panel,) = (panel for panel in found if panel.quantity.startswith(word))
-    return panel
-
-
-def test_a_right_programme_achieves_what_is_required() -> None:
-    stand, motion, found = shaker()
-    shown = panels(found, stand, motion)
-    for word in ("O1", "attitude"):
-        lines = by_quantity(shown, word).lines
-        for line, wanted in zip(lines[:3], lines[3:], strict=True):
-            assert not line.dashed and wanted.dashed and line.colour == wanted.colour
-            assert np.allclose(line.y, wanted.y, atol=1e-5)
-    z = by_quantity(shown, "O1").lines[2].y
-    assert z.max() == pytest.approx(0.577162538232, rel=1e-6)  # mm, by the motion file
-    residual = by_quantity(shown, "residual")
-    assert residual.log and residual.lines[0].y.max() < residual.lines[1].y[0]
-
-
-@pytest.mark.slow
-def test_the_command_writes_pictures(programme: Path, tmp_path: Path) -> None:
-    assert plot(*WITH, "--programme", programme, "-o", tmp_path / "a.png").exit_code == 0
-    assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
-    for name in ("a.svg", "b.svg"):
-        assert plot("--programme", programme, "-o", tmp_path / name).exit_code == 0
-    first = (tmp_path / "a.svg").read_bytes()
-    assert first.startswith(b"<?xml") and b"dc:date" not in first
-    assert (tmp_path / "b.svg").read_bytes() == first
-
-
-def test_a_run_is_drawn(tmp_path: Path) -> None:
-    rows = [[0.1 * i, 1e-3 * i, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 10.0 * i, 0.5] for i in range(5)]
-    head = "t [s],x [m],y [m],z [m],qw,qx,qy,qz,phi_dot w1 [rad/s],tau w1 [N m]"
-    path = tmp_path / "run.csv"
-    path.write_text("\n".join([head, *(",".join(map(repr, row)) for row in rows)]) + "\n")
-    shown = run.panels(run.read(path))
-    assert by_quantity(shown, "O1").lines[0].y[-1] == pytest.approx(4.0)  # mm
-    assert by_quantity(shown, "speed").lines[0].y[-1] == pytest.approx(40.0 * RPM)
-    assert {line.name for panel in shown for line in panel.lines} >= {"x", "y", "z", "w1"}
-    assert plot("--run", path, "-o", tmp_path / "run.png").exit_code == 0
+def test_what_is_required_is_dashed_in_the_colour_of_what_is_reached() -> None:
+    (panel,) = shown(("x", "m", T), ("z", "m", 2 * T), ("required_x", "m", T), ("required_z", "m", T)).values()
+    assert [line.dashed for line in panel.lines] == [False, False, True, True]
+    assert [line.colour for line in panel.lines] == [0, 1, 0, 1]
+    assert panel.lines[2].name == "x, required"
 
 
 def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
-    t = np.linspace(0.0, 3.0, 31)
-    zero, angle = 0.0 * t, 2.0 * np.pi * t  # three whole turns
-    columns = {"t [s]": t} | {f"{a} [m]": zero for a in "xyz"} | {f"v_{a} [m/s]": zero for a in "xyz"}
-    columns |= {"qw": np.cos(angle / 2), "qx": zero, "qy": np.sin(angle / 2), "qz": zero}
-    columns |= {f"hold.reaction.{a} [N]": zero + 5.0 for a in "xyz"}
-    columns |= {f"hold.reaction.{a} [N m]": zero + 1e-17 for a in "kmn"}
-    shown = run.panels(columns)
-    assert [panel.quantity.partition(",")[0] for panel in shown] == ["turn", "force of the hold"]
-    turn = by_quantity(shown, "turn, deg").lines[1].y
-    assert np.abs(turn - np.degrees(angle)).max() < 1e-9
-    free = {name: values for name, values in columns.items() if not name.startswith("hold")}
-    assert [panel.quantity.partition(",")[0] for panel in run.panels(free)] == ["O1", "turn", "carrier"]
+    zero, angle = 0.0 * T, 2.0 * np.pi * T  # three whole turns
+    columns = [(f"v_{a}", "m/s", zero) for a in "xyz"]
+    columns += [("qw", "", np.cos(angle / 2)), ("qx", "", zero), ("qy", "", np.sin(angle / 2)), ("qz", "", zero)]
+    columns += [(f"hold.reaction.{a}", "N", T) for a in "xyz"] + [(f"hold.reaction.{a}", "N m", zero) for a in "kmn"]
+    found = shown(*columns)
+    assert list(found) == ["attitude as a rotation vector, in E0, deg", "reaction of the hold, in E1 about O1, N"]
+    assert np.abs(next(iter(found.values())).lines[1].y - np.degrees(angle)).max() < 1e-9
+    held = shown(*columns, ("q pitch", "rad", angle), ("q_dot pitch", "rad/s", T))
+    assert list(held) == [list(found)[1], "freedoms, deg", "rates of the freedoms, rad/s"]
+    follows = shown(("q pitch", "rad", angle), ("required pitch", "rad", angle))
+    assert [line.name for line in follows["freedoms, deg"].lines] == ["pitch", "pitch, required"]
 
 
-def test_a_waterfall_follows_the_speed_and_has_the_amplitude() -> None:
-    t = np.linspace(0.0, 3.999, 4000)
-    speed = 20.0 * np.pi * (1.0 + t)  # 10 Hz to 50 Hz
-    phase = 20.0 * np.pi * (t + t**2 / 2)
-    columns = {"t [s]": t, "hold.reaction.x [N]": 9.81 + 3.0 * np.cos(phase), "phi_dot w1 [rad/s]": speed}
-    lines, levels = waterfall.panels(columns, "hold.reaction.x")
-    assert levels.levels is not None and levels.levels.quantity == "hold.reaction.x, N"
-    value, edges = levels.levels.value, levels.levels.x
-    assert value.shape == (len(levels.levels.y) - 1, len(edges) - 1)
-    turning = levels.lines[0]
-    for row, (hertz, time) in enumerate(zip(turning.x, turning.y, strict=True)):
-        assert hertz == pytest.approx(10.0 * (1.0 + time))
-        k = int(np.nanargmax(value[row]))
-        assert edges[k] - 2.0 <= hertz <= edges[k + 1] + 2.0  # a spectrum is 4 Hz wide
-    assert 1.5 < np.nanmax(value) <= 3.0  # smeared over the 2.5 Hz by which the speed rises in a stretch
-    assert len(lines.lines) == waterfall.CASCADE
-    steady = waterfall.panels(columns | {"hold.reaction.x [N]": 3.0 * np.cos(80.0 * np.pi * t)}, "hold.reaction.x [N]")
-    assert steady[1].levels is not None and np.nanmax(steady[1].levels.value) == pytest.approx(3.0, rel=1e-3)
+def test_a_sweep_is_one_large_panel_a_unit() -> None:
+    """Sums in place of their axes, at most a legend's worth of orders, all peaks."""
+    speed = np.linspace(0.0, 100.0, 41)
+    peak = 1e-3 + 1.0 / (1.0 + (speed - 50.0) ** 2)
+    columns = [("speed w1", "rad/s", speed), ("rms x", "m/s2", peak), ("rms xyz", "m/s2", 2 * peak)]
+    columns += [(f"{k} x w1, w2, w3", "m/s2", peak / k) for k in range(1, 20)]
+    (panel,) = shown(*columns, index=("speed w1", "rad/s", speed)).values()
+    assert panel.height > 2.0 and panel.log and panel.span == pytest.approx((0.0, 100.0 * RPM))
+    assert [line.name for line in panel.lines][:2] == ["rms", "1× w1 … w3"]
+    assert panel.lines[0].y.max() == 2 * peak.max() and len(panel.lines) == 9
 
 
-@pytest.mark.parametrize(
-    ("rows", "name", "words"),
-    [
-        (300, "hold.reaction.y", 'no column "hold.reaction.y", did you mean'),
-        (300, "t", 'no column "t"'),
-        (30, "hold.reaction.x", "30 rows, expected at least 256"),
-        (-300, "hold.reaction.x", "not evenly spaced"),
-    ],
-)
-def test_what_has_no_waterfall_is_refused(rows: int, name: str, words: str, tmp_path: Path) -> None:
-    times = [0.1 * i + (0.01 if rows < 0 and i > 100 else 0.0) for i in range(abs(rows))]
-    path = tmp_path / "run.csv"
-    path.write_text("t [s],hold.reaction.x [N]\n" + "".join(f"{t},1.0\n" for t in times))
-    found = plot("--run", path, "--waterfall", name, "-o", tmp_path / "w.svg")
-    assert found.exit_code == 2 and words in " ".join(found.output.split()), found.output
-    assert not (tmp_path / "w.svg").exists()
+def test_a_spectrum_has_stems() -> None:
+    index = ("frequency", "Hz", np.array([10.0, 20.0, 30.0]))
+    (panel,) = shown(("x", "N", np.array([1.0, 0.5, 1e-9])), index=index).values()
+    assert panel.lines[0].x.tolist() == [10.0] * 3 + [20.0] * 3 and panel.abscissa == "frequency, Hz"
+    assert panel.lines[0].y[:2].tolist() == [0.0, 1.0] and np.isnan(panel.lines[0].y[2])
+    text = shown(("peak", "N", np.array([1.0, 2.0])), index=("flywheel", "", np.array(["a", "b"], dtype=object)))
+    assert text["peak, N"].abscissa == "row"
 
 
-def test_wrong_use_is_refused(programme: Path, tmp_path: Path) -> None:
-    other = [str(stands.path("demo3")), "--motion", str(stands.motions("demo3")[0])]
-    for arguments, words in (
-        (["--programme", programme, "-o", tmp_path / "a.pdf"], ".svg or .png"),
-        (["--programme", programme, *WITH[:1], "-o", tmp_path / "a.svg"], "give both or neither"),
-        (["--programme", tmp_path / "none.json", "-o", tmp_path / "a.svg"], "none.json"),
-        (["--run", tmp_path / "none.csv", "-o", tmp_path / "a.svg"], "cannot be read"),
-        (["--run", programme, "-o", tmp_path / "a.svg"], "expected a Parquet file, or a name that ends in .csv"),
-        (["--programme", programme, "--waterfall", "x", "-o", tmp_path / "a.svg"], "--waterfall: only of a run"),
-    ):
-        found = plot(*arguments)
-        assert found.exit_code == 2 and words in found.output, found.output
-    assert not (tmp_path / "a.svg").exists()
-    found = plot(*other, "--programme", programme, "-o", tmp_path / "a.svg")
-    assert found.exit_code == 1 and "programme of another stand" in found.output
-    assert not (tmp_path / "a.svg").exists()
+def test_an_envelope_keeps_every_extreme() -> None:
+    rng = np.random.default_rng(3)
+    y = rng.normal(size=100_000)
+    y[[12_345, 67_890]] = 9.0, -8.0
+    y[500:510] = np.nan
+    kept = envelope(y)
+    assert len(kept) <= 3 * BINS + 2 and np.all(np.diff(kept) > 0)
+    assert {0, len(y) - 1, 12_345, 67_890} <= set(kept.tolist()) and np.isnan(y[kept]).any()
+    for part in np.array_split(np.arange(len(y)), BINS):
+        low, high = int(part[0]), int(part[-1]) + 1
+        inside = kept[(kept >= low) & (kept < high)]
+        assert np.nanmax(y[inside]) == np.nanmax(y[low:high]) and np.nanmin(y[inside]) == np.nanmin(y[low:high])
+
+
+def test_the_same_panels_give_the_same_bytes() -> None:
+    panels = [Panel("y", (Line("a", T, T),)), Panel("log", (Line("b", T, T + 1.0),), log=True)]
+    first = draw("title", panels, ".svg")
+    assert first == draw("title", panels, ".svg") and first.startswith(b"<?xml") and b"dc:date" not in first
+    assert draw("title", panels, ".png").startswith(b"\x89PNG")
+
+
+def test_a_command_writes_its_picture() -> None:
+    sweep = ("response", str(stands.path("demo3")), "--speed", "all=100..200rpm", "--steps", "2", "--at", "carrier")
+    assert run(*sweep, "-o", "r.svg").exit_code == 0
+    Path("spin.toml").write_text("schema = 1\ndefault = { speed = 20 }\n", encoding="utf-8")
+    motion = ("simulate", str(stands.path("demo3")), "--until", "0.02", "--regime", "spin.toml", "--backend", "scipy")
+    assert run(*motion, "-o", "m.svg").exit_code == 0
+    assert all(Path(name).read_bytes().startswith(b"<?xml") for name in ("r.svg", "m.svg"))

@@ -11,7 +11,6 @@ import pytest
 from scipy.special import ellipj
 
 import mahovik
-from simulate.runs import columns
 from toolchain.quick import quick
 
 MASS, ARM, ACROSS, ALONG, GRAVITY = 15.0, 1.0, 0.234375, 0.46875, 9.81
@@ -57,7 +56,9 @@ GYROSCOPE: dict[str, Any] = {
 
 @cache
 def swing() -> Any:
-    return columns(mahovik.Stand.from_dict(TOP), 2.0, start={"u": [0.0, SPIN, TURN]}, every=0.02, dt=2.5e-5)
+    return mahovik.simulate(
+        mahovik.Stand.from_dict(TOP), 2.0, start={"u": [0.0, SPIN, TURN]}, every=0.02, dt=2.5e-5
+    ).run
 
 
 def axis(run: Any) -> Any:
@@ -112,7 +113,7 @@ def steady(tilt: float, precession: float) -> tuple[mahovik.Stand, dict[str, Any
 def test_a_gyroscope_on_a_spherical_joint_precesses_by_its_closed_formula(tilt: float, precession: float) -> None:
     """Neither height nor rate of the axis change, and the joint bears weight and centripetal force."""
     stand, start, rate = steady(tilt, precession)
-    run = columns(stand, 1.0, start=start, every=0.05, dt=2e-4)
+    run = mahovik.simulate(stand, 1.0, start=start, every=0.05, dt=2e-4).run
     found, t = axis(run), run["t [s]"]
     assert np.abs(found[2] - math.cos(tilt)).max() < 1e-11
     going_round = math.sin(tilt) * np.exp(1j * (precession * t + math.pi / 2))

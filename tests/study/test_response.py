@@ -1,18 +1,14 @@
-"""Periodic steady states: laws they must keep, motion in time, spectra, speeds as they are asked for, sweeps."""
+"""Periodic steady states: laws they must keep, motion in time, speeds as they are asked for, sweeps."""
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-import mahovik
 from mahovik.core.motion.regime import steady_regime
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -27,7 +23,7 @@ from mahovik.use.vibration.band import rms
 from mahovik.use.vibration.periodic import Periodic, periodic_response
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import common_period, read_speeds
-from mahovik.use.vibration.sweep import csv_text, json_text, sweep
+from mahovik.use.vibration.study import vibration
 from mahovik.use.vibration.view import find_view
 from physics.general import suspension_of
 from physics.motions import vec
@@ -144,9 +140,9 @@ def test_speeds_as_asked() -> None:
         (["up=1"], 'unknown flywheel "up", expected one of left, right, all'),
         (["left"], "expected NAME=SPEED"),
         (["left=50Hz"], "a frequency is not one"),
-        (["left=1..2", "right=1..3"], "one speed can be swept"),
+        (["left=1..2", "right=1..3"], "one can be swept"),
         (["left=right", "right=left"], "follow one another"),
-        (["left=1", "all=2"], "has a speed already"),
+        (["left=1", "left=2"], "has a speed already"),
         (["left=5rpm..5rpm"], "the range is empty"),
         (["left=2**right"], "is not a unit"),
         (["left=1e400"], "left=1e400"),
@@ -161,30 +157,12 @@ def test_speeds_that_are_refused(given: list[str], words: str) -> None:
 
 
 def test_a_sweep_finds_the_resonance(bench8: Scene) -> None:
-    stand = bench8.stand
-    found = sweep(stand, read_speeds(stand, ["w1=30..150rpm", "w2=w1"]), 13, "carrier", quantity="displacement")
-    (first, *_) = found.lines()
-    assert first.name == "1 x w1, w2"
-    peak = found.values[int(np.argmax(first.size))]
+    speeds = read_speeds(bench8.stand, ["w1=30..150rpm", "w2=w1"])
+    found = vibration(bench8, speeds, find_view(bench8.stand, "carrier", "displacement"), steps=13)
+    peak = found.value[found.largest().step]
     assert 80 * RPM < peak < 120 * RPM
-    assert np.allclose(first.frequency * 2 * np.pi, found.values)
-    assert np.allclose(np.linalg.norm(found.rms(), axis=1) * math.sqrt(2), first.size, rtol=0.05)
-    assert not found.interrupted
-
-
-@pytest.mark.parametrize("study", [mahovik.response, mahovik.jitter])
-def test_the_largest_amplitude_of_a_sweep_is_the_true_one(study: Callable[..., Any]) -> None:
-    """However coarse its grid: a dense sweep about the peak finds nothing larger by 2 %."""
-
-    def largest(text: str, steps: int) -> tuple[float, float]:
-        found = study(path("shaker2"), [f"all={text}"], "carrier", quantity="displacement", steps=steps)
-        columns = {column.name: column.values for column in found.columns}
-        total = np.linalg.norm(np.nan_to_num([columns[f"rms {axis}"] for axis in "xyz"]), axis=0)
-        return float(total.max()), float(columns["speed left"][total.argmax()] / RPM)
-
-    size, at = largest("0..3000rpm", 7)
-    assert 0.0 < at < 3000.0
-    assert size > 0.98 * largest(f"{at - 5:.6f}..{at + 5:.6f}rpm", 21)[0]
+    assert found.largest().frequency * 2 * np.pi == pytest.approx(peak)
+    assert np.isfinite(found.sums().rms).all() and found.coarse is None
 
 
 def undamped(share: float) -> Stand:
@@ -193,22 +171,19 @@ def undamped(share: float) -> Stand:
     return stand.with_laws(replace(suspension_of(stand), damping=((0.0,) * 6,) * 6))
 
 
-def test_an_undamped_resonance_is_told_and_the_sweep_goes_on() -> None:
+def test_an_undamped_resonance_is_a_problem_and_the_sweep_goes_on() -> None:
     stand = undamped(1.0)
-    found = sweep(stand, read_speeds(stand, ["w1=84..96rpm"]), 3, "carrier")
-    assert found.steps[0].problem is None and found.steps[-1].problem is None
-    at = int(np.argmin(np.abs(found.values - 90 * RPM)))
-    problem = found.steps[at].problem
-    assert problem is not None
-    assert "an undamped resonance, or the carrier moves too violently" in problem
-    assert np.isnan(found.rms()[at]).all()
-    text = json.loads(json_text(found))
-    assert text["rms"][at] == [None] * 3
-    assert text["steps"][at]["problem"] == problem
-    assert csv_text(found).splitlines()[1 + at].startswith("90,0,0,0,0,0,0,0,,,,,")
+    view = find_view(stand, "carrier")
+    found = vibration(stand, read_speeds(stand, ["w1=84..96rpm"]), view, steps=3)
+    at = int(np.argmin(np.abs(found.value - 90 * RPM)))
+    assert {0, len(found.value) - 1}.isdisjoint(found.problems)
+    assert "an undamped resonance, or the carrier moves too violently" in found.problems[at]
+    assert np.isnan(found.sums().rms[at]).all()
     with pytest.raises(CheckError, match="an undamped resonance"):
-        sweep(stand, read_speeds(stand, ["w1=90rpm"]), 1, "carrier")
+        vibration(stand, read_speeds(stand, ["w1=90rpm"]), view)
 
+
+def test_a_heavy_unbalance_is_unstable() -> None:
     heavy = periodic_response(undamped(100.0), [2 * math.pi * 1.8] + [0.0] * 7)  # parametric resonance
     assert heavy.multiplier > 1.1
     assert not heavy.stable
@@ -233,7 +208,7 @@ def returned(found: Periodic, periods: int) -> float:
     until = periods * found.turning.period
     regime = steady_regime(found.scene.stand, found.turning.speeds)
     run = simulate(Case(found.scene.stand, regime, state_at(found), until, until), "scipy")
-    data = np.column_stack([run[name] for name in POSE_AND_V])
+    data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
     parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
     return float(max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts)))

@@ -17,10 +17,13 @@ from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
-from mahovik.out.functions.jitter import Jitter
+from mahovik.out.commands.vibration import vibration as command
+from mahovik.use.vibration import spectrum
+from mahovik.use.vibration.lines import COMBINATION
 from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.speeds import Asked, read_speeds
+from mahovik.use.vibration.study import Vibration, vibration
 from mahovik.use.vibration.view import find_view
-from simulate.runs import columns as columns_of
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
 ZERO = (0.0, 0.0, 0.0)
@@ -106,27 +109,6 @@ def test_six_freedoms_are_the_free_carrier() -> None:
     assert size < 1e-9 * 10.0 * free.carrier.mass
 
 
-@pytest.mark.parametrize(
-    ("words", "expected"),
-    [
-        (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
-        (["--at", "hold.pitch"], "expected hold.reaction, hold.z or a point"),
-        (["--at", "hold.z", "--quantity", "force"], "--quantity force: hold.z has none"),
-        (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
-        (["--at", "carrier", "--quantity", "moment"], "--quantity moment: carrier has none"),
-    ],
-)
-def test_refusals(words: list[str], expected: str) -> None:
-    text = refused("response", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
-    assert expected in text and len(text.splitlines()) == 1
-
-
-@pytest.mark.parametrize("command", ["response", "jitter"])
-def test_a_free_carrier_has_no_reaction(command: str) -> None:
-    text = refused(command, str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
-    assert "sat4 has no [hold]" in text
-
-
 def two_wheels(first: str, second: str) -> Stand:
     """Two wheels about z, 100 mm above and below O1, on a clamped carrier that weighs 14 kg or more."""
     document = table() | {"gravity": [0, 0, -9.81]}
@@ -138,11 +120,16 @@ def two_wheels(first: str, second: str) -> Stand:
     return stand_of(document)
 
 
-def size(found: Jitter, wheel: str, order: int = 1) -> Any:
-    """Amplitudes (3) of a line of one wheel at the last speed; zero where there is none."""
-    for i, name in enumerate(found.study.lines.names):
-        if (name.wheel, name.order) == (wheel, order):
-            return found.study.lines.sizes[-1, i]
+def lines_of(stand: Stand, speeds: Asked, at: str, quantity: str | None = None) -> Vibration:
+    """Lines of what is seen, of a sweep at its ends and more."""
+    return vibration(stand, read_speeds(stand, speeds), find_view(stand, at, quantity, "angle"), steps=2)
+
+
+def size(found: Vibration, wheel: str) -> Any:
+    """Amplitudes (3) of the first order of one wheel at the last speed; zero where there is none."""
+    for i, name in enumerate(found.lines.names):
+        if (name.wheel, name.order) == (wheel, 1):
+            return found.lines.sizes[-1, i]
     return np.zeros(3)
 
 
@@ -151,20 +138,15 @@ def size(found: Jitter, wheel: str, order: int = 1) -> Any:
 def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quantity: str) -> None:
     """U w^2 of the static unbalance with its arm of 100 mm, and a couple of U w^2 of the dynamic one; the weight."""
     stand = two_wheels("72 g mm", "5 kg mm^2")
-    found = mahovik.jitter(stand, speeds, "hold.reaction", quantity=quantity, steps=3)
+    found = lines_of(stand, speeds, "hold.reaction", quantity)
     force, couple = 72e-6 * 300.0**2, 5e-6 * 211.7**2
     weight = 72e-6 * 9.81  # its moment, of a centre of mass beside the axis
     first, second = (force, 0.0) if quantity == "force" else (0.1 * force + weight, couple)
     np.testing.assert_allclose(size(found, "up"), [first, first, 0.0], rtol=1e-12, atol=1e-12)
     np.testing.assert_allclose(size(found, "down"), [second, second, 0.0], rtol=1e-12, atol=1e-12)
-    mean = [0.0, 0.0, 16 * 9.81 if quantity == "force" else 0.0]
-    np.testing.assert_allclose(found.study.mean[-1], mean, rtol=1e-12, atol=1e-9)
-    assert found.unit == ("N" if quantity == "force" else "N m")
-    assert not found.combinations
-    if len(found) == 1:
-        assert found.left_out[0] < 1e-12 and found.remainder.max() < 1e-11
-    else:
-        assert max(check.off for check in found.study.checks) < 1e-12
+    assert found.seen.measure.unit == ("N" if quantity == "force" else "N m")
+    assert not any(name.source == COMBINATION for name in found.lines.names)
+    assert found.off < 1e-9 and all(np.max(each.left_out) < 1e-9 for each in found.whole.values())
 
 
 @pytest.mark.parametrize(("friction", "last"), [(False, "11.3"), (True, "5..11.3")])
@@ -178,11 +160,10 @@ def test_a_shaker_of_one_freedom_is_an_oscillator(friction: bool, last: str) -> 
     stand = stand_of(document)
     speeds: dict[str, float | str] = {"w": 24.0, "v": last}
     M, k, c, me, m = 76.0, 4e4, 300.0, 0.16, 8.0
-    motion = mahovik.jitter(stand, speeds, "carrier", quantity="displacement", steps=2)
-    held = mahovik.jitter(stand, speeds, "hold.reaction", steps=2)
-    mount = mahovik.jitter(stand, speeds, "v", steps=2)
-    along_rail = mahovik.jitter(stand, speeds, "hold.z", quantity="velocity", steps=2)
-    assert along_rail.rms.shape[1] == 1
+    motion = lines_of(stand, speeds, "carrier", "displacement")
+    held, mount = (lines_of(stand, speeds, at) for at in ("hold.reaction", "v"))
+    along_rail = lines_of(stand, speeds, "hold.z", "velocity")
+    assert command(stand, speed=speeds, at="hold.z", steps=2)["rms"].shape[-1] == 1
     for wheel, w in (("w", 24.0), ("v", 11.3)):
         z = me * w**2 / (k - M * w**2 + 1j * c * w)
         np.testing.assert_allclose(size(motion, wheel), [0.0, 0.0, abs(z)], rtol=1e-9, atol=1e-15)
@@ -205,17 +186,19 @@ SWINGING = {
 """A damped pendulum with two heavily unbalanced wheels."""
 
 
-@pytest.mark.parametrize(("name", "quantity"), [("hold.reaction", "force"), ("hold.reaction", "moment")])
-def test_with_a_common_period_it_is_the_response(name: str, quantity: str) -> None:
+@pytest.mark.parametrize("quantity", ["force", "moment"])
+def test_with_a_common_period_it_is_the_response(quantity: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The lines of the torus of both wheels' phases are those of the motion with a common period."""
     stand = stand_of(SWINGING)
-    found = mahovik.jitter(stand, {"w1": 20.0, "w2": 30.0}, name, quantity=quantity, order=8)
-    wanted = periodic_response(stand, [20.0, 30.0]).harmonics(find_view(stand, name, quantity))
-    lines, base = found.study.lines, 10.0 / (2.0 * math.pi)
+    monkeypatch.setattr(spectrum, "FEW_TURNS", 0)
+    found = lines_of(stand, {"w1": 20.0, "w2": 30.0}, "hold.reaction", quantity)
+    assert "harmonic balance" in found.whole[0].method
+    wanted = periodic_response(stand, [20.0, 30.0]).harmonics(find_view(stand, "hold.reaction", quantity))
     total = np.zeros((24, 3), dtype=complex)
-    for i, hertz in enumerate(lines.frequency[0]):
-        if round(hertz / base) < len(total):
-            total[round(hertz / base)] += lines.amplitude[0, i]
-    np.testing.assert_allclose(total[:8], wanted[:8], rtol=0, atol=1e-6 * np.abs(wanted[1:]).max())
+    for i, hertz in enumerate(found.lines.frequency[0]):
+        if (k := round(hertz * 2.0 * math.pi / 10.0)) < len(total):
+            total[k] += found.lines.amplitude[0, i]
+    np.testing.assert_allclose(total[1:8], wanted[1:8], rtol=0, atol=1e-5 * np.abs(wanted[1:]).max())
 
 
 def test_a_maker_s_table_shakes_a_force_table(tmp_path: Path) -> None:
@@ -225,22 +208,23 @@ def test_a_maker_s_table_shakes_a_force_table(tmp_path: Path) -> None:
     noise.write_text("frequency [Hz],axial force [N^2/Hz]\n10,1e-4\n210,1e-4\n")
     inner.write_text("mode,frequency [Hz],damping [-]\naxial,50,0.1\n")
     stand = stand_of(table(static="72 g mm"))
-    words = {"harmonics": {"all": path}, "noise": {"all": noise}}
-    found = mahovik.jitter(stand, {"wheel": 100.0}, "hold.reaction", **words)  # type: ignore[arg-type]
-    np.testing.assert_allclose(size(found, "wheel"), [2e-2, 2e-2, 0.0], rtol=1e-9, atol=1e-15)
-    np.testing.assert_allclose(size(found, "wheel", 2.5), [0.0, 0.0, 3e-2], rtol=1e-9, atol=1e-15)  # type: ignore
-    assert found.rms[0, 2] == pytest.approx(math.sqrt(3e-2**2 / 2.0 + 1e-4 * 200.0), rel=1e-6)
-    mounted = mahovik.jitter(stand, {"wheel": 100.0}, "wheel", **words)  # type: ignore[arg-type]
-    assert mounted.rms[0, 0] == pytest.approx(found.rms[0, 2], rel=1e-9)  # its axis is its first
+    words: dict[str, Any] = {"speed": 100.0, "harmonics": {"all": path}}
+    found = command(stand, **words, at="hold.reaction", noise={"all": noise})
+    amplitudes = dict(zip(found["order"], found["amplitude"], strict=True))
+    np.testing.assert_allclose(amplitudes[1.0], [2e-2, 2e-2, 0.0], rtol=1e-9, atol=1e-15)
+    np.testing.assert_allclose(amplitudes[2.5], [0.0, 0.0, 3e-2], rtol=1e-9, atol=1e-15)
+    assert found["rms"][2] == pytest.approx(math.sqrt(3e-2**2 / 2.0 + 1e-4 * 200.0), rel=1e-6)
+    mounted = command(stand, **words, at="wheel", noise={"all": noise})
+    assert mounted["rms"][0] == pytest.approx(found["rms"][2], rel=1e-9)  # its axis is its first
     ratio = 250.0 / (2.0 * math.pi) / 50.0
     gain = abs((1.0 + 0.2j * ratio) / (1.0 - ratio**2 + 0.2j * ratio))
-    soft = mahovik.jitter(stand, {"wheel": 100.0}, "hold.reaction", harmonics={"all": path}, inner_modes={"all": inner})
-    assert size(soft, "wheel", 2.5)[2] == pytest.approx(3e-2 * gain, rel=1e-9)  # type: ignore[arg-type]
+    soft = command(stand, **words, at="hold.reaction", inner_modes={"all": inner})
+    assert soft["amplitude"][soft["order"] == 2.5][0, 2] == pytest.approx(3e-2 * gain, rel=1e-9)
 
 
-def test_requirements_on_a_force(tmp_path: Path) -> None:
+def test_requirements_on_a_force() -> None:
     stand = str(HELD / "force_table.toml")
-    asked = ("jitter", stand, "--speed", "wheel=0..3000rpm", "--at", "hold.reaction", "--steps", "4", "--json")
+    asked = ("vibration", stand, "--speed", "wheel=0..3000rpm", "--at", "hold.reaction", "--steps", "4", "--json")
     w = math.radians(6 * 3000)
     found = json.loads(run(*asked, "--require", "rms 6 N").stdout)
     assert found["requirements"][0]["value"] == pytest.approx(72e-6 * w**2 / math.sqrt(2), rel=1e-9)
@@ -253,11 +237,11 @@ def test_requirements_on_a_force(tmp_path: Path) -> None:
 def test_it_is_the_motion_of_the_c_through_time() -> None:
     """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""
     stand, speeds, every = stand_of(SWINGING), [20.0, 31.7], 0.02
-    found = mahovik.jitter(stand, dict(zip(("w1", "w2"), speeds, strict=True)), "hold.reaction").study.lines
-    done = columns_of(
+    found = lines_of(stand, speeds, "hold.reaction").lines
+    done = mahovik.simulate(
         stand, 50.0, regime={"flywheel": {"w1": {"speed": 20.0}, "w2": {"speed": 31.7}}}, start={"phi_dot": speeds},
         dt=every / 8, every=every, carried=True,
-    )  # fmt: skip
+    ).run  # fmt: skip
     columns = [f"hold.reaction.{axis} [N]" for axis in "xyz"]
     t = np.arange(2001) * every + 10.0
     values = np.column_stack([done[column][-2001:] for column in columns])
@@ -275,10 +259,11 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (["--at", "hold.reacton"], 'unknown output "hold.reacton", did you mean "hold.reaction"?'),
+        (["--at", "hold.reacton"], 'hold.reacton: unknown, did you mean "hold.reaction"?'),
         (["--at", "hold.z", "--quantity", "angle"], "hold.z has none; expected one of displacement, velocity"),
         (["--at", "hold.z", "--modes", "modes.csv"], "--modes: structural modes have no shape of a freedom, hold.z"),
-        (["--at", "hold.2"], 'unknown output "hold.2"'),
+        (["--at", "hold.pitch"], "expected hold.reaction, hold.z or a point"),
+        (["--at", "hold.2"], "--at hold.2: unknown"),
         (
             ["--at", "hold.reaction", "--quantity", "angle"],
             "angle: hold.reaction has none; expected one of force, moment",
@@ -287,8 +272,13 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
         (["--at", "left", "--modes", "modes.csv"], "--modes: structural modes have no shape of a load, left"),
     ],
 )
-def test_refusals_of_jitter(words: list[str], expected: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_refusals(words: list[str], expected: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("modes.csv").write_text("frequency [Hz],damping [-],modal mass [kg]\n10,0.01,1\n")
-    text = refused("jitter", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
+    text = refused("vibration", str(HELD / "linear_shaker.toml"), "--speed", "all=10", *words)
     assert expected in text and len(text.splitlines()) == 1
+
+
+def test_a_free_carrier_has_no_reaction() -> None:
+    text = refused("vibration", str(stands.path("sat4")), "--speed", "all=10", "--at", "hold.reaction")
+    assert "sat4 has no [hold]" in text

@@ -1,4 +1,4 @@
-"""Vibration against judges: jitter and steady responses against the generated C, linear models against CasADi."""
+"""Vibration against judges: lines and steady responses against the generated C, linear models against CasADi."""
 
 from __future__ import annotations
 
@@ -27,14 +27,12 @@ from mahovik.use.study.linear.model import places
 from mahovik.use.study.rest import rest
 from mahovik.use.vibration.balance import balance
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.exact import exact_lines
-from mahovik.use.vibration.lines import UNBALANCE
 from mahovik.use.vibration.maker import Harmonics
 from mahovik.use.vibration.periodic import Periodic, periodic_response
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.structure import Structure
-from mahovik.use.vibration.study import jitter
-from mahovik.use.vibration.torus_motion import Balance
+from mahovik.use.vibration.study import vibration
+from mahovik.use.vibration.torus_motion import Balance, full_motion
 from mahovik.use.vibration.view import FullMotion, View
 from study.energy_linear import linear
 
@@ -135,16 +133,20 @@ def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
     y = np.hstack([(rows[:, :3] - chart.O1) @ chart.C, attitude.as_rotvec(), rows[:, 7:]])
     for quantity in ("angle", "rate", "displacement"):
         view = View.of(place, quantity)
-        lines = exact_lines(solved, view, np.zeros(len(course.rpm)))
+        torus = solved.torus
+        lines = torus.coefficients(view.full(full_motion(solved, torus, solved.c, solved.h)))
+        hertz = np.abs(solved.frequencies) / (2.0 * np.pi)
+        lines = np.where(solved.frequencies[:, None] < 0.0, lines.conj(), lines)
         still = np.zeros((len(y), len(course.rpm)))
         values = view.full(FullMotion(solved.scene, still, still, y, np.zeros((len(y), 6)), np.zeros(6)))
-        size = np.abs(lines.amplitude[0]).max(axis=1)
-        large = (lines.frequency[0] > 0.0) & (size > SEEN * size[lines.frequency[0] > 0.0].max())
-        fitted, moving = fit_lines(t, values, lines.frequency[0, large], SECONDS)
-        a = lines.amplitude[0, large]
+        size = np.abs(lines).max(axis=1)
+        large = (hertz > 0.0) & (size > SEEN * size[hertz > 0.0].max())
+        fitted, moving = fit_lines(t, values, hertz[large], SECONDS)
+        a = lines[large]
         off, sizes = np.abs(fitted - a).max(axis=1), np.abs(a).max(axis=1)
-        single = np.array([name.source == UNBALANCE for name in lines.names])[large]
-        rms, wanted = np.sqrt((moving**2).mean(axis=0)), lines.rms()[0]
+        single = (np.count_nonzero(torus.k, axis=1) == 1)[large]
+        wanted = np.sqrt((np.abs(lines[hertz > 0.0]) ** 2).sum(axis=0) / 2.0)
+        rms = np.sqrt((moving**2).mean(axis=0))
         beyond = np.maximum(off - SEEN * sizes.max(), 0.0)
         differences = np.abs(rms - wanted) / wanted, (off / sizes)[single], (beyond / sizes)[~single]
         worst = [float(x.max(initial=0.0)) for x in differences]
@@ -160,6 +162,7 @@ def sweep(options: Namespace) -> Iterator[tuple[Any, ...]]:
             np.sort(rng.uniform(0.5, 10.0, harmonics)),
             rng.uniform(0.0, 1e-7, (harmonics, 4)) * [1.0, 1.0, 1.0, 0.0],
             np.full(harmonics, 0.1),
+            ("unknown",) * harmonics,
         )
         for name in names
     }
@@ -169,7 +172,7 @@ def sweep(options: Namespace) -> Iterator[tuple[Any, ...]]:
     )
     view, makers = View.of(places(stand, ["acc1"])[0], "angle"), Makers(tables, structure=structure)
     begin = time.perf_counter()
-    result = jitter(stand, read_speeds(stand, ["all=0..6000rpm"]), options.speeds, view, makers=makers)
+    result = vibration(stand, read_speeds(stand, "0..6000rpm"), view, steps=options.speeds, makers=makers)
     result.sums()
     seconds = time.perf_counter() - begin
     yield len(names), options.speeds, harmonics, modes, len(result.lines.names), seconds, SWEEP
@@ -238,7 +241,7 @@ TABLES = {
     "jitter": Table(
         lambda options: (row for course in JITTERS for row in jitter_rows(course)),
         {"stand": "`{}`", "speeds, rpm": "{}", "quantity": "{}", "lines": "{}", **DIFFERENCES},
-        lambda rows: f"Jitter of wheels at incommensurable speeds is that of {SECONDS:g} s of the generated C: largest "
+        lambda rows: f"Vibration at incommensurable speeds is that of {SECONDS:g} s of the generated C: largest "
         f"difference {largest(rows, 'worst'):.0e} of RMS and amplitudes",
         lambda row: row["worst"] <= ACCEPTED_JITTER,
         f"Harmonic balance against simulation, lines fitted by least squares: largest relative differences of the RMS, "
@@ -251,7 +254,7 @@ TABLES = {
             "wheels": "{}", "speeds": "{}", "harmonics": "{}", "modes": "{}", "lines": "{}", "seconds": "{:.1f}",
             "promised": "{:g}",
         },
-        lambda rows: f"A jitter sweep of {rows[0]['wheels']} wheels over {rows[0]['speeds']:,} speeds with "
+        lambda rows: f"A sweep of {rows[0]['wheels']} wheels over {rows[0]['speeds']:,} speeds with "
         f"{rows[0]['harmonics']} harmonics and {rows[0]['modes']} modes takes {rows[0]['seconds']:.1f} s on two cores",
         at_most("seconds", "promised"),
         "Tables of harmonics (radial force, axial force, radial moment) and structural modes, all sums.",

@@ -90,7 +90,7 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
     return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme
 
 
-def servo_of(servo: Servo | str | Path, stand: Stand) -> Servo:
+def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
     """The servos of the flywheels. Raises ServoError."""
     from mahovik.core.motion.servo import load_servo
 

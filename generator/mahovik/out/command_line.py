@@ -69,11 +69,15 @@ COMMANDS: dict[str, dict[str, str]] = {
         "check": "Validate a stand; print its figures.",
     },
     "Its C, and the evidence": {
+        "generate": "Write the C of a stand, or a project around it.",
         "eval": "Evaluate states from standard input.",
     },
     "Motion and vibration": {
-        "simulate": "Simulate a stand, or a programme on it.",
         "modes": "Find natural frequencies, damping, shapes.",
+        "vibration": "Find steady vibration; meet limits.",
+    },
+    "Pages": {
+        "report": "Write one page on a stand and its proof, or its derivation.",
     },
 }
 """Commands and what they do, under the headings of `--help`, in the order of use."""

@@ -11,18 +11,20 @@ import dataclasses
 import io
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
+
+if TYPE_CHECKING:
+    from mahovik.out.report.plots import Drawing
 
 Array = NDArray[Any]
 
@@ -51,13 +53,6 @@ FITS = 0.1, 1e5
 
 STYLES = {"ok": "green", "yes": "green", "passed": "green", "FAILED": "bold red", "failed": "bold red", "no": "red"}
 """Styles of words in a table on a terminal."""
-
-STYLE = {
-    "svg.hashsalt": "mahovik", "svg.fonttype": "path", "font.size": 8.5, "axes.spines.top": False,
-    "axes.spines.right": False, "axes.grid": True, "axes.formatter.useoffset": False,
-    "axes.formatter.limits": (-3, 5), "grid.color": "#e4e4e4", "grid.linewidth": 0.6, "axes.axisbelow": True,
-}  # fmt: skip
-"""Settings of matplotlib for pictures; the same data give the same bytes of SVG."""
 
 
 class Column(NamedTuple):
@@ -114,10 +109,6 @@ def columns_of(
     )
 
 
-Drawing = Callable[["Result", Any], None]
-"""Draws one panel of a result on axes of matplotlib."""
-
-
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Result(Mapping[str, Any]):
     """The answer of a command: a mapping of the arrays of its columns, by name, and of what stands in `meta`.
@@ -131,7 +122,8 @@ class Result(Mapping[str, Any]):
     messages   sentences for people, printed below the table
     ok         whether the verdict is good: False is exit status 1
     details    entries of `meta` that JSON has and tables for people leave out
-    drawings   panels of its picture; none: every column of numbers over the index
+    drawings   panels of its picture: `out.report.plots.Panel`, or functions of the result and axes of matplotlib;
+               none: the columns of numbers over the index, or over `t`
     """
 
     title: str
@@ -249,7 +241,9 @@ class Result(Mapping[str, Any]):
             self.to_pandas().to_parquet(content)
             write(path, content.getvalue())
         else:
-            write(path, self._picture(suffix))
+            from mahovik.out.report.plots import draw
+
+            write(path, draw(self.title, self._drawings(), suffix, self))
 
     def _csv(self) -> str:
         text, columns = io.StringIO(), self.flat()
@@ -267,16 +261,6 @@ class Result(Mapping[str, Any]):
         text = f"MATLAB 5.0 MAT-file, {self.title}".encode("ascii", "replace")[:116].ljust(116)
         return text + content.getvalue()[116:]
 
-    def _picture(self, suffix: str) -> bytes:
-        matplotlib = _library("matplotlib", "report")
-        with matplotlib.rc_context(STYLE):
-            figure = import_module("matplotlib.figure").Figure(layout="constrained")
-            self._draw_on(figure)
-            content = io.BytesIO()
-            metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
-            figure.savefig(content, format=suffix[1:], dpi=150, metadata=metadata)
-        return content.getvalue()
-
     def plot(self, ax: Any = None) -> Any:
         """Draw it, and return the axes of matplotlib; None: on a new figure with all panels.
 
@@ -284,33 +268,17 @@ class Result(Mapping[str, Any]):
 
         Raises UsageError without matplotlib, or where more axes are given than there are panels.
         """
-        matplotlib = _library("matplotlib", "report")
-        with matplotlib.rc_context(STYLE):
-            if ax is None:
-                return self._draw_on(import_module("matplotlib.pyplot").figure(layout="constrained"))
-            given, drawings = list(np.ravel(np.asarray(ax, dtype=object))), self._drawings()
-            if len(given) > len(drawings):
-                raise UsageError(f"ax: {len(given)} axes are given, but {self.title} has {len(drawings)} panels")
-            for axes, draw in zip(given, drawings, strict=False):
-                draw(self, axes)
-        return ax
+        from mahovik.out.report.plots import draw_on_axes
 
-    def _draw_on(self, figure: Any) -> list[Any]:
-        """All panels below one another on an empty figure."""
-        drawings = self._drawings()
-        figure.set_size_inches(8.6, 2.2 * max(len(drawings), 1.4) + 0.5)
-        figure.suptitle(self.title, x=0.01, ha="left", fontweight="bold")
-        axes = list(np.ravel(figure.subplots(len(drawings), 1)))
-        for each, draw in zip(axes, drawings, strict=True):
-            draw(self, each)
-        return axes
+        found = draw_on_axes(self.title, self._drawings(), ax, self)
+        return found if ax is None else ax
 
     def _drawings(self) -> Sequence[Drawing]:
-        numbers = (one.name for one in self.columns if one.values.dtype.kind in "iuf" and one.name != self.index)
-        found = self.drawings or [partial(_draw_column, name) for name in numbers]
-        if not found or (self.columns and not self.count):
-            raise UsageError(f"{self.title}: has no rows of numbers to draw")
-        return found
+        from mahovik.out.report.plots import column_panels
+
+        columns = [(one.name, one.unit, one.values) for one in self.flat()]
+        index = next((one for one in columns if one[0] in (self.index, "t")), None)
+        return self.drawings or column_panels(index, [one for one in columns if index is None or one[0] != index[0]])
 
     # ---- text
 
@@ -395,18 +363,6 @@ class Result(Mapping[str, Any]):
                 parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
         parts += [f"<div>{escape(line)}</div>" for line in (*self._lines(), *self.messages)]
         return "".join(parts)
-
-
-def _draw_column(name: str, found: Result, ax: Any) -> None:
-    """Draw a column over the index, or over the number of the row."""
-    one = next(_fitted(each) for each in found.columns if each.name == name)
-    abscissa = next((_fitted(each) for each in found.columns if each.name == found.index), None)
-    if abscissa is None or abscissa.values.dtype.kind not in "iuf":
-        abscissa = Column(found.index or "row", "", np.arange(1, found.count + 1))
-    ax.plot(abscissa.values, one.values, "o" if found.count < 2 else "-", label=list(one.parts) or None)
-    ax.set(xlabel=abscissa.head, title=one.head)
-    if one.parts:
-        ax.legend(loc="upper right", frameon=False)
 
 
 def plain(value: Any) -> Any:

@@ -360,7 +360,7 @@ PIECES: tuple[Piece, ...] = (
         ),
         limits="Inputs that were not tried: it looks for counter-examples for some time, and proves nothing.",
         command=lambda s: (
-            f"mahovik export fuzz {s.file} -o fuzz --real {s.real} && make -C fuzz run SECONDS={s.seconds}"
+            f"mahovik generate {s.file} --project fuzz -o fuzz --real {s.real} && make -C fuzz run SECONDS={s.seconds}"
         ),
         figure=r"^Done (\d+ runs in \d+ second\S*)",
         kept=("fuzz/crash-*", "fuzz/leak-*", "fuzz/timeout-*", "fuzz/oom-*"),

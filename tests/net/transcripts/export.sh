@@ -1,7 +1,7 @@
-mahovik export cmake $STANDS/demo3.toml --only forward -o cmake
-mahovik export target $STANDS/demo3.toml --target m7 --only forward -o board
-mahovik export fmu $STANDS/demo3.toml --no-binary
-mahovik export target $STANDS/demo3.toml --target m77
-mahovik export fmu $STANDS/demo3.toml --kind both
-mahovik export fmu $STANDS/demo3.toml --dt "1 mm"
-mahovik export sevro $STANDS/demo3.toml
+mahovik generate $STANDS/demo3.toml --project cmake --only forward -o cmake
+mahovik generate $STANDS/demo3.toml --project m7 --only forward -o board
+mahovik generate $STANDS/demo3.toml --project fmu --fmu binary=no
+mahovik generate $STANDS/demo3.toml --project m77
+mahovik generate $STANDS/demo3.toml --project fmu --fmu kind=both
+mahovik generate $STANDS/demo3.toml --project fmu --fmu dt="1 mm"
+mahovik generate $STANDS/demo3.toml --servo s.toml

@@ -11,12 +11,12 @@ mahovik plan shaker2.toml $spin -o q.json --method guess
 mahovik plot --programme p.json -o p.svg
 printf 'schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n' > servo.toml
 follow="mahovik simulate shaker2.toml $spin --programme p.json"
-$follow --servo servo.toml --periods 11 --mismatch 2% -o run.csv
+$follow --servo servo.toml --periods 11 --no-causes --mismatch 2% -o run.csv
 $follow --servo servo.toml --mismatch 2
 $follow --servo servo.toml --periods 3
 $follow
 sed 's/0.5 ms/0.5 mm/; s/latency/latencie/' servo.toml > bad.toml
 $follow --servo bad.toml
 mahovik generate shaker2.toml -o c --only forward > generate.log
-mahovik export servo shaker2.toml $spin --programme p.json --servo servo.toml -o c
-mahovik export programme $STANDS/demo3.toml --programme p.json -o table
+mahovik generate shaker2.toml $spin --programme p.json --servo servo.toml -o c
+mahovik generate $STANDS/demo3.toml --programme p.json -o table

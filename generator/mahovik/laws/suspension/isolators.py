@@ -38,10 +38,8 @@ from mahovik.core.stand.units import Dimension, QuantityError
 
 Rows = list[list[float]]
 
-SOFT = 1e-12
-"""Stiffness along a direction, at unit diagonal, below which it carries nothing."""
-LEFT = 1e-9
-"""Part of the weight, at unit diagonal of the stiffness, that may be left over."""
+SOFT, LEFT = 1e-12, 1e-9
+"""At unit diagonal: stiffness along a direction below which it carries nothing; part of the weight that may be left."""
 
 _AXES = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes that psi, theta, phi turn about."""

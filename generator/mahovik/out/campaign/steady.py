@@ -1,4 +1,4 @@
-"""Quantities over constant speeds: the periodic steady state of each sample, as `response` finds it."""
+"""Quantities over constant speeds: the periodic steady state of each sample, as `vibration` finds it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import OF_POINTS, Quantity
 from mahovik.out.campaign.signals import AXES
 from mahovik.out.campaign.values import Signal
-from mahovik.out.functions.vibration import speed_text
 from mahovik.use.vibration.band import rms
 from mahovik.use.vibration.periodic import Periodic, periodic_response
 from mahovik.use.vibration.speeds import common_period, read_speeds
@@ -31,10 +30,9 @@ class SteadyRunner:
         """Raises UsageError: speeds without a common period, or a sweep."""
         self.stand, self._quantities = stand, quantities
         given = over.speeds or {}
-        texts = [
-            speed_text(name, value if isinstance(value, str) else _number(name, value)) for name, value in given.items()
-        ]
-        asked = read_speeds(stand, texts)
+        asked = read_speeds(
+            stand, {name: each if isinstance(each, str) else _number(name, each) for name, each in given.items()}
+        )
         if asked.sweep is not None:
             raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
         self._speeds = asked.speeds(0.0)

@@ -13,9 +13,9 @@ from mahovik.errors import MahovikError
 
 OLD = {
     "Not yet functions": (
-        *("new", "import", "derive", "generate", "verify", "judge", "cost", "evidence", "judge-log"),
-        *("replay", "response", "jitter", "quiet", "balance", "identify", "campaign"),
-        *("plan", "verify-programme", "report", "plot", "export"),
+        *("new", "import", "verify", "judge", "cost", "evidence", "judge-log"),
+        *("simulate", "replay", "balance", "identify", "campaign"),
+        *("plan", "verify-programme"),
     )
 }
 

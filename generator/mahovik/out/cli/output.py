@@ -137,7 +137,7 @@ def require_other_file(path: Path, read: Iterable[str], where: str, what: str) -
 
 def require_page(path: str, read: Iterable[str]) -> None:
     """Raise UsageError for a page of charts that could not be written, before the work."""
-    from mahovik.out.report.plot.draw import require
+    from mahovik.out.report.plots import require
 
     require_suffix(path, [".html"])
     require_other_file(Path(path), read, f"--report {path}", "page")

@@ -68,8 +68,8 @@ def verify(
     --against takes folders of `generate --prefix` and `--real` as they are, and judges the functions that `generate
     --only` wrote.
 
-    With --servo and --against, judges the C that `export servo` wrote into that folder instead: every public function
-    of its header by the law in plain NumPy, and its gains by the servo file.
+    With --servo and --against, judges the C that `generate --servo` wrote there instead: every public function of its
+    header by the law in plain NumPy, and its gains by the servo file.
     """
     if servo is not None:
         _verify_servo(stand_file, servo, against, motion, programme, name, seed, states, as_json, junit)

@@ -37,8 +37,8 @@ def verify_programme(
 
     Uses only the literal reference and an adaptive integration, independent of planning: the residual of (12) between
     the programme's nodes, the carrier's motion by (8), table, period, bounds and bias.
-    With --against, every function of the C that `export programme` wrote there: its angles, the residual of (12) that
-    they leave, drive torques, run-up and run-down, and the clock.
+    With --against, every function of the C that `generate --programme` wrote there: its angles, their residual of (12),
+    drive torques, run-up and run-down, and the clock.
 
     Exit status: 0 right, 1 refused, 2 bad input.
     """

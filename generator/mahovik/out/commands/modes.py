@@ -9,6 +9,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.nearest import names_in
 from mahovik.out.arguments import FileGiven, Names, StandGiven, state_of
+from mahovik.out.report.plots import Mark, Panel, stems
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ def modes(
             "zero_eigenvalues", "unstable", "steady", *channels, *(f"{name[:-1]}_units" for name in channels),
             "points", *matrices,
         ),
-        drawings=(_draw_frequencies, _draw_eigenvalues),
+        drawings=_pictures(found),
     )  # fmt: skip
 
 
@@ -120,18 +121,13 @@ def _nominal(stand: Stand, at: Any) -> State:
         raise CheckError(f"{error}; give a state by --at STATE.json") from None
 
 
-def _draw_frequencies(found: Result, ax: Any) -> None:
-    """The damping ratio of each mode over its frequency."""
-    swinging = np.nan_to_num(found["frequency"]) > 0.0
-    x, y = found["frequency"][swinging], found["damping"][swinging]
-    ax.vlines(x, 0.0, y)
-    ax.plot(x, y, "o")
-    for number, at, height in zip(np.flatnonzero(swinging) + 1, x, y, strict=True):
-        ax.annotate(str(number), (at, height), xytext=(3, 3), textcoords="offset points")
-    ax.set(xlabel="frequency, Hz", title="damping ratio of the modes, by number")
-
-
-def _draw_eigenvalues(found: Result, ax: Any) -> None:
-    ax.plot(found["eigenvalue"].real, found["eigenvalue"].imag, "x")
-    ax.axvline(0.0, color="black", linewidth=0.6)
-    ax.set(xlabel="real part, 1/s", title="eigenvalues, imaginary part, 1/s")
+def _pictures(found: Any) -> tuple[Panel, Panel]:
+    """Damping ratio of each mode over its frequency; eigenvalues in the complex plane."""
+    modes = found.modes
+    swinging = [(k, mode) for k, mode in enumerate(modes, start=1) if mode.frequency > 0.0 and mode.kind != "free"]
+    lines = [stems(f"mode {k}", [mode.frequency], np.array([mode.damping]), k - 1) for k, mode in swinging]
+    marks = [Mark(mode.eigenvalue.real, mode.eigenvalue.imag, f"mode {k}") for k, mode in enumerate(modes, start=1)]
+    return (
+        Panel("damping ratio of the modes", tuple(lines), abscissa="frequency, Hz"),
+        Panel("eigenvalues, imaginary part, 1/s", (), abscissa="real part, 1/s", marks=tuple(marks)),
+    )

@@ -86,9 +86,9 @@ def attitude_project(stand: Stand, target: Target, options: LoopOptions, real: s
 
 def _command(options: LoopOptions, task: str, target: str, real: str) -> str:
     """The command that writes the project again: options that are the default are left out."""
-    words = ["mahovik export attitude STAND.toml", f"--task {task}", f"--target {target}", f"--real {real}"]
+    words = ["mahovik generate STAND.toml", f"--attitude task={task}"]
     for name in ("rate", "bandwidth", "damping", "momentum", "failure"):
         value = getattr(options, name)
         if value != getattr(LoopOptions(), name):
-            words.append(f"--{name} {value if isinstance(value, str) else f'{value:.17g}'}")
-    return " ".join(words)
+            words.append(f"--attitude {name}={value if isinstance(value, str) else f'{value:.17g}'}")
+    return " ".join([*words, f"--project {target}", f"--real {real}"])

@@ -41,7 +41,7 @@ def cmake_project(
         "encoder": "encoder" in additions,
         "example": example,
         "bodies": describe_bodies(stand),
-        "command": f"mahovik export cmake STAND.toml{options}",
+        "command": f"mahovik generate STAND.toml --project cmake{options}",
         "structure": found.structure,
         "physics": found.physics,
         "headers": [file for file in files if file.endswith((".h", ".hpp")) and "/" not in file],

@@ -50,7 +50,7 @@ def export_fmu(
     the FMU has only sources, and a message says so.
     """
     if not 1e-9 <= dt <= 10.0:
-        raise UsageError(f"--dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
+        raise UsageError(f"fmu dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
     generated = generated or generate_all(stand)
     found = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
     description = fmu_description(stand, found, version, compiled_sources(stand, version), max(STEP, dt))
@@ -83,7 +83,7 @@ def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
     try:
         found = rest(stand).state
     except CheckError as error:
-        raise CheckError(f"{error}; give an initial state by --start") from None
+        raise CheckError(f"{error}; give an initial state by --fmu start=STATE.json") from None
     position, attitude = _round(found.position), _round(_unit(found, generated))
     return Start(position, attitude, found.V, found.phi, found.phi_dot)
 

@@ -57,12 +57,10 @@ def export_servo(
     kind: str = "quintic",
     sources: tuple[str, str] = ("programme", "servo"),
     called: str = "programme",
-    force: bool = False,
 ) -> ExportedServo:
     """C of a programme and of the servos that follow it.
 
-    `sources` name programme and servo in messages; `called` names the programme in C, and so its servo;
-    `force`: also of a programme that exceeds its bounds.
+    `sources` name programme and servo in messages; `called` names the programme in C, and so its servo.
 
     CheckError: the sampled loop is not stable with enough margin, the programme is not accurate enough, or stand,
     programme and motion do not belong together. UsageError: torques or a trim without the motion.
@@ -82,7 +80,7 @@ def export_servo(
         trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics, stand.hold is not None)
         design = trim_members(made, motion, programme, servo.period)
         lines = (*lines, trim_message(made, stand))
-    tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0], called=called, force=force)
+    tabled = export_programme(stand, programme, motion, kind, real=real, source=sources[0], called=called)
     form = ServoForm(layout.count, trim)
     program = lower_servo(layout, form)
     values = gains(stand, servo, programme.span)

@@ -28,7 +28,7 @@ def exportable(name: str) -> Target:
     if target is None:
         raise UsageError(f'unknown target "{name}"{suggestion(name, TARGETS)}')
     if target.linker:
-        raise UsageError(f"{name} is compiled and linked by two compilers: export {name.partition('-')[0]} instead")
+        raise UsageError(f"{name} is compiled and linked by two compilers: choose {name.partition('-')[0]} instead")
     return target
 
 
@@ -52,7 +52,7 @@ def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ())
     files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})")
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
-        command=f"mahovik export target STAND.toml --target {target.name} --real {real}"
+        command=f"mahovik generate STAND.toml --project {target.name} --real {real}"
         + (f" --only {','.join(only)}" if only else ""),
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if f"{VERIFICATION}startup.S" in files else "startup.c",

@@ -14,7 +14,7 @@ from mahovik.nearest import suggestion
 from mahovik.out.api.fields import Array, table
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plot.panel import Panel
+    from mahovik.out.report.plots import Panel
 
 SHOWN_ROWS = 12
 """Rows of a notebook's table: the first ones, and the last."""
@@ -85,7 +85,7 @@ class Table(ABC):
 
         Raises UsageError without matplotlib, InputError for other numbers of axes.
         """
-        from mahovik.out.report.plot.draw import draw_on_axes
+        from mahovik.out.report.plots import draw_on_axes
 
         return draw_on_axes(self._title, self._panels(), axes)
 
@@ -94,21 +94,14 @@ class Table(ABC):
         return repr(self).strip("<>")
 
     def _panels(self) -> Sequence[Panel]:
-        """Contents of its picture: each column of numbers over the rows, which are counted from 1."""
-        from mahovik.out.report.plot.panel import Panel, stems
+        """Contents of its picture: columns of numbers over the index, over time, or over the rows."""
+        from mahovik.out.report.plots import column_panels
 
-        rows = np.arange(1.0, len(self) + 1)
-        drawn = [column for column in self.columns if column.values.dtype.kind in "iuf" and column.name != self.index]
-        if not (drawn and len(rows)):
+        index = next((each for each in self.columns if each.name in (self.index, "t")), None)
+        drawn = [each for each in self.columns if index is None or each.name != index.name]
+        if not (len(self) and any(each.values.dtype.kind in "iuf" for each in self.columns)):
             raise UsageError(f"{self._title}: has no rows of numbers to draw")
-        return [
-            Panel(
-                f"{column.name}, {column.unit}" if column.unit else column.name,
-                (stems("", rows, np.asarray(column.values, dtype=np.float64)),),
-                abscissa="row", span=(0.5, len(rows) + 0.5),
-            )
-            for column in drawn
-        ]  # fmt: skip
+        return column_panels(index, drawn)
 
     def _repr_html_(self) -> str:
         head = [f"{column.name}, {column.unit}" if column.unit else column.name for column in self.columns]

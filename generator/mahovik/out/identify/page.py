@@ -17,7 +17,7 @@ from mahovik.out.identify.free import Free
 from mahovik.out.identify.run import Run
 from mahovik.out.report.data.panels import confidence_ellipse, order_panels
 from mahovik.out.report.page import Cell, Part, figure
-from mahovik.out.report.plot.panel import Panel
+from mahovik.out.report.plots import Panel
 from mahovik.use.measured import Recording
 from mahovik.use.measured.orders import OrderMap, merge_maps, order_map
 

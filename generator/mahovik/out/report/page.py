@@ -7,8 +7,9 @@ import io
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from markupsafe import Markup, escape
 
@@ -17,8 +18,7 @@ from mahovik.core.emit.generate import describe_bodies
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.out.report.plot.draw import STYLE, make_figure, require
-from mahovik.out.report.plot.panel import Line, Panel, envelope
+from mahovik.out.report.plots import STYLE, Panel, make_figure, require
 from mahovik.writing import probe, write
 
 Cell = str | Markup
@@ -94,26 +94,25 @@ def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[
 
 
 def picture(panels: Sequence[Panel]) -> Markup:
-    """Panels as one picture in the page, which follows its colours by the page's style."""
+    """Panels as one picture in the page."""
     matplotlib, figures = require("report")
     with matplotlib.rc_context({**STYLE, "svg.fonttype": "none"}):
-        figure, _ = make_figure(figures.Figure, "", [replace(p, lines=tuple(map(_short, p.lines))) for p in panels])
-        stream = io.StringIO()
-        figure.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
+        return inline(make_figure(figures.Figure, "", panels)[0], ", ".join(panel.quantity for panel in panels))
+
+
+def inline(drawn: Any, label: str) -> Markup:
+    """A figure of matplotlib as SVG in the page, whose style turns its colours where it is dark."""
+    matplotlib, _ = require("report")
+    stream = io.StringIO()
+    with matplotlib.rc_context({**STYLE, "svg.fonttype": "none"}):
+        drawn.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     svg = stream.getvalue()
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg[svg.index("<svg") :], flags=re.DOTALL)
     svg = re.sub(r"(\d\.\d\d)\d+", r"\1", svg)  # a hundredth of a point is enough
     svg = svg.replace('<g id="', '<g data-id="')  # groups that nothing refers to
     salt = hashlib.sha256(svg.encode()).hexdigest()[:8]  # no other picture of the page has these names
     svg = re.sub(r'( id="|"#|url\(#)', rf"\g<1>{salt}", svg)
-    names = ", ".join(panel.quantity for panel in panels)
-    return Markup('<figure role="img" aria-label="{}">{}</figure>\n').format(names, Markup(svg))
-
-
-def _short(line: Line) -> Line:
-    """The line without points that nobody sees: of each stretch the extremes are kept."""
-    kept = envelope(line.y)
-    return replace(line, x=line.x[kept], y=line.y[kept])
+    return Markup('<figure role="img" aria-label="{}">{}</figure>\n').format(label, Markup(svg))
 
 
 def paragraph(text: str) -> Markup:
@@ -125,10 +124,18 @@ def paragraph(text: str) -> Markup:
 def table(head: Sequence[Cell], rows: Sequence[Row], caption: str = "") -> Markup:
     """A table that scrolls where it is too wide; numbers of columns whose name ends in ">" stand at the right."""
     sides = [Markup(' class="number"') if str(name).endswith(">") else "" for name in head]
-    return Markup(
-        template("page_table.html.j2").render(
-            caption=caption, head=[name.removesuffix(">") for name in head], sides=sides, rows=rows
+
+    def line(kind: str, cells: Row) -> Markup:
+        inside = Markup("").join(
+            Markup("<{0}{1}>{2}</{0}>").format(kind, *each) for each in zip(sides, cells, strict=True)
         )
+        return Markup("<tr>{}</tr>\n").format(inside)
+
+    names = line("th", [name if isinstance(name, Markup) else name.removesuffix(">") for name in head])
+    words = Markup("<caption>{}</caption>").format(caption) if caption else ""
+    body = Markup("").join(line("td", row) for row in rows)
+    return Markup('<div class="scroll"><table>{}<thead>{}</thead>\n<tbody>{}</tbody></table></div>\n').format(
+        words, names, body
     )
 
 

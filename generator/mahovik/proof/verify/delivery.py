@@ -96,7 +96,7 @@ def with_prefix(stand: Stand, prefix: str | None) -> Stand:
         return stand
     problem = stand_name_problem(prefix)
     if problem is not None:
-        raise UsageError(f"--prefix {prefix}: {problem}")
+        raise UsageError(f"prefix {prefix}: {problem}")
     return replace(stand, name=prefix)
 
 

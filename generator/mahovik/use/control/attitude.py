@@ -112,8 +112,8 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
         )
     if options.failure != "none" and np.linalg.matrix_rank(axes[1:], tol=1e-6) < 3:
         raise UsageError(
-            f'--failure {options.failure}: without its first flywheel "{stand.flywheels[0].name}" the stand '
-            f'"{stand.name}" cannot be turned in every direction; expected a fourth flywheel, or --failure none'
+            f'attitude failure {options.failure}: without its first flywheel "{stand.flywheels[0].name}" the stand '
+            f'"{stand.name}" cannot be turned in every direction; expected a fourth flywheel, or failure=none'
         )
     motors = [wheel.motor for wheel in stand.flywheels]
     preferred = _preferred_speeds(axes, spins, motors)
@@ -178,12 +178,14 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
         )
     names = [task.name for task in stand.tasks]
     if name is None and len(names) != 1:
-        found = f"tasks {', '.join(names)}: give --task NAME" if names else "no task: add [task.pointing] to its file"
+        found = "no task: add [task.pointing] to its file"
+        if names:
+            found = f"tasks {', '.join(names)}: give --attitude NAME"
         raise UsageError(f'stand "{stand.name}": {found}, with rows = ["wx", "wy", "wz"]')
     wanted = name if name is not None else names[0]
     task = next((each for each in stand.tasks if each.name == wanted), None)
     if task is None:
-        raise UsageError(f'--task {wanted}: stand "{stand.name}" has no such task{suggestion(wanted, names)}')
+        raise UsageError(f'attitude task {wanted}: stand "{stand.name}" has no such task{suggestion(wanted, names)}')
     rows = [f"{row.of}.{row.component}" if row.of else row.component for row in task.rows]
     if sorted(rows) != list(ROWS):
         raise UsageError(
@@ -196,23 +198,23 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
 def _check_rates(options: LoopOptions) -> tuple[float, float]:
     """Sample period (s) and bandwidth (rad/s)."""
     for option, value, most in (
-        ("--rate", options.rate, 1e5),
-        ("--bandwidth", options.bandwidth, 1e3),
-        ("--damping", options.damping, 10.0),
+        ("attitude rate", options.rate, 1e5),
+        ("attitude bandwidth", options.bandwidth, 1e3),
+        ("attitude damping", options.damping, 10.0),
     ):
         if not 0.0 < value <= most:
             raise UsageError(f"{option} {value:g}: expected a number above 0, at most {most:g}")
     if not 0.0 <= options.momentum <= 1e6:
-        raise UsageError(f"--momentum {options.momentum:g}: expected N m s, 0 or more")
+        raise UsageError(f"attitude momentum {options.momentum:g}: expected N m s, 0 or more")
     period, omega = 1.0 / options.rate, 2 * math.pi * options.bandwidth
     if omega * period > MOST_STEP:
         least = omega / MOST_STEP
         raise UsageError(
-            f"--rate {options.rate:g}: too slow for a bandwidth of {options.bandwidth:g} Hz; expected {least:.3g} Hz "
-            "or more"
+            f"attitude rate {options.rate:g}: too slow for a bandwidth of {options.bandwidth:g} Hz; expected "
+            f"{least:.3g} Hz or more"
         )
     if 1.0 / options.rate > 10.0 or options.damping < 0.2:
-        raise UsageError("--rate, --damping: expected at least 0.1 Hz and 0.2")
+        raise UsageError("attitude rate, damping: expected at least 0.1 Hz and 0.2")
     return period, omega
 
 
@@ -262,8 +264,8 @@ def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: flo
             most, first = min((most, first), (float(room), wheel.name))
     if momentum > most:
         raise UsageError(
-            f'--momentum {momentum:g}: flywheel "{first}" would turn above 70 % of its no-load speed; expected at '
-            f"most {0.999 * most:.3g} N m s"
+            f'attitude momentum {momentum:g}: flywheel "{first}" would turn above 70 % of its no-load speed; expected '
+            f"at most {0.999 * most:.3g} N m s"
         )
 
 

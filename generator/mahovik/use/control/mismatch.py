@@ -10,12 +10,12 @@ import numpy as np
 
 from mahovik.core.stand.declare import Errors
 from mahovik.core.stand.fields import Mat3
+from mahovik.core.stand.frames import placement
 from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAxes, Stand, Vec3
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems
 from mahovik.errors import UsageError, whole_number
-from mahovik.use.numeric import mount_axes
 
 MOST = 0.2
 """Largest share: beyond it a stand is a different one, not a badly measured one."""
@@ -40,7 +40,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
     """
     if not (math.isfinite(share) and 0.0 <= share <= MOST):
-        raise UsageError(f"mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
+        raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
     if share == 0.0:
         return stand
     whole_number("seed", seed, 0)
@@ -59,7 +59,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     if not problems.lines:
         check_stand(found, problems)
     if problems.lines:
-        raise UsageError(f"{problems.lines[0]}; use another seed or a smaller mismatch")
+        raise UsageError(f"{problems.lines[0]}; use another --seed or a smaller --mismatch")
     return found
 
 
@@ -89,6 +89,6 @@ class _Bodies(Errors):
     def flywheel(self, own: Flywheel) -> Flywheel:
         from scipy.spatial.transform import Rotation
 
-        axes = Rotation.from_rotvec(self.direction()).as_matrix() @ mount_axes(own)
+        axes = Rotation.from_rotvec(self.direction()).as_matrix() @ placement(own)[1]
         mounting = MountingAxes(*(cast(Vec3, tuple(axes[:, i].tolist())) for i in (0, 1)))
         return replace(self.body(own), position=self.vector(own.position), mounting=mounting)

@@ -19,7 +19,7 @@ from mahovik.use.numeric.course import (
     wrench,
 )
 from mahovik.use.numeric.frame import Frame, Twists, in_E1, in_fluid, uniform_stream
-from mahovik.use.numeric.mechanics import Mechanics, waves
+from mahovik.use.numeric.mechanics import Mechanics, inertia, waves
 from mahovik.use.numeric.residual import (
     Drive,
     Linear,
@@ -42,15 +42,10 @@ from mahovik.use.numeric.se3 import (
     Complex,
     attitude,
     block_diagonal,
-    fixed_axes,
-    flywheel_transfer,
-    inertia,
     motor_cross,
-    mount_axes,
     place,
     rotation_vector_rate,
     skew,
-    transfer,
     turn,
 )
 
@@ -76,9 +71,7 @@ __all__ = [
     "course",
     "drive",
     "equilibrium",
-    "fixed_axes",
     "flywheel_damping",
-    "flywheel_transfer",
     "flywheel_wrenches",
     "in_E1",
     "in_fluid",
@@ -88,7 +81,6 @@ __all__ = [
     "linearise",
     "linearise_along",
     "motor_cross",
-    "mount_axes",
     "place",
     "prescribe",
     "prescribed_at",
@@ -98,7 +90,6 @@ __all__ = [
     "slopes_of_residual",
     "slopes_of_torques",
     "torques",
-    "transfer",
     "turn",
     "uniform_stream",
     "waves",

@@ -12,19 +12,15 @@ from functools import cached_property
 import numpy as np
 
 from mahovik.core.lower.law_arrays import LawArrays, TwistLaws, law_arrays
+from mahovik.core.stand.frames import pose, transfer
 from mahovik.core.stand.hold import twists as freedom_twists
-from mahovik.core.stand.model import Carrier, Instrument, Stand
+from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.use.numeric.frame import Frame, Twists, in_E1
 from mahovik.use.numeric.se3 import (
     Array,
     block_diagonal,
-    fixed_axes,
-    flywheel_transfer,
-    gravity_wrench_matrix,
-    inertia,
     motor_cross,
-    net_weight,
-    transfer,
+    skew,
     turn,
 )
 
@@ -54,13 +50,13 @@ class Base:
     def of(stand: Stand, laws: LawArrays) -> Base:
         """Carrier and instruments of a stand."""
         placed: list[tuple[Carrier | Instrument, Array]] = [(stand.carrier, np.eye(6))]
-        placed += [(p, transfer(p.position, fixed_axes(p.angles))) for p in stand.instruments]
+        placed += [(p, transfer(*pose(stand, p))) for p in stand.instruments]
         K, heavy, damped = np.zeros((6, 6)), np.zeros((6, 3)), []
         for (body, L), damping in zip(placed, laws.bodies, strict=False):
             K += L @ inertia(body) @ L.T
             if body.added_mass is not None:
                 K += np.array(body.added_mass)
-            heavy += L @ gravity_wrench_matrix(*net_weight(body)) @ L[:3, :3].T
+            heavy += L @ weight_matrix(*net_weight(body)) @ L[:3, :3].T
             if damping is not None:
                 damped.append((L, damping))
         return Base(stand, laws, K, heavy, tuple(damped))
@@ -107,7 +103,7 @@ class Tables:
     def of(stand: Stand, laws: LawArrays) -> Tables:
         """The tables of a stand's flywheels."""
         wheels = stand.flywheels
-        Lm = np.array([flywheel_transfer(stand, s) for s in wheels]).reshape(-1, 6, 6)
+        Lm = np.array([transfer(*pose(stand, s)) for s in wheels]).reshape(-1, 6, 6)
         Theta = np.array([inertia_harmonics(inertia(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 6)
         weight = np.array([weight_harmonics(*net_weight(s), Lm[k]) for k, s in enumerate(wheels)]).reshape(-1, 5, 6, 3)
         return Tables(
@@ -138,8 +134,28 @@ class Tables:
         return damping, L, (V_r[:, None, :] @ L)[:, 0, :] + phi_dot[:, None] * f
 
 
+def inertia(body: Body) -> Array:
+    """Theta (6, 6; kg, kg m, kg m2) = [[m E, -<mu>], [<mu>, J]] about the origin of the body's frame."""
+    mu = skew(body.mass * np.array(body.center_of_mass))
+    J = np.array(body.inertia)
+    if body.inertia_about != "origin":
+        J = J - mu @ skew(np.array(body.center_of_mass))
+    return np.block([[body.mass * np.eye(3), -mu], [mu, J]])
+
+
+def weight_matrix(mass: float, moment: Array) -> Array:
+    """Matrix (6, 3) that makes a wrench of gravity: (mass g; moment x g), `moment` (3; kg m)."""
+    return np.vstack([mass * np.eye(3), skew(moment)])
+
+
+def net_weight(body: Body) -> tuple[float, Array]:
+    """What gravity acts on: mass (kg) and first moment (3, kg m) in its frame, less those of the displaced fluid."""
+    moment = sum((mass * np.array(center) for mass, center in body.displaced), np.zeros(3))
+    return body.mass - sum(mass for mass, _ in body.displaced), body.mass * np.array(body.center_of_mass) - moment
+
+
 def inertia_harmonics(Theta: Array, Lm: Array) -> Array:
-    """Harmonics (5, ..., 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T, Theta (..., 6, 6)."""
+    """Harmonics (5, 6, 6) of Lm R(phi) Theta R(phi)^T Lm^T, Theta (6, 6)."""
     parts = [Lm @ R for R in (_STILL, _COS, _SIN)]
     still, cos, sin = ([a @ Theta @ b.T for b in parts] for a in parts)
     return np.array(
@@ -153,12 +169,11 @@ def inertia_harmonics(Theta: Array, Lm: Array) -> Array:
     )
 
 
-def weight_harmonics(mass: Array | float, moment: Array, Lm: Array) -> Array:
-    """Harmonics (5, ..., 6, 3) of the wrench by gravity on masses (..., kg) with first moments (..., 3; kg m)."""
-    C = Lm[:3, :3]
-    harmonics = np.zeros((5, *np.shape(mass), 6, 3))
+def weight_harmonics(mass: float, moment: Array, Lm: Array) -> Array:
+    """Harmonics (5, 6, 3) of the wrench by gravity on a mass (kg) with its first moment (3; kg m)."""
+    harmonics = np.zeros((5, 6, 3))
     for h, (share, R) in enumerate(((1.0, _STILL), (0.0, _COS), (0.0, _SIN))):
-        harmonics[h] = Lm @ gravity_wrench_matrix(share * np.asarray(mass), moment @ R[:3, :3].T) @ C.T
+        harmonics[h] = Lm @ weight_matrix(share * mass, R[:3, :3] @ moment) @ Lm[:3, :3].T
     return harmonics
 
 

@@ -7,11 +7,12 @@ import numpy as np
 from mahovik.core.motion.motion_file import NO_SLEW
 from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
+from mahovik.core.stand.frames import transfer
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.numeric import Array, Frame, Twists, transfer
+from mahovik.use.numeric import Array, Frame, Twists
 
 UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
 """What acts along a coordinate of a unit, and its own unit."""

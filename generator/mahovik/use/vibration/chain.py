@@ -7,18 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.use.numeric import Array, Complex, skew
-from mahovik.use.vibration.lines import TABLE, LineName, Lines
+from mahovik.use.vibration.lines import MAKER, LineName, Lines
 from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.structure import Structure, way_back
 from mahovik.use.vibration.torus import Whole
-from mahovik.use.vibration.view import LinearMotion, LoadView, Observable, View
+from mahovik.use.vibration.view import LinearMotion, LoadView, Observable
 
 CHUNK = 2_000_000
 """Speeds, lines and modes treated at once: their product."""
@@ -74,11 +75,9 @@ class Chain:
             ratios = (np.zeros(0), np.zeros(0))
             unseen = np.zeros((N, 0, 6))
             return Chain(plant, seen, makers, names, tables.Lm, Theta, gyro, tilting, none, unseen, ratios)
-        if not isinstance(seen, View):
+        if isinstance(seen, LoadView) or not seen.parts:
             what = "load" if isinstance(seen, LoadView) else "freedom"
-            raise UsageError(
-                f"--modes: structural modes have no shape of a {what}, {seen.name}; expected a point as --at"
-            )
+            raise UsageError(f"modes: structural modes have no shape of a {what}, {seen.name}; expected a point")
         about = np.array([_to_mount(L) for L in tables.Lm])
         modes = np.zeros((N, len(structure.omega), 6))
         for s, name in enumerate(names):
@@ -109,14 +108,18 @@ class Chain:
         """
         passed = self._transmit(speeds, omega, mounts)
         each = (passed - mounts)[..., None]
-        a = np.zeros((*omega.shape, 3), dtype=np.complex128)
+        a = self.bent(omega, passed)
         if each.any():
             a += self.seen.linear(self.motion(speeds, omega, each.sum(axis=2), lambda s: each[:, :, s]))[..., 0]
-        if self.makers.structure is not None:
-            force = np.einsum("smi,tlsi->tlm", self.mount_modes, passed)
-            q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
-            a += (q @ self.seen_modes.T) * self.seen.derivative(omega)[..., None]
         return a
+
+    def bent(self, omega: Array, mounts: Complex) -> Complex:
+        """Amplitudes (S, L, 3) of what the structural modes move, by mount wrenches (S, L, N, 6) in E1 about O1."""
+        if self.makers.structure is None:
+            return np.zeros((*omega.shape, 3), dtype=np.complex128)
+        force = np.einsum("smi,tlsi->tlm", self.mount_modes, mounts)
+        q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
+        return np.asarray((q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None])
 
     def motion(self, speeds: Array, omega: Array, wrench: Complex, by_wheel: Callable[[int], Complex]) -> LinearMotion:
         """Motion of the rigid carrier by wrenches (S, L, 6, P) on it in E1 about O1; `by_wheel`: those of one wheel."""
@@ -139,6 +142,24 @@ class Chain:
             return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
 
         return self.motion(speeds, omega, wrench[..., None], by_wheel)
+
+    def first_orders(self, speeds: Array, phases: Array) -> tuple[Array, Complex]:
+        """omega (S, N; rad/s) and amplitudes (S, N, 3) of the first orders, to first order in unbalance.
+
+        Speeds (S, N; rad/s), phases (N, rad) at t = 0; zero for a wheel at rest, NaN at an undamped resonance.
+        """
+        omega, wrench = self.plant.unbalance(speeds, phases)
+        still = omega == 0.0
+        positive = np.where(still, 1.0, omega)
+        motion = self.by_unbalance(speeds, positive, wrench)
+        a = self.seen.linear(motion)[..., 0]
+        if self.one_way:
+            mounts = self.mounts(speeds, positive, motion.pose[..., 0])
+            each = np.arange(wrench.shape[1])
+            mounts[:, each, each] += wrench
+            a += self.driven_amplitudes(speeds, positive, mounts)
+        a[still] = 0.0
+        return omega, np.asarray(a, dtype=np.complex128)
 
     def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
@@ -165,7 +186,7 @@ class Chain:
 
     def table_lines(self, speeds: Array) -> Lines:
         """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
-        found = Lines((), np.zeros((len(speeds), 0)), np.zeros((len(speeds), 0, 3), dtype=np.complex128))
+        found = Lines.none(len(speeds))
         for s, name in enumerate(self.names):
             table = self.makers.harmonics.get(name)
             if table is not None:
@@ -177,15 +198,22 @@ class Chain:
         omega = np.abs(speeds[:, s, None]) * table.order
         still = omega == 0.0
         size = table.amplitude[:, there] * np.where(still, 0.0, 1.0)[..., None] * (speeds[:, s] ** 2)[:, None, None]
-        answer = self.unit_answers(s, there, speeds, np.where(still, 1.0, omega))  # (S, H, 3, P)
+        forward, backward = (
+            self.unit_answers(s, there, speeds, np.where(still, 1.0, omega), back) for back in (False, True)
+        )  # (S, H, 3, P)
+        sense = np.array(table.sense)[:, None, None]
+        larger = np.where(np.isnan(forward) | (np.abs(backward) <= np.abs(forward)), forward, backward)
+        answer = np.where(sense == "forward", forward, np.where(sense == "backward", backward, larger))
         a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
         parts = [list(PARTS)[i] for i in there]
-        tolerance = np.repeat(table.tolerance, len(parts))
-        names = [LineName(name, float(order), TABLE, part) for order in table.order for part in parts]
-        names = [label._replace(tolerance=float(t)) for label, t in zip(names, tolerance, strict=True)]
+        names = [
+            LineName(name, float(order), MAKER, part, float(tolerance))
+            for order, tolerance in zip(table.order, table.tolerance, strict=True)
+            for part in parts
+        ]
         kept = (table.amplitude[:, there] > 0.0).ravel()
         frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
-        return Lines(tuple(names), frequency, a).select(kept)
+        return Lines(tuple(names), frequency, np.asarray(a, dtype=np.complex128)).select(kept)
 
     def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
         """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
@@ -198,10 +226,16 @@ class Chain:
         turned = np.where(sense[:, :, None] < 0.0, basis.conj(), basis)  # (S, 6, P)
         S, L = omega.shape
         a = np.empty((S, L, 3, len(parts)), dtype=np.complex128)
-        step = max(1, CHUNK // max(L * max(len(self.seen_modes.T), 6), 1))
+        step = max(1, CHUNK // max(L * len(self.names) * max(len(self.seen_modes.T), 6), 1))
         for i in range(0, S, step):
             at = slice(i, i + step)
-            a[at] = self._rigid_and_modes(s, speeds[at], omega[at], turned[at])
+            wrench = np.broadcast_to(turned[at, None], (*omega[at].shape, *turned.shape[1:]))
+            motion = self.motion(speeds[at], omega[at], wrench, partial(_of_wheel, s, wrench))
+            a[at] = self.seen.linear(motion)
+            for p in range(len(parts) if self.makers.structure is not None else 0):
+                mounts = self.mounts(speeds[at], omega[at], motion.pose[..., p])
+                mounts[:, :, s] += wrench[..., p]
+                a[at, ..., p] += self.bent(omega[at], mounts)
         return a * gains[:, :, None, :]
 
     def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
@@ -213,33 +247,10 @@ class Chain:
         gains = np.stack(found, axis=-1)
         return np.where(signed[..., None] < 0.0, gains.conj(), gains)
 
-    def _rigid_and_modes(self, s: int, speeds: Array, omega: Array, wrench: Complex) -> Complex:
-        """Amplitudes (S, L, 3, P) by wrenches (S, 6, P) of wheel s on its mount."""
-        on_carrier = np.broadcast_to(wrench[:, None], (*omega.shape, *wrench.shape[1:]))
-        none = np.zeros_like(on_carrier)
-        motion = self.motion(speeds, omega, on_carrier, lambda wheel: on_carrier if wheel == s else none)
-        a, pose = self.seen.linear(motion), motion.pose
-        structure = self.makers.structure
-        if structure is not None:
-            S, m = len(speeds), len(structure.omega)
-            # the carrier's motion p moves all wheels: sum_s mount_modes_s (omega^2 Theta_s + i omega gyro_s phi_s') p
-            inertia = np.einsum("smi,sij->mj", self.mount_modes, self.Theta)
-            spin = np.einsum("smi,sij,ts->tmj", self.mount_modes, self.gyro, speeds)
-            direct = self.mount_modes[s] @ wrench  # (S, m, P)
-            P = wrench.shape[2]
-            right = np.empty((S, m, 3 * (P + 12)), dtype=np.complex128)
-            right[:, :, : 3 * P] = np.einsum("im,tmp->tmip", self.seen_modes, direct).reshape(S, m, 3 * P)
-            right[:, :, 3 * P : 3 * (P + 6)] = np.einsum("im,mj->mij", self.seen_modes, inertia).reshape(m, 18)
-            right[:, :, 3 * (P + 6) :] = np.einsum("im,tmj->tmij", self.seen_modes, spin).reshape(S, m, 18)
-            excited = np.asarray(right.any(axis=2))[:, None]
-            out = np.where(excited, structure.compliance(omega), 0.0) @ right  # (S, L, 3 (P + 12))
-            L = omega.shape[1]
-            w = omega[:, :, None, None]
-            by_inertia = out[..., 3 * P : 3 * (P + 6)].reshape(S, L, 3, 6)
-            by_spin = out[..., 3 * (P + 6) :].reshape(S, L, 3, 6)
-            bent = out[..., : 3 * P].reshape(S, L, 3, P) + (w**2 * by_inertia + 1j * w * by_spin) @ pose
-            a = a + bent * self.seen.derivative(omega)[:, :, None, None]
-        return np.asarray(a)
+
+def _of_wheel(s: int, wrench: Complex, wheel: int) -> Complex:
+    """The wrench of a wheel where it is that of wheel s alone."""
+    return wrench if wheel == s else np.zeros_like(wrench)
 
 
 def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: float) -> str | None:

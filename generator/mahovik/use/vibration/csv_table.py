@@ -54,25 +54,25 @@ def read_columns(
     known      dimension of a column by its name, None: unknown; `names` for the hint; `required` must be there
     texts      columns of texts, without a unit
     """
-    lines = _lines(path)
-    heads = [_head(path, cell, known, names, texts) for cell in lines[0]]
-    for i, (name, _) in enumerate(heads):
-        if name in (each for each, _ in heads[:i]):
+    head, *rows = _lines(path)
+    columns = [_head(path, cell, known, names, texts) for cell in head]
+    found = [name for name, _ in columns]
+    for name in found:
+        if found.count(name) > 1:
             raise JitterFileError([f'{path}: column "{name}" appears twice'])
     for name in required:
-        if name not in (each for each, _ in heads):
+        if name not in found:
             raise JitterFileError([f'{path}: no column "{name}"'])
-    numbers: dict[str, list[float]] = {name: [] for name, _ in heads if name not in texts}
-    words: dict[str, list[str]] = {name: [] for name, _ in heads if name in texts}
-    for line, cells in enumerate(lines[1:], 2):
-        if len(cells) != len(heads):
-            raise JitterFileError([f"{path}, row {line}: {len(cells)} cells, but the header has {len(heads)}"])
-        for (name, scale), cell in zip(heads, cells, strict=True):
-            if name in texts:
-                words[name].append(cell.strip())
-            else:
-                numbers[name].append(_number(path, line, name, cell) * scale)
-    return Columns(path, {name: np.array(each) for name, each in numbers.items()}, words, len(lines) - 1)
+    for i, cells in enumerate(rows):
+        if len(cells) != len(found):
+            raise refuse(path, i, f"{len(cells)} cells, but the header has {len(found)}")
+    numbers, words = dict[str, Array](), dict[str, list[str]]()
+    for (name, scale), column in zip(columns, zip(*rows, strict=True), strict=True):
+        if name in texts:
+            words[name] = [cell.strip() for cell in column]
+        else:
+            numbers[name] = np.array([_number(path, i, name, cell) * scale for i, cell in enumerate(column)])
+    return Columns(path, numbers, words, len(rows))
 
 
 def _lines(path: Path) -> list[list[str]]:
@@ -94,37 +94,35 @@ def _head(
 ) -> tuple[str, float]:
     """Name of a column and factor to SI."""
     head = _HEAD.fullmatch(cell)
-    name = head[1] if head else cell.strip()
-    dimension = None if head is None else known(name)
-    if head is None or dimension is None:
+    name, unit = (head[1], (head[2] or "").strip()) if head else (cell.strip(), "")
+    dimension = known(name) if head else None
+    where = f'{path}, column "{name}"'
+    if dimension is None:
         raise JitterFileError([f'{path}: unknown column "{cell.strip()}"{suggestion(name, names)}'])
     if name in texts:
         return name, 1.0
-    unit = (head[2] or "").strip()
     if not dimension.si:
         if unit not in ("", "-", "1", "%"):
-            raise JitterFileError([f'{path}, column "{name}": unit "{unit}", expected a plain number, [-] or [%]'])
+            raise JitterFileError([f'{where}: unit "{unit}", expected a plain number, [-] or [%]'])
         return name, 0.01 if unit == "%" else 1.0
     if not unit:
-        raise JitterFileError([f'{path}, column "{name}": no unit; expected {dimension.words}, as [{dimension.si}]'])
+        raise JitterFileError([f"{where}: no unit; expected {dimension.words}, as [{dimension.si}]"])
     if "Hz" in unit and "(rad/s)" in dimension.si:
-        raise JitterFileError(
-            [f'{path}, column "{name}": unit "{unit}": Hz may be turns or radians by s; write rpm, rev/s or rad/s']
-        )
+        raise JitterFileError([f'{where}: unit "{unit}": Hz may be turns or radians by s; write rpm, rev/s or rad/s'])
     try:
         return name, float(factor(unit, dimension))
     except QuantityError as error:
-        raise JitterFileError([f'{path}, column "{name}": {error}']) from None
+        raise JitterFileError([f"{where}: {error}"]) from None
 
 
-def _number(path: Path, line: int, name: str, cell: str) -> float:
+def _number(path: Path, row: int, name: str, cell: str) -> float:
     text = cell.strip() or "0"
     try:
         value = float(text)
     except ValueError:
-        raise JitterFileError([f'{path}, row {line}, column "{name}": "{text}" is not a number']) from None
+        value = math.nan
     if not math.isfinite(value):
-        raise JitterFileError([f'{path}, row {line}, column "{name}": {text} is not finite'])
+        raise refuse(path, row, f'column "{name}": "{text}" is not a number')
     return value
 
 

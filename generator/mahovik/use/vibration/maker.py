@@ -1,8 +1,10 @@
 """A wheel as its maker describes it: harmonics, broadband noise, internal modes, from CSV files.
 
 Harmonics: amplitude c Omega^2 at the frequency h Omega, Omega the wheel's speed, h its order. A radial force or moment
-turns with the order, (cos, sin) along axes 2 and 3 of the wheel's mount. Phases are unknown. Source: R. A. Masterson,
-D. W. Miller, R. L. Grogan, Development and validation of reaction wheel disturbance models, J. Sound Vib. 249 (2002).
+turns, (cos, sin) along axes 2 and 3 of the wheel's mount: `sense` forward with the wheel, or backward against it, which
+excites the other whirl of a rocking mode; where it is unknown the larger amplitude of the two counts. Phases are
+unknown. Source: R. A. Masterson, D. W. Miller, R. L. Grogan, Development and validation of reaction wheel disturbance
+models, J. Sound Vib. 249 (2002).
 
 Internal modes: the rotor on its bearings. Radial and axial: the mount gets H(omega) times what it would get of a rigid
 wheel; rocking: a rotor of transverse inertia J_t and polar inertia g J_t, whose whirls are split by the speed:
@@ -39,18 +41,23 @@ PATTERNS = np.array(list(PARTS.values()))
 
 @dataclass(frozen=True, eq=False)
 class Harmonics:
-    """order (H), amplitude (H, 4; N or N m by (rad/s)^2) of the parts, tolerance (H): part of the amplitude."""
+    """order, sense (H), amplitude (H, 4; N or N m by (rad/s)^2) of the parts, tolerance (H): part of the amplitude."""
 
     order: Array
     amplitude: Array
     tolerance: Array
+    sense: tuple[str, ...]
+
+
+SENSES = ("forward", "backward", "unknown")
+"""How a radial part turns, seen from the wheel's own turning."""
 
 
 def read_harmonics(path: Path) -> Harmonics:
-    """A table of harmonics. Raises JitterFileError."""
-    known = {"order": PLAIN, "tolerance": PLAIN}
+    """A table of harmonics; without a sense order 1 turns forward, others in an unknown one. Raises JitterFileError."""
+    known = {"order": PLAIN, "tolerance": PLAIN, "sense": TEXT}
     known |= {part: MOMENT if "moment" in part else FORCE for part in PARTS}
-    found = read_columns(path, known.get, ["order"], list(known))
+    found = read_columns(path, known.get, ["order"], list(known), ["sense"])
     order = found.numbers["order"]
     amplitude = np.stack([found.get(part) for part in PARTS], axis=1)
     tolerance = found.get("tolerance")
@@ -61,7 +68,12 @@ def read_harmonics(path: Path) -> Harmonics:
             raise refuse(path, i, "an amplitude or tolerance below 0")
         if order[i] in order[:i]:
             raise refuse(path, i, f"order {order[i]:g} appears twice")
-    return Harmonics(order, amplitude, tolerance)
+    sense = found.texts.get("sense", [""] * found.rows)
+    sense = [each or ("forward" if h == 1.0 else "unknown") for each, h in zip(sense, order, strict=True)]
+    for i, each in enumerate(sense):
+        if each not in SENSES:
+            raise refuse(path, i, f'sense "{each}", expected one of {", ".join(SENSES)}')
+    return Harmonics(order, amplitude, tolerance, tuple(sense))
 
 
 @dataclass(frozen=True, eq=False)

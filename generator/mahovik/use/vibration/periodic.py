@@ -71,18 +71,19 @@ class Periodic:
     tail: float
     natural: Array
 
+    @property
+    def motion(self) -> FullMotion:
+        """The motion at the nodes."""
+        speeds = np.broadcast_to(self.turning.speeds, self.phi.shape)
+        return FullMotion(self.scene, self.phi, speeds, self.y, self.V_dot, self.hold)
+
     def values(self, seen: Observable) -> Array:
         """What is seen at the nodes (M, axes)."""
-        speeds = np.broadcast_to(self.turning.speeds, self.phi.shape)
-        motion = FullMotion(self.scene, self.phi, speeds, self.y, self.V_dot, self.hold)
-        return seen.full(motion)[:, : len(seen.axes)]
+        return seen.full(self.motion)[:, : len(seen.axes)]
 
     def harmonics(self, seen: Observable) -> Complex:
         """(H + 1, axes) complex amplitudes a_k: what is seen is the real part of sum a_k exp(i k base t)."""
-        values = self.values(seen)
-        spectrum = np.fft.rfft(values, axis=0) * (2.0 / len(values))
-        spectrum[0] /= 2.0
-        return np.asarray(spectrum)
+        return harmonics(self.values(seen))
 
     @property
     def stable(self) -> bool:
@@ -93,6 +94,13 @@ class Periodic:
     def frequencies(self) -> Array:
         """Frequencies (H + 1, Hz) of the points' harmonics."""
         return np.asarray(np.arange(len(self.y) // 2 + 1) * self.turning.base / (2.0 * np.pi))
+
+
+def harmonics(values: Array) -> Complex:
+    """Complex amplitudes (H + 1, ...) of values (M, ...) at the nodes of a period."""
+    found = np.fft.rfft(values, axis=0) * (2.0 / len(values))
+    found[0] /= 2.0
+    return np.asarray(found)
 
 
 def periodic_response(

@@ -1,18 +1,18 @@
-"""Constant speeds of flywheels: their common period, and speeds from a command line, swept, constant or geared."""
+"""Constant speeds of flywheels: their common period, and speeds as they are asked for: swept, constant or geared."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from decimal import Decimal, InvalidOperation
 from fractions import Fraction
 
 import numpy as np
 
 from mahovik.core.motion.laws import MAX_SPEED
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.units import SPEED, QuantityError, number
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
@@ -69,6 +69,9 @@ def common_period(speeds: Sequence[float]) -> Turning:
 ALL = "all"
 """Name that stands for every flywheel."""
 
+Asked = Mapping[str, float | str] | Sequence[float | str] | float | str
+"""Speeds by flywheel, one for each, or one for all."""
+
 
 @dataclass(frozen=True)
 class SpeedPlan:
@@ -99,6 +102,13 @@ class SpeedPlan:
         N = len(stand.flywheels)
         return SpeedPlan(tuple(s.name for s in stand.flywheels), (0.0,) * N, (1.0,) * N, sweep, 0)
 
+    @staticmethod
+    def constants(stand: Stand, speeds: Sequence[float]) -> SpeedPlan:
+        """Constant speeds (N, rad/s)."""
+        N, turning = len(speeds), np.flatnonzero(speeds)
+        names = tuple(s.name for s in stand.flywheels)
+        return SpeedPlan(names, tuple(map(float, speeds)), (0.0,) * N, None, int(turning[0]) if len(turning) else None)
+
     def values(self, steps: int) -> tuple[float, ...]:
         """Values of the swept speed, evenly spaced; without a sweep only that of `swept`. Raises UsageError."""
         if self.sweep is None:
@@ -107,107 +117,104 @@ class SpeedPlan:
         return tuple(float(x) for x in np.linspace(*self.sweep, steps))
 
 
-def read_speeds(stand: Stand, given: Sequence[str]) -> SpeedPlan:
-    """Speeds from texts NAME=SPEED, NAME=FROM..TO, NAME=[FACTOR*]OTHER; a flywheel that is not named stands still.
-
-    NAME may be `all`; a name after it replaces the speed that `all` gave. Raises UsageError: an unknown name, no speed,
-    two sweeps, a name twice, gears in a circle.
-    """
-    names = [s.name for s in stand.flywheels]
-    if not names:
-        raise UsageError(f"--speed: {stand.name} has no flywheel")
-    texts: dict[str, tuple[str, str]] = {}
-    by_all: set[str] = set()
-    for each in given:
-        name, separator, text = each.partition("=")
-        if not separator:
-            raise UsageError(f"--speed {each}: expected NAME=SPEED or NAME=FROM..TO, as w1=0..6000rpm")
-        _refuse_unknown(name, names, each)
-        for one in names if name == ALL else [name]:
-            if one in texts and (name == ALL or one not in by_all):
-                raise UsageError(f'--speed {each}: flywheel "{one}" has a speed already')
-            texts[one] = (each, text.strip())
-        by_all = set(names) if name == ALL else by_all - {name}
-    return _plan_speeds(names, texts)
-
-
-def _refuse_unknown(name: str, names: list[str], each: str) -> None:
-    if name != ALL and name not in names:
-        raise UsageError(f'--speed {each}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
-
-
-def _plan_speeds(names: list[str], texts: dict[str, tuple[str, str]]) -> SpeedPlan:
-    constant, factor = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
-    sweep, swept, geared = None, None, {}
-    for name, (each, text) in texts.items():
-        if ".." in text:
-            found = _range(each, text)
-            if sweep not in (None, found):
-                raise UsageError(f"--speed {each}: one speed can be swept; gear this one to it, as {name}=1.5*{swept}")
-            sweep, swept, factor[name] = found, swept or name, 1.0
-        elif text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
-            raise UsageError(f"--speed {each}: expected a finite speed, as {name}=1000 rpm")
-        elif gear := _GEAR.fullmatch(text):
-            _refuse_unknown(gear[2], names, each)
-            geared[name] = (each, _factor(each, gear[1]), gear[2])
-        else:
-            constant[name] = _speed(each, text)
-    for name in geared:
-        constant[name], factor[name] = _gear_ratio(name, geared, constant, factor)
-    if swept is None:
-        swept = next((name for name in names if constant[name]), None)
-    leader = None if swept is None else names.index(swept)
-    asked = SpeedPlan(tuple(names), tuple(constant.values()), tuple(factor.values()), sweep, leader)
-    for value in sweep or (0.0,):
-        for name, speed in zip(names, asked.speeds(value), strict=True):
-            if not abs(speed) <= MAX_SPEED:
-                raise UsageError(f"--speed: {name} would turn at {speed:.9g} rad/s, at most {MAX_SPEED:g} is possible")
-    return asked
-
-
 _GEAR = re.compile(r"(-|[-+\d.eE]+\*)?([A-Za-z_]\w*)")
 
 
-def _factor(each: str, text: str | None) -> float:
-    if text in (None, "-"):
-        return -1.0 if text else 1.0
-    try:
-        return float(text.removesuffix("*"))
-    except ValueError:
-        raise UsageError(f"--speed {each}: {text.removesuffix('*')!r} is not a number") from None
+def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
+    """Speeds of flywheels: SPEED, LOW..HIGH, or [FACTOR*]OTHER, by name; one that is not named stands still.
+
+    The name `all` is every flywheel; one named beside it has its own speed. A list may hold texts NAME=SPEED. Numbers
+    are rad/s. Raises UsageError: an unknown name, no speed, two sweeps, a name twice, gears in a circle.
+    """
+    names = [s.name for s in stand.flywheels]
+    if not names:
+        raise UsageError(f"speed: {stand.name} has no flywheel")
+    texts = {name: text.strip() if isinstance(text, str) else text for name, text in by_name(names, asked).items()}
+    constant, factor = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0.0)
+    sweep: tuple[float, float] | None = None
+    swept: str | None = None
+    geared: dict[str, tuple[float, str]] = {}
+    for name, text in texts.items():
+        if isinstance(text, str) and ".." in text:
+            found = _range(name, text)
+            if sweep not in (None, found):
+                raise UsageError(f"speed {name}={text}: one can be swept; gear this one to it, as {name}=1.5*{swept}")
+            sweep, swept, factor[name] = found, swept or name, 1.0
+        elif isinstance(text, str) and (gear := _GEAR.fullmatch(text)) and gear[2].lower() not in ("nan", "inf"):
+            if gear[2] not in names:
+                raise UsageError(f'speed {name}={text}: unknown flywheel "{gear[2]}"{suggestion(gear[2], names)}')
+            geared[name] = (-1.0 if gear[1] == "-" else _number(name, (gear[1] or "1*")[:-1]), gear[2])
+        else:
+            constant[name] = _speed(name, text)
+    for name in geared:
+        ratio, other, passed = 1.0, name, list[str]()
+        while other in geared:
+            passed.append(other)
+            ratio, other = ratio * geared[other][0], geared[other][1]
+            if other in passed:
+                raise UsageError(f"speed: {' and '.join(passed)} follow one another; give one of them a speed")
+        constant[name], factor[name] = ratio * constant[other], ratio * factor[other]
+    swept = swept or next((name for name in names if constant[name]), None)
+    leader = None if swept is None else names.index(swept)
+    plan = SpeedPlan(tuple(names), tuple(constant.values()), tuple(factor.values()), sweep, leader)
+    for value in sweep or (0.0,):
+        for name, speed in zip(names, plan.speeds(value), strict=True):
+            if not abs(speed) <= MAX_SPEED:
+                raise UsageError(f"speed: {name} would turn at {speed:.9g} rad/s, at most {MAX_SPEED:g} is possible")
+    return plan
 
 
-def _gear_ratio(
-    name: str, geared: dict[str, tuple[str, float, str]], constant: dict[str, float], factor: dict[str, float]
-) -> tuple[float, float]:
-    """Constant and factor of a flywheel that is geared, possibly through others."""
-    ratio, here, passed = 1.0, name, []
-    while here in geared:
-        each, own, other = geared[here]
-        passed.append(here)
-        if other in passed:
-            raise UsageError(f"--speed {each}: {' and '.join(passed)} follow one another; give one of them a speed")
-        ratio, here = ratio * own, other
-    return ratio * constant[here], ratio * factor[here]
+def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
+    """The speed of each flywheel that is named, as it is asked for. Raises UsageError."""
+    if isinstance(asked, int | float) or (isinstance(asked, str) and "=" not in asked):
+        return dict.fromkeys(names, asked)
+    listed = [asked] if isinstance(asked, str) else list(asked)
+    if isinstance(asked, Mapping):
+        pairs = list(asked.items())
+    elif listed and all(isinstance(each, str) and "=" in each for each in listed):
+        pairs = [(name.strip(), text) for name, _, text in (str(each).partition("=") for each in listed)]
+    elif len(listed) == len(names) and not any(isinstance(each, str) and "=" in each for each in listed):
+        pairs = list(zip(names, listed, strict=True))
+    else:
+        raise UsageError(
+            f"speed {listed[0] if listed else ''}: expected NAME=SPEED or NAME=LOW..HIGH, as w1=0..6000rpm"
+        )
+    found: dict[str, float | str] = {}
+    for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
+        if name != ALL and name not in names:
+            raise UsageError(f'speed {name}={text}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
+        if [each for each, _ in pairs].count(name) > 1:
+            raise UsageError(f'speed {name}={text}: flywheel "{name}" has a speed already')
+        found |= dict.fromkeys(names if name == ALL else [name], text)
+    return found
 
 
-def _range(each: str, text: str) -> tuple[float, float]:
+def _range(name: str, text: str) -> tuple[float, float]:
+    """The ends of LOW..HIGH, of which the first may leave its unit to the second."""
     first, _, last = text.partition("..")
-    high = _speed(each, last)
-    plain = re.fullmatch(r"\s*[-+\d.eE]+\s*", first)
+    high = _speed(name, last)
     unit = re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", last)
-    low = _speed(each, first + unit if plain else first)
+    low = _speed(name, first + unit if re.fullmatch(r"\s*[-+\d.eE]+\s*", first) else first)
     if low == high:
-        raise UsageError(f"--speed {each}: the range is empty, give one speed")
+        raise UsageError(f"speed {name}={text}: the range is empty, give one speed")
     return low, high
 
 
-def _speed(each: str, text: str) -> float:
+def _speed(name: str, text: float | str) -> float:
     try:
-        plain: Decimal | str = Decimal(text.strip())
-    except InvalidOperation:
-        plain = text
+        found = float(text)
+    except ValueError:
+        try:
+            found = number(exact(text), SPEED)
+        except QuantityError as error:
+            raise UsageError(f"speed {name}={text}: {error}") from None
+    if not math.isfinite(found):
+        raise UsageError(f"speed {name}={text}: expected a finite speed, as {name}=1000 rpm")
+    return found
+
+
+def _number(name: str, text: str) -> float:
     try:
-        return number(plain, SPEED)
-    except QuantityError as error:
-        raise UsageError(f"--speed {each}: {error}") from None
+        return float(text)
+    except ValueError:
+        raise UsageError(f"speed {name}: {text!r} is not a number") from None

@@ -1,7 +1,9 @@
-"""Jitter of a point at constant speeds of the flywheels: one set by harmonic balance, a sweep to first order.
+"""Vibration of what is seen, at one set of constant speeds or over a sweep: linear lines, and the whole equations.
 
-A sweep solves the linear equations about the mean motion at every speed, with each flywheel's first order, and compares
-with the full equations at some of the speeds; `exact` solves the full equations at all.
+At every speed each wheel's first order is a line of the linear equations about the mean motion, beside the lines of
+makers' tables. The whole equations (8) are solved for the phases as they are: for one set of speeds; of a sweep where
+any sum is largest, and at some speeds more. Where they give another root mean square by FAR_OFF or more, at all speeds.
+So what a requirement is judged by, the largest value, is that of the whole equations, for one speed as in a sweep.
 """
 
 from __future__ import annotations
@@ -13,374 +15,308 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.errors import CheckError, whole_number
+from mahovik.errors import CheckError
 from mahovik.use.numeric import Array
-from mahovik.use.vibration.balance import Balance, balance
+from mahovik.use.vibration.band import in_band
 from mahovik.use.vibration.campbell import orders_of
 from mahovik.use.vibration.chain import Chain, Makers, undamped_mode
-from mahovik.use.vibration.exact import constant_load, exact_lines, left_out_of, rounding_of
-from mahovik.use.vibration.lines import CONSTANT, UNBALANCE, LineName, Lines
-from mahovik.use.vibration.noise import Broadband, broadband
+from mahovik.use.vibration.lines import MAKER, LineName, Lines, Spectrum, Sums, coherent
+from mahovik.use.vibration.noise import Band, noise
 from mahovik.use.vibration.peaks import ROUNDS, merged, resonances, unsettled
+from mahovik.use.vibration.requirement import Requirement
 from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.spectrum import spectrum
 from mahovik.use.vibration.speeds import SpeedPlan
-from mahovik.use.vibration.view import LoadView, Observable, Quantity
+from mahovik.use.vibration.view import Observable
+
+FAR_OFF = 0.01
+"""Difference of the RMS of the linear equations from that of the whole ones above which these are solved everywhere."""
+
+SMALL = 1e-3
+"""Part of the largest RMS of a sweep below which such a difference does not matter."""
+
+STILL = 1e-15
+"""SI: a smaller RMS is rounding."""
+
+EQUAL = 1e-6
+"""Part by which a sum may be above the largest of the whole equations and count as equal to it."""
+
+COMPARED = 4
+"""Speeds of a sweep at which the whole equations are solved beside those of the largest sums."""
 
 TOO_MUCH = 0.01
-"""Part of the worst case that may be left out without a warning."""
+"""Part of the worst case that a solution may leave out."""
 
-CHECKED = 4
-"""Speeds of a sweep at which the full equations are solved, beside the worst."""
+NOISES = 9
+"""Speeds of a sweep at which noise is found beside those of the largest sums; it is linear between them."""
+
+GoOn = Callable[[int, int], bool]
 
 
-class Check(NamedTuple):
-    """The full equations at one speed of a sweep: index of the speed, what they leave out, and how far the RMS is off.
+class Verdict(NamedTuple):
+    """How a requirement is met: value on the worst axis at the worst speed; infinite without a steady motion."""
 
-    off   difference of the RMS (root of the sum of squares over the axes) to first order, as a part of the exact one
-    """
-
+    requirement: Requirement
+    value: float
     step: int
-    left_out: float
-    off: float
+    axis: int
+
+    @property
+    def met(self) -> bool:
+        """Whether the value is within the limit."""
+        return self.value <= self.requirement.limit
+
+
+class Largest(NamedTuple):
+    """The largest amplitude of a frequency, root of the sum of squares over the axes: at a step, Hz."""
+
+    value: float
+    step: int
+    frequency: float
 
 
 @dataclass(frozen=True, eq=False)
-class Jitter:
-    """Lines at a point over S speeds.
+class Vibration:
+    """Lines of what is seen at S speeds.
 
-    seen       the point and quantity; chain: what the wheels' wrenches drive, with the makers' tables
-    noise      broadband part, of the worst speed (by the lines)
-    speeds     (S, N; rad/s); value (S): the swept speed; phases (N, rad) at t = 0
-    lines      L lines at S speeds
-    method     "harmonic balance" or "first order"
-    left_out   (S): largest remaining acceleration of the full equations at random phases, relative; NaN where not found
-    remainder  (S, 3): sum of amplitudes of the quantity's lines that the balance leaves out; NaN where not found
-    checks     full equations at some speeds of a sweep to first order
-    hold       (6): constant wrench that keeps the mean place of a stand that is free to drift, largest over speeds
-    order      largest sum of |k_s| of the harmonic balance, by speed
-    problems   speeds without a steady state or with an inaccurate one, and why; no requirement is met there
+    value      (S, rad/s): the swept speed, or that of the first wheel that turns; phases (N, rad) at t = 0
+    noises     (S, 3): mean square of the noise by band (Hz; None: all)
+    whole      by step: solutions of the whole equations, or why there is none
+    problems   by step: why there is no steady motion, or an inaccurate one; no requirement is met there
+    off        largest difference of the linear equations' RMS from the whole ones', where both are known
+    coarse     a speed (rad/s) near which `go_on` ended the search of the largest amplitude; None: it is the true one
     """
 
-    stand: Stand
-    asked: SpeedPlan
-    seen: Observable
+    scene: Scene
+    plan: SpeedPlan
     chain: Chain
-    speeds: Array
     value: Array
     phases: Array
     lines: Lines
-    noise: Broadband | None
-    method: str
-    left_out: Array
-    remainder: Array
-    checks: tuple[Check, ...]
-    hold: Array
-    order: tuple[int, ...]
-    problems: tuple[tuple[int, str], ...]
-    interrupted: bool = False
+    noises: dict[Band | None, Array]
+    whole: dict[int, Spectrum]
+    problems: dict[int, str]
+    off: float = 0.0
+    coarse: float | None = None
 
     @property
-    def point(self) -> str:
-        """Name of the point, or of the table of sensitivities."""
-        return self.seen.name
-
-    @property
-    def quantity(self) -> str:
-        """Name of the quantity."""
-        return self.seen.quantity
-
-    @property
-    def measure(self) -> Quantity:
-        """Unit and kind of the quantity."""
-        return self.seen.measure
-
-    @property
-    def axes(self) -> tuple[str, ...]:
-        """Names of the axes of the quantity; of three columns of values the first, where it has fewer."""
-        return self.seen.axes
-
-    @property
-    def swept(self) -> bool:
-        """Whether a speed is swept."""
-        return self.asked.sweep is not None
-
-    @property
-    def mean(self) -> Array:
-        """(S, 3): constant part of the quantity."""
-        constant = self.lines.frequency[:, :, None] == 0.0
-        return np.asarray(np.where(constant, self.lines.amplitude.real, 0.0).sum(axis=1))
-
-    def sums(self, band: tuple[float, float] = (0.0, np.inf)) -> dict[str, Array]:
-        """rms, rss, worst within a band (Hz), mean (S, 3 each), by name; NaN where there is no steady motion.
-
-        Noise is in the first two, three times its RMS in `worst`.
-        """
-        lines, noise = self.lines.of_band(band), self.noise
-        square = 0.0 if noise is None else noise.mean_square(band[1]) - noise.mean_square(band[0])
-        return {
-            "rms": np.sqrt(lines.rms() ** 2 + square),
-            "rss": np.sqrt(lines.rss() ** 2 + square),
-            "worst": lines.worst() + 3.0 * np.sqrt(square),
-            "mean": self.mean,
-        }
-
-    @property
-    def toleranced(self) -> Jitter:
-        """This jitter with the largest amplitudes that the makers' tolerances allow."""
-        return replace(self, lines=self.lines.with_tolerances())
-
-    @property
-    def worst_step(self) -> int:
-        """The speed of the largest RMS over all phases (root of the sum of squares of the axes)."""
-        return _largest(self.lines)
-
-
-def _largest(lines: Lines) -> int:
-    total = np.linalg.norm(lines.rss(), axis=1)
-    return int(np.argmax(np.where(np.isfinite(total), total, -1.0)))
-
-
-def jitter(
-    stand: Stand,
-    asked: SpeedPlan,
-    steps: int,
-    seen: Observable,
-    *,
-    phases: Sequence[float] | None = None,
-    makers: Makers | None = None,
-    order: int | None = None,
-    exact: bool = False,
-    go_on: Callable[[int, int], bool] = lambda done, planned: True,
-) -> Jitter:
-    """Jitter at `steps` speeds (one without a sweep). `go_on` (exact ones done, planned) is called before each
-    exact one.
-
-    makers   tables of the wheels' disturbances and of structural modes; an order in a wheel's table replaces its own
-    order    of the harmonic balance, the largest sum of |k_s|; None: raised until at most 1e-6 is left out
-    exact    solve the full equations at every speed of a sweep
-
-    Raises UsageError, JitterFileError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
-    state.
-    """
-    if order is not None:
-        whole_number("order", order, 1, 20)
-    value = np.array(asked.values(steps))
-    fastest = np.abs(asked.rows(value)).max(axis=0)
-    start = np.zeros(len(fastest)) if phases is None else np.array(phases, dtype=np.float64)
-    scene = Scene.of(stand)
-    chain = Chain.of(scene, seen, makers or Makers(), fastest)
-    if asked.sweep is not None:
-        tables = chain.makers.harmonics
-        orders = [
-            {*orders_of(scene), *tables[name].order} if name in tables else orders_of(scene) for name in asked.names
-        ]
-        value = merged(asked, value, resonances(scene, asked, steps, orders, chain.modes))
-        for _ in range(ROUNDS):
-            more = merged(asked, value, unsettled(value, _Study(scene, asked, chain, value, start, order).sizes()))
-            if len(more) == len(value):
-                break
-            value = more
-    study = _Study(scene, asked, chain, value, start, order)
-    if len(value) == 1 or exact:
-        return study.exact(go_on)
-    return study.first_order(go_on)
-
-
-@dataclass(frozen=True, eq=False)
-class _Study:
-    scene: Scene
-    asked: SpeedPlan
-    chain: Chain
-    value: Array
-    phases: Array
-    order: int | None
+    def seen(self) -> Observable:
+        """What is seen."""
+        return self.chain.seen
 
     @property
     def speeds(self) -> Array:
         """Speeds (S, N; rad/s)."""
-        return self.asked.rows(self.value)
+        return self.plan.rows(self.value)
 
-    def sizes(self) -> Array:
-        """RMS (S) over all phases to first order, root of the sum of squares over the axes; NaN at a resonance."""
-        lines = self.linear_lines().join(self.chain.table_lines(self.speeds))
-        return np.where(lines.is_finite, np.linalg.norm(lines.rss(), axis=1), np.nan)
+    def sums(self, band: Band | None = None) -> Sums:
+        """The sums within a band that the study knows (Hz; None: all)."""
+        return self.lines.sums(self.noises[band], band)
 
-    def _balance(self, i: int) -> Balance:
-        return balance(self.scene, self.speeds[i].tolist(), self.phases.tolist(), self.order)
+    def judge(self, requirement: Requirement) -> Verdict:
+        """Whether a requirement is met at all speeds, with the makers' tolerances and what solutions leave out."""
+        sums = self.lines.with_tolerances().sums(self.noises[requirement.band], requirement.band)
+        values = getattr(sums, requirement.sum).copy()
+        for i, solution in self.whole.items():
+            values[i] += np.nan_to_num(solution.left_out)
+        values[list(self.problems)] = np.inf
+        values = np.where(np.isfinite(values), values, np.inf)
+        step, axis = np.unravel_index(int(np.argmax(values)), values.shape)
+        return Verdict(requirement, float(values.max()), int(step), int(axis))
 
-    def _exact_lines(self, found: Balance) -> Lines:
-        return self._drop_tabled(exact_lines(found, self.chain.seen, self.phases, self.chain))
+    def largest(self, band: Band | None = None) -> Largest:
+        """The largest amplitude in a band; lines of one frequency add up."""
+        found = Largest(0.0, 0, 0.0)
+        tied = np.array([name.source != MAKER for name in self.lines.names], dtype=bool)
+        for i, (frequency, amplitude) in enumerate(zip(self.lines.frequency, self.lines.amplitude, strict=True)):
+            shared = coherent(frequency[tied], amplitude[tied])
+            f, a = (np.concatenate(x) for x in zip(shared, (frequency[~tied], amplitude[~tied]), strict=True))
+            size = np.where(in_band(f, band or (0.0, np.inf)), np.nan_to_num(np.linalg.norm(a, axis=1)), 0.0)
+            if size.max(initial=0.0) > found.value:
+                k = int(size.argmax())
+                found = Largest(float(size[k]), i, float(f[k]))
+        return found
 
-    def _drop_tabled(self, lines: Lines) -> Lines:
+
+def vibration(
+    stand: Stand | Scene,
+    plan: SpeedPlan,
+    seen: Observable,
+    *,
+    steps: int = 61,
+    phases: Sequence[float] | None = None,
+    makers: Makers | None = None,
+    bands: Sequence[Band | None] = (None,),
+    go_on: GoOn = lambda done, planned: True,
+) -> Vibration:
+    """Vibration at `steps` even speeds, and more at resonances and about the largest peaks; at one without a sweep.
+
+    bands   whose sums will be asked for, Hz; None: all
+    makers  tables of the wheels' disturbances and of structural modes; an order in a wheel's table replaces its own
+    go_on   gets numbers of solutions done and planned, and ends the search with False
+
+    Raises UsageError, JitterFileError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
+    state.
+    """
+    scene = stand if isinstance(stand, Scene) else Scene.of(stand)
+    value = np.array(plan.values(steps))
+    fastest = np.abs(plan.rows(value)).max(axis=0)
+    chain = Chain.of(scene, seen, makers or Makers(), fastest)
+    start = np.zeros(len(fastest)) if phases is None else np.array(phases, dtype=np.float64)
+    study = _Study(scene, plan, chain, start, tuple(dict.fromkeys([None, *bands])), go_on)
+    found = study.sweep(value, steps) if plan.sweep is not None else study.one(value)
+    if len(found.problems) == len(found.value):
+        raise CheckError(next(iter(found.problems.values())))
+    return found
+
+
+class _Study:
+    def __init__(
+        self, scene: Scene, plan: SpeedPlan, chain: Chain, phases: Array, bands: tuple[Band | None, ...], go_on: GoOn
+    ) -> None:
+        self.scene, self.plan, self.chain, self.phases, self.bands, self.go_on = (
+            scene,
+            plan,
+            chain,
+            phases,
+            bands,
+            go_on,
+        )
+        self.solved: dict[float, Spectrum | str] = {}
+        self.noises: dict[float, Array] = {}
+        self.cut = False
+
+    def one(self, value: Array) -> Vibration:
+        """One set of speeds."""
+        self.solve(value)
+        return self.result(value)
+
+    def sweep(self, value: Array, steps: int) -> Vibration:
+        """A sweep, with speeds added until its largest values are the true ones."""
+        tables = self.chain.makers.harmonics
+        orders = [{*orders_of(self.scene), *(tables[s].order if s in tables else ())} for s in self.plan.names]
+        value = merged(self.plan, value, resonances(self.scene, self.plan, steps, orders, self.chain.modes))
+        value, _ = self.refine(value, lambda value: self.result(value, noisy=False))
+        rows = np.linspace(0, len(value) - 1, COMPARED).astype(int).tolist()
+        self.solve(value[self.largest(self.result(value)) + rows])
+        found = self.result(value)
+        while (rows := self.largest(found)) and self.solve(value[rows]):  # the largest need not stay so
+            found = self.result(value)
+        if found.off <= FAR_OFF or self.cut:
+            return replace(found, coarse=float(value[found.largest().step]) if self.cut else None)
+        value, coarse = self.refine(value, lambda value: self.result(value) if self.solve(value) else None)
+        return replace(self.result(value), coarse=coarse)
+
+    def refine(self, value: Array, study: Callable[[Array], Vibration | None]) -> tuple[Array, float | None]:
+        """Speeds with those that the largest peaks need, and one near which they may be higher; None: they are true."""
+        near = np.zeros(0)
+        for _ in range(ROUNDS):
+            found = study(value)
+            if found is None:
+                break
+            sums = found.sums()
+            sizes = [np.linalg.norm(each, axis=1) for each in (sums.rms, sums.worst)]
+            near = np.concatenate([unsettled(value, each) for each in sizes])
+            more = merged(self.plan, value, near)
+            if len(more) == len(value):
+                return value, None
+            value = more
+        return value, float(near[0]) if len(near) else float(value[0])
+
+    def largest(self, found: Vibration) -> list[int]:
+        """Unsolved steps at which a sum is largest: each sum in each band, on each axis and of all."""
+        solved, steps = np.isin(found.value, list(self.solved)), set()
+        for band in self.bands:
+            for each in found.sums(band):
+                total = np.linalg.norm(np.nan_to_num(each), axis=1)
+                for size in (*np.nan_to_num(each).T, total):
+                    if size.max() > (1.0 + EQUAL) * size[solved].max(initial=0.0) + EQUAL * total.max():
+                        steps.add(int(size.argmax()))
+        return sorted(steps)
+
+    def solve(self, values: Array) -> bool:
+        """Solve the whole equations at values of the swept speed; False if that was ended before it was done."""
+        missing = [float(x) for x in values if float(x) not in self.solved]
+        for n, x in enumerate(missing):
+            if self.cut or not self.go_on(len(self.solved), len(self.solved) + len(missing) - n):
+                self.cut = True
+                return False
+            try:
+                self.solved[x] = spectrum(self.scene, self.chain, self.plan.speeds(x), self.phases)
+            except CheckError as error:
+                self.solved[x] = str(error)
+        return True
+
+    def result(self, value: Array, noisy: bool = True) -> Vibration:
+        """What is known at values (S) of the swept speed."""
+        whole = {i: self.solved[float(x)] for i, x in enumerate(value) if float(x) in self.solved}
+        spectra = {i: each for i, each in whole.items() if not isinstance(each, str)}
+        problems = {i: each for i, each in whole.items() if isinstance(each, str)}
+        speeds = self.plan.rows(value)
+        omega, a = self.chain.first_orders(speeds, self.phases)
+        unbalance = Lines(tuple(LineName(name, 1.0) for name in self.plan.names), omega / (2.0 * np.pi), a)
+        lines = unbalance.with_whole(spectra)
+        off = self.difference(unbalance, lines, list(spectra))
+        lines = self.without_tabled(lines).join(self.chain.table_lines(speeds))
+        lines.amplitude[list(problems)] = np.nan
+        problems |= self.resonances(value, lines, problems)
+        noises = self.noise(value, set(whole)) if noisy else np.zeros((len(self.bands), len(value), 3))
+        found = Vibration(
+            self.scene, self.plan, self.chain, value, self.phases, lines, dict(zip(self.bands, noises, strict=True)),
+            spectra, problems, off,
+        )  # fmt: skip
+        return replace(found, problems=problems | self.inaccurate(found))
+
+    def difference(self, linear: Lines, lines: Lines, rows: list[int]) -> float:
+        """Largest relative difference of the RMS, root of the sum of squares over the axes, at solved rows."""
+        if not rows:
+            return 0.0
+        one, other = (np.linalg.norm(each.sums().rms, axis=1) for each in (linear, lines))
+        least = max(SMALL * float(np.nanmax(other, initial=0.0)), STILL)
+        known = [i for i in rows if other[i] > least and np.isfinite(one[i])]
+        return max((float(abs(one[i] - other[i]) / other[i]) for i in known), default=0.0)
+
+    def without_tabled(self, lines: Lines) -> Lines:
         """Lines without those that a maker's table replaces."""
         tables = self.chain.makers.harmonics
-        which = [
-            name.source != UNBALANCE or name.wheel not in tables or name.order not in tables[name.wheel].order
-            for name in lines.names
-        ]
-        return lines.select(np.array(which, dtype=bool))
+        kept = [name.wheel not in tables or name.order not in tables[name.wheel].order for name in lines.names]
+        return lines.select(np.array(kept, dtype=bool))
 
-    def exact(self, go_on: Callable[[int, int], bool]) -> Jitter:
-        """The full equations at every speed. Raises CheckError if there is a steady state at none."""
-        found: list[tuple[Balance, Lines] | None] = []
-        problems: list[tuple[int, str]] = []
-        try:
-            for i in range(len(self.value)):
-                if not go_on(i, len(self.value)):
-                    break
-                try:
-                    one = self._balance(i)
-                    found.append((one, self._exact_lines(one)))
-                except CheckError as error:
-                    problems.append((i, str(error)))
-                    found.append(None)
-        except KeyboardInterrupt:
-            if not found:
-                raise
-        good = [each for each in found if each is not None]
-        if found and not good:
-            raise CheckError(problems[0][1])
-        left = np.array([np.nan if each is None else each[0].left_out for each in found])
-        remainder = np.full((len(found), 3), np.nan)
-        for i, each in enumerate(found):
-            if each is not None:
-                remainder[i] = left_out_of(each[0], self.chain.seen)
-                problems += self._inaccuracy(i, each[0], each[1], remainder[i])
-        hold = max((b.hold for b, _ in good), key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
-        orders = tuple(0 if each is None else each[0].order for each in found)
-        lines = _together([None if each is None else each[1] for each in found])
-        return self._result(lines, "harmonic balance", left, remainder, (), hold, orders, tuple(problems))
+    def noise(self, value: Array, rows: set[int]) -> Array:
+        """Mean square (bands, S, 3) of noise at values of the swept speed: exact at some of them, linear between."""
+        if not self.chain.makers.noise:
+            return np.zeros((len(self.bands), len(value), 3))
+        at = sorted({*rows, *np.linspace(0, len(value) - 1, NOISES).astype(int).tolist()})
+        missing = [float(x) for x in value[at] if float(x) not in self.noises]
+        if missing:
+            found = noise(self.chain, self.plan.rows(np.array(missing)), self.bands)
+            self.noises |= dict(zip(missing, np.moveaxis(found, 1, 0), strict=True))
+        known = np.array([self.noises[float(x)] for x in value[at]])
+        columns = known.reshape(len(at), -1).T
+        return np.array([np.interp(np.arange(len(value)), at, each) for each in columns]).T.reshape(
+            len(value), *known.shape[1:]
+        ).swapaxes(0, 1)  # fmt: skip
 
-    def _inaccuracy(self, i: int, found: Balance, lines: Lines, remainder: Array) -> list[tuple[int, str]]:
-        """A problem if too much is left out at a speed, or it is not known how much."""
-        worst, left = float(np.linalg.norm(lines.worst()[0])), float(np.linalg.norm(remainder))
-        known = np.isfinite(remainder).all()
-        if left <= rounding_of(found, self.chain.seen):
-            return []
-        share = (left / worst if worst else 0.0) if known else found.left_out
-        if share <= TOO_MUCH or not np.isfinite(worst):
-            return []
-        of = self.chain.seen.quantity if known else "acceleration"
-        why = f" ({found.short})" if found.short else ""
-        return [(i, f"inaccurate: harmonic balance of order {found.order} leaves out {share:.2g} of the {of}{why}")]
-
-    def _resonances(self, lines: Lines, besides: set[int]) -> list[tuple[int, str]]:
-        """Speeds at which a line has no finite amplitude, and why."""
-        found = []
+    def resonances(self, value: Array, lines: Lines, besides: dict[int, str]) -> dict[int, str]:
+        """Steps at which a line has no finite amplitude, and why."""
+        found = {}
         for i in np.flatnonzero(~lines.is_finite).tolist():
             if i not in besides:
                 at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
-                hertz = float(lines.frequency[i, at])
-                mode = undamped_mode(self.chain.makers, self.chain.names, self.speeds[i], 2.0 * np.pi * hertz)
+                hertz, speeds = float(lines.frequency[i, at]), self.plan.speeds(float(value[i]))
+                mode = undamped_mode(self.chain.makers, self.chain.names, np.array(speeds), 2.0 * np.pi * hertz)
                 what = f"{mode}: expected a damping above 0" if mode else "the stand itself: expected some damping"
-                found.append((i, f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"))
+                found[i] = f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"
         return found
 
-    def first_order(self, go_on: Callable[[int, int], bool]) -> Jitter:
-        """The linear equations at every speed, compared with the full ones at some."""
-        own = self.linear_lines()
-        total = np.linalg.norm(own.rms(), axis=1)
-        S = len(self.value)
-        worst = int(np.nanargmax(np.where(np.isfinite(total), total, -1.0)))
-        chosen = sorted({worst, *np.linspace(0, S - 1, CHECKED).astype(int).tolist()})
-        left, checks, hold = np.full(S, np.nan), [], np.zeros(6)
-        problems, interrupted = [], False
-        try:
-            for n, i in enumerate(chosen):
-                if not go_on(n, len(chosen)):
-                    interrupted = True
-                    break
-                try:
-                    one = self._balance(i)
-                except CheckError as error:
-                    problems.append((i, str(error)))
-                    continue
-                left[i] = one.left_out
-                if not np.isfinite(total[i]):
-                    continue
-                size = float(np.linalg.norm(exact_lines(one, self.chain.seen, self.phases, self.chain).rms()))
-                off = abs(float(total[i]) - size) / size if size else 0.0
-                checks.append(Check(i, one.left_out, off))
-                hold = max(hold, one.hold, key=lambda w: float(np.abs(w).max()))
-        except KeyboardInterrupt:
-            interrupted = True
-        lines = self._drop_tabled(own)
-        return self._result(
-            lines,
-            "first order",
-            left,
-            np.full((S, 3), np.nan),
-            tuple(checks),
-            hold,
-            (1,) * S,
-            tuple(problems),
-            interrupted,
-        )
-
-    def linear_lines(self) -> Lines:
-        """First orders of all flywheels to first order in unbalance, at all speeds."""
-        chain, plant = self.chain, self.chain.plant
-        omega, wrench = plant.unbalance(self.speeds, self.phases)
-        still = omega == 0.0
-        positive = np.where(still, 1.0, omega)
-        motion = chain.by_unbalance(self.speeds, positive, wrench)
-        a = chain.seen.linear(motion)[..., 0]
-        if chain.one_way:
-            mounts = chain.mounts(self.speeds, positive, motion.pose[..., 0])
-            each = np.arange(wrench.shape[1])
-            mounts[:, each, each] += wrench
-            a += chain.driven_amplitudes(self.speeds, positive, mounts)
-        a[still] = 0.0
-        names = tuple(LineName(s.name, 1.0) for s in self.scene.stand.flywheels)
-        return Lines(names, omega / (2.0 * np.pi), a).join(self._constant())
-
-    def _constant(self) -> Lines:
-        """The constant part at all speeds: a load has one without any motion."""
-        S, seen = len(self.value), self.chain.seen
-        if not isinstance(seen, LoadView):
-            return Lines((), np.zeros((S, 0)), np.zeros((S, 0, 3), dtype=np.complex128))
-        found = [constant_load(self.scene, seen, each, self.phases) for each in self.speeds]
-        return Lines((CONSTANT,), np.zeros((S, 1)), np.array(found, dtype=np.complex128)[:, None])
-
-    def _result(
-        self,
-        lines: Lines,
-        method: str,
-        left: Array,
-        remainder: Array,
-        checks: tuple[Check, ...],
-        hold: Array,
-        order: tuple[int, ...],
-        problems: tuple[tuple[int, str], ...],
-        interrupted: bool = False,
-    ) -> Jitter:
-        S = len(lines.frequency)
-        if S:
-            lines = lines.join(self.chain.table_lines(self.speeds[:S]))
-            problems = tuple(sorted((*problems, *self._resonances(lines, {i for i, _ in problems}))))
-            lines = lines.clear(np.flatnonzero(~lines.is_finite).tolist())
-            if not lines.is_finite.any():
-                raise CheckError(problems[0][1])
-        noise = broadband(self.chain, self.speeds[_largest(lines)]) if S else None
-        return Jitter(
-            self.scene.stand, self.asked, self.chain.seen, self.chain, self.speeds[:S], self.value[:S], self.phases,
-            lines, noise, method, left, remainder, checks, hold, order, problems, interrupted or len(self.value) > S,
-        )  # fmt: skip
-
-
-def _together(found: list[Lines | None]) -> Lines:
-    """Lines of single speeds as one table; NaN where a speed has no steady state, 0 where the line is missing."""
-    names: dict[LineName, int] = {}
-    for each in found:
-        for name in each.names if each is not None else ():
-            names.setdefault(name, len(names))
-    frequency = np.zeros((len(found), len(names)))
-    amplitude = np.zeros((len(found), len(names), 3), dtype=np.complex128)
-    for i, each in enumerate(found):
-        if each is None:
-            amplitude[i] = np.nan
-            frequency[i] = np.nan
-            continue
-        at = [names[name] for name in each.names]
-        frequency[i, at], amplitude[i, at] = each.frequency[0], each.amplitude[0]
-    return Lines(tuple(names), frequency, amplitude)
+    def inaccurate(self, found: Vibration) -> dict[int, str]:
+        """Steps at which a solution leaves out too much, and how much."""
+        problems, worst = {}, np.linalg.norm(found.sums().worst, axis=1)
+        for i, each in found.whole.items():
+            left = float(np.linalg.norm(each.left_out))
+            known = np.isfinite(left)
+            share = (left / worst[i] if left else 0.0) if known else each.residual
+            if share > TOO_MUCH and np.isfinite(worst[i]):
+                what = self.chain.seen.quantity if known else "acceleration"
+                problems[i] = f"inaccurate: {each.method} leaves out {share:.2g} of the {what}"
+        return problems

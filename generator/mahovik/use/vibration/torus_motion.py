@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,8 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.motion import forward, reaction
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.motion import forward
 from mahovik.use.numeric import Array, Complex
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Torus
@@ -32,8 +30,7 @@ class Balance:
     c         (n, 2 m): coefficients of states y = (xi, u)
     h         (n, f): constant numbers along the free directions that keep the mean place
     hold      (6; N, N m): the constant wrench in E1 that they are, mean over phases
-    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest;
-              of a held carrier also of its reaction, part of the largest that varies
+    left_out  largest remaining acceleration by the literal reference at SAMPLES random phases, part of the largest
     missing   (m, 6): coefficients of the pose (x, r) left out, of all k up to `missing_order`; None: too many
     missing_c (m, 2 m): of the states
     missing_w (m; rad/s): their k . phi', 0 for constants
@@ -154,26 +151,21 @@ def state_at(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
 SAMPLES = 64
 """Random phases at which the literal reference is evaluated."""
 
-REACTION_ROUNDING = 1e-9
-"""Part of the reaction below which what varies of it is not judged: beside a weight the rest is rounding."""
-
 
 def left_out(found: Balance) -> float:
-    """Largest difference of V*, of the pose's rate and of the reaction from the reference, each part of its largest."""
-    scene, turning = found.scene, len(found.turning)
-    theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, turning))
+    """Largest difference of V* from the reference, part of its largest; turning counts by the radius of gyration."""
+    scene = found.scene
+    theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, len(found.turning)))
     y, y_dot = found.states(theta)
     phi, phi_dot = found.motions(theta)
-    given = scene.drive(phi, phi_dot)
-    pushed = (scene.effect_of_wrench(given) @ found.torus.at(found.h, theta)[:, :, None])[:, scene.count :, 0]
+    push = scene.effect_of_wrench(scene.drive(phi, phi_dot)) @ found.torus.at(found.h, theta)[:, :, None]
     at = [pieces(scene.stand, state_at(scene, y[i], phi[i], found.speeds)) for i in range(len(theta))]
     exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
-    left = y_dot[:, 6:] - exact - scene.twist(pushed)
-    pose = y_dot[:, :6] - scene.chart.rate(given, y)[:, :6]
-    parts = [_largest(found, a, b) for a, b in ((left, exact), (pose, y_dot[:, :6]))]
-    if scene.stand.hold is not None:
-        parts.append(_reaction_left_out(scene, found, theta, at, y_dot[:, 6:]))
-    return max(parts)
+    scale = np.repeat([1.0, gyration_radius(scene)], 3)
+    off = np.linalg.norm((y_dot[:, 6:] - exact - scene.twist(push[:, scene.count :, 0])) * scale, axis=1).max()
+    most = float(np.linalg.norm(exact * scale, axis=1).max())
+    rounding = np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)
+    return float(off) / most if most > max(ROUNDING, scene.noise, float(rounding)) else 0.0
 
 
 def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMotion:
@@ -181,27 +173,3 @@ def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMot
     return FullMotion(
         found.scene, *found.motions(torus.nodes), *found.at_nodes(torus, c), torus.values(h) @ found.scene.wrench.T
     )
-
-
-def _reaction_left_out(scene: Scene, found: Balance, theta: Array, at: Sequence[Pieces], V_dot: Array) -> float:
-    """Largest difference between the reaction's lines and the literal reference, part of the largest that varies."""
-    lines = found.torus.coefficients(full_motion(found, found.torus, found.c, found.h).reaction())
-    still = np.zeros(len(found.speeds))
-    exact = np.array([reaction(each, V, still) for each, V in zip(at, V_dot, strict=True)])
-    exact -= found.torus.at(found.h, theta) @ scene.wrench.T
-    scale = np.repeat([1.0, 1.0 / gyration_radius(scene)], 3)
-    left, whole, varying = (
-        float(np.linalg.norm(each * scale, axis=1).max())
-        for each in (found.torus.at(lines, theta) - exact, exact, exact - lines[0].real)
-    )
-    most = max(varying, REACTION_ROUNDING * whole)
-    return left / most if most > np.linalg.norm(rounding_wrench(scene, found.speeds) * scale) else 0.0
-
-
-def _largest(found: Balance, off: Array, whole: Array) -> float:
-    """Largest of off (M, 6) as a part of the largest of `whole`, rotations times the radius of gyration."""
-    scene = found.scene
-    scale = np.repeat([1.0, gyration_radius(scene)], 3)
-    most = float(np.linalg.norm(whole * scale, axis=1).max())
-    least = max(ROUNDING, scene.noise, float(np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)))
-    return float(np.linalg.norm(off * scale, axis=1).max()) / most if most > least else 0.0

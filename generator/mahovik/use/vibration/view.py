@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.hold import freedom_names, twists, wrenches
-from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
@@ -26,9 +26,6 @@ from mahovik.use.study.linear.model import Place, output_rows, places
 from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns
 from mahovik.use.vibration.scene import Scene, coordinates
 from mahovik.use.vibration.structure import SHAPE, Structure
-
-ARCSEC = 180.0 * 3600.0 / np.pi
-"""1 rad in seconds of arc."""
 
 REACTION = "hold.reaction"
 """Name of the reaction of a hold among what is seen."""
@@ -41,10 +38,9 @@ class Quantity(NamedTuple):
     turning: bool
     power: int
 
-    @property
-    def arcsec(self) -> str | None:
-        """The unit with seconds of arc, or None."""
-        return self.unit.replace("rad", "arcsec") if self.turning else None
+    def derivative(self, omega: Array) -> Complex:
+        """Factor (...) of the derivatives at omega (...; rad/s)."""
+        return np.asarray((1j * omega) ** self.power)
 
 
 AXES = ("x", "y", "z")
@@ -123,88 +119,66 @@ class FullMotion:
         return self.scene.mount_wrenches(self.phi, self.phi_dot, self.y, self.V_dot)
 
 
-class Observable(Protocol):
-    """What is seen: of a point, a line of sight, a freedom, or a load."""
-
-    @property
-    def name(self) -> str:
-        """Name of the point, of the table of sensitivities, of the freedom or the load."""
-
-    @property
-    def axes(self) -> tuple[str, ...]:
-        """Names of its axes; of three columns the first, where it has fewer."""
-
-    @property
-    def quantity(self) -> str:
-        """Name of the quantity."""
-
-    @property
-    def measure(self) -> Quantity:
-        """Unit and kind of the quantity."""
-
-    def linear(self, motion: LinearMotion) -> Complex:
-        """Amplitudes (S, L, 3, P) of the quantity."""
-
-    def full(self, motion: FullMotion) -> Array:
-        """Values (M, 3) of the quantity."""
-
-    def derivative(self, omega: Array) -> Complex:
-        """Factor (...) of the quantity's derivatives at omega (...; rad/s)."""
-
-
 @dataclass(frozen=True, eq=False)
 class View:
-    """A quantity of one point, or a line of sight from several.
+    """A quantity of motion: of a point, of a line of sight from several, of a freedom.
 
-    name      of the point, or of the table of sensitivities
-    quantity  a key of QUANTITIES; SIGHT for a line of sight
-    parts     points, and for each (3, 6): the quantity's integral of order `power` from displacement and turning of the
-              point in its axes
+    name      of the point, of the table of sensitivities, of the freedom
+    axes      names of its axes; of three columns of values the first, where it has fewer
+    quantity  its name; measure: unit and kind
+    rows      (3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest
+    values    the quantity itself (M, 3)
+    parts     points, and for each (3, 6): that integral from displacement and turning of the point in its axes
     """
 
     name: str
+    axes: tuple[str, ...]
     quantity: str
-    parts: tuple[tuple[Place, Array], ...]
-    axes: tuple[str, ...] = AXES
+    measure: Quantity
+    rows: Array
+    values: Callable[[FullMotion], Array]
+    parts: tuple[tuple[Place, Array], ...] = ()
 
     @staticmethod
     def of(place: Place, quantity: str) -> View:
         """A quantity of one point. Raises UsageError."""
         if quantity not in QUANTITIES:
             raise UsageError(f"quantity {quantity!r}: expected one of {', '.join(QUANTITIES)}")
-        part, turning = np.zeros((3, 6)), QUANTITIES[quantity].turning
-        part[:, 3:], part[:, :3] = (np.eye(3), 0.0) if turning else (0.0, np.eye(3))
-        return View(place.name, quantity, ((place, part),))
+        measure, part = QUANTITIES[quantity], np.zeros((3, 6))
+        part[:, 3:], part[:, :3] = (np.eye(3), 0.0) if measure.turning else (0.0, np.eye(3))
 
-    @property
-    def measure(self) -> Quantity:
-        """Unit and kind of the quantity."""
-        return QUANTITIES["angle" if self.quantity == SIGHT else self.quantity]
+        def values(motion: FullMotion) -> Array:
+            """Rotation vector from rest, angular velocity: in the point's axes; others in its axes at rest."""
+            if measure.turning:
+                return np.asarray((motion.y[:, 3:6] if measure.power == 0 else motion.y[:, 9:]) @ place.axes)
+            return point_motion(place, motion.y, motion.V_dot)[measure.power]
 
-    @property
-    def rows(self) -> Array:
-        """(3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest."""
-        total = np.zeros((3, 6))
-        for place, part in self.parts:
-            displacement = output_rows(place, np.zeros(6), np.zeros(6))[0][:3, :6]
-            turning = np.hstack([np.zeros((3, 3)), place.axes.T])
-            total += part @ np.vstack([displacement, turning])
-        return total
+        parts = ((place, part),)
+        return View(place.name, AXES, quantity, measure, _rows(parts), values, parts)
+
+    @staticmethod
+    def sight(name: str, parts: tuple[tuple[Place, Array], ...]) -> View:
+        """A line of sight."""
+
+        def values(motion: FullMotion) -> Array:
+            total = np.zeros((len(motion.y), 3))
+            for place, part in parts:
+                moved = point_motion(place, motion.y, motion.V_dot)[0]
+                total += np.hstack([moved, motion.y[:, 3:6] @ place.axes]) @ part.T
+            return total
+
+        return View(name, AXES, SIGHT, QUANTITIES["angle"], _rows(parts), values, parts)
 
     def linear(self, motion: LinearMotion) -> Complex:
         """Amplitudes (S, L, 3, P) from those of the pose."""
-        return np.asarray((self.rows @ motion.pose) * self.derivative(motion.omega)[:, :, None, None])
+        return np.asarray((self.rows @ motion.pose) * self.measure.derivative(motion.omega)[:, :, None, None])
 
     def by_pose(self, pose: Complex, omega: Array) -> Complex:
         """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
-        return np.asarray((pose @ self.rows.T) * self.derivative(omega)[..., None])
-
-    def derivative(self, omega: Array) -> Complex:
-        """Factor (...) of `power` derivatives at omega (...; rad/s)."""
-        return np.asarray((1j * omega) ** self.measure.power)
+        return np.asarray((pose @ self.rows.T) * self.measure.derivative(omega)[..., None])
 
     def shape(self, structure: Structure) -> Array:
-        """(3, m): the same from the modes of a structure. Raises JitterFileError."""
+        """(3, m): `rows` from the modes of a structure. Raises JitterFileError."""
         total = np.zeros((3, len(structure.omega)))
         for place, part in self.parts:
             at = structure.at(place.name, "point")
@@ -212,21 +186,17 @@ class View:
         return total
 
     def full(self, motion: FullMotion) -> Array:
-        """Values (M, 3), in full.
+        """Values (M, 3) of the quantity."""
+        return self.values(motion)
 
-        Angle: rotation vector from rest; rate: angular velocity; both in the point's axes. Others in its axes at rest.
-        """
-        y = motion.y
-        if self.quantity == SIGHT:
-            total = np.zeros((len(y), 3))
-            for place, part in self.parts:
-                moved = point_motion(place, y, motion.V_dot)[0]
-                total += np.hstack([moved, y[:, 3:6] @ place.axes]) @ part.T
-            return total
-        place = self.parts[0][0]
-        if self.measure.turning:
-            return np.asarray(y[:, 3:6] @ place.axes if self.measure.power == 0 else y[:, 9:] @ place.axes)
-        return point_motion(place, y, motion.V_dot)[self.measure.power]
+
+def _rows(parts: tuple[tuple[Place, Array], ...]) -> Array:
+    """`View.rows` of points."""
+    total = np.zeros((3, 6))
+    for place, part in parts:
+        displacement = output_rows(place, np.zeros(6), np.zeros(6))[0][:3, :6]
+        total += part @ np.vstack([displacement, np.hstack([np.zeros((3, 3)), place.axes.T])])
+    return total
 
 
 def point_motion(place: Place, y: Array, V_dot: Array) -> tuple[Array, Array, Array]:
@@ -241,49 +211,6 @@ def point_motion(place: Place, y: Array, V_dot: Array) -> tuple[Array, Array, Ar
         np.asarray(turned.apply(velocity) @ place.axes),
         np.asarray(turned.apply(acceleration) @ place.axes),
     )
-
-
-@dataclass(frozen=True, eq=False)
-class FreedomView:
-    """A quantity of one freedom, `hold.pitch`: the first of three columns, the others are zero.
-
-    number   place of the freedom; S, W (6, m): twists of the freedoms, and what finds speeds, u = W^T V
-    """
-
-    name: str
-    axes: tuple[str, ...]
-    quantity: str
-    measure: Quantity
-    number: int
-    S: Array
-    W: Array
-
-    def linear(self, motion: LinearMotion) -> Complex:
-        """Amplitudes (S, L, 3, P) from those of the pose, S xi to first order."""
-        a = np.zeros((*motion.omega.shape, 3, motion.pose.shape[-1]), dtype=np.complex128)
-        along = np.tensordot(motion.pose, self.W[:, self.number], axes=([2], [0]))
-        a[:, :, 0] = along * self.derivative(motion.omega)[..., None]
-        return a
-
-    def full(self, motion: FullMotion) -> Array:
-        """Values (M, 3) from states in the chart about rest and V*."""
-        values = np.zeros((len(motion.y), 3))
-        if self.measure.power == 0:
-            values[:, 0] = coordinates(self.S, motion.y)[:, self.number]
-        else:
-            rates = motion.y[:, 6:] if self.measure.power == 1 else motion.V_dot
-            values[:, 0] = rates @ self.W[:, self.number]
-        return values
-
-    def by_pose(self, pose: Complex, omega: Array) -> Complex:
-        """Amplitudes (..., 3) from those of the pose (..., 6) at omega (...; rad/s)."""
-        a = np.zeros((*pose.shape[:-1], 3), dtype=np.complex128)
-        a[..., 0] = pose @ self.W[:, self.number] * self.derivative(omega)
-        return a
-
-    def derivative(self, omega: Array) -> Complex:
-        """Factor (...) of the quantity's derivatives at omega (...; rad/s)."""
-        return np.asarray((1j * omega) ** self.measure.power)
 
 
 @dataclass(frozen=True)
@@ -318,9 +245,9 @@ class LoadView:
         wrench = motion.reaction() if self.wheel is None else motion.mount(self.wheel)
         return wrench[:, self.rows]
 
-    def derivative(self, omega: Array) -> Complex:
-        """1: a load is not differentiated."""
-        return np.ones(omega.shape, dtype=np.complex128)
+
+Observable = View | LoadView
+"""What is seen."""
 
 
 def find_view(stand: Stand, name: str, quantity: str | None = None, usual: str = "acceleration") -> Observable:
@@ -331,38 +258,43 @@ def find_view(stand: Stand, name: str, quantity: str | None = None, usual: str =
     wheels = [s.name for s in stand.flywheels]
     if name in wheels or name == REACTION:
         if name == REACTION and stand.hold is None:
-            raise UsageError(f"--at {name}: {stand.name} has no [hold]; expected a point, an instrument or a flywheel")
+            raise UsageError(f"at {name}: {stand.name} has no [hold]; expected a point, an instrument or a flywheel")
         return LoadView(name, _choose(name, quantity, LOADS, usual), None if name == REACTION else wheels.index(name))
     if name == "hold" or name.startswith("hold."):
         return _freedom(stand, name, quantity, usual)
     if quantity in LOADS:
         held = f", or {REACTION}" if stand.hold is not None else ""
         words = f"a flywheel, for the wrench of its mount on it{held}"
-        raise UsageError(f"--quantity {quantity}: {name} has none; expected {words} as --at")
+        raise UsageError(f"quantity {quantity}: {name} has none; expected {words}")
     return View.of(places(stand, [name])[0], _choose(name, quantity, QUANTITIES, usual))
 
 
-def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> FreedomView:
-    number = None if stand.hold is None else freedom_of(stand.hold, name)
+def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
+    """A quantity of one freedom: the first of three columns, the others are zero. Raises UsageError."""
+    names = () if stand.hold is None else freedom_names(stand.hold)
+    short = name.removeprefix("hold.")
+    number = next((k for k, each in enumerate(names) if short in (each, str(k + 1))), None)
     if stand.hold is None or number is None:
-        freedoms = () if stand.hold is None else freedom_names(stand.hold)
-        known = [REACTION, *(f"hold.{each}" for each in freedoms)]
-        raise UsageError(f'unknown output "{name}"{suggestion(name, known)}; expected {", ".join(known)} or a point')
-    known_of = OF_FREEDOMS[stand.hold.freedoms[number].kind]
-    chosen, short = _choose(name, quantity, known_of, usual), freedom_names(stand.hold)[number]
-    S, W = twists(stand.hold), wrenches(stand.hold)
-    return FreedomView(f"hold.{short}", (short,), chosen, known_of[chosen], number, S, W)
+        known = [REACTION, *(f"hold.{each}" for each in names)]
+        raise UsageError(f"at {name}: unknown{suggestion(name, known)}; expected {', '.join(known)} or a point")
+    measures = OF_FREEDOMS[stand.hold.freedoms[number].kind]
+    chosen, S = _choose(name, quantity, measures, usual), twists(stand.hold)
+    measure, row = measures[chosen], np.zeros((3, 6))
+    row[0] = wrenches(stand.hold)[:, number]  # u = W^T V
 
+    def values(motion: FullMotion) -> Array:
+        if measure.power:
+            return np.asarray((motion.y[:, 6:] if measure.power == 1 else motion.V_dot) @ row.T)
+        found = np.zeros((len(motion.y), 3))
+        found[:, 0] = coordinates(S, motion.y)[:, number]
+        return found
 
-def freedom_of(hold: Hold, name: str) -> int | None:
-    """Place of the freedom that a name such as `hold.pitch` or `hold.1` is; None where it is none."""
-    short, names = name.removeprefix("hold."), freedom_names(hold)
-    return next((k for k, each in enumerate(names) if short in (each, str(k + 1))), None)
+    return View(f"hold.{names[number]}", (names[number],), chosen, measure, row, values)
 
 
 def _choose(name: str, quantity: str | None, known: Mapping[str, Quantity], usual: str) -> str:
     if quantity is not None and quantity not in known:
-        raise UsageError(f"--quantity {quantity}: {name} has none; expected one of {', '.join(known)}")
+        raise UsageError(f"quantity {quantity}: {name} has none; expected one of {', '.join(known)}")
     return quantity or (usual if usual in known else next(iter(known)))
 
 
@@ -389,4 +321,4 @@ def read_sight(path: Path, stand: Stand) -> View:
         for j, part in enumerate(SHAPE):
             matrix[: table.rows, j] = table.get(f"{name} {part}")
         parts.append((known_places[name], matrix))
-    return View(path.stem, SIGHT, tuple(parts))
+    return View.sight(path.stem, tuple(parts))

@@ -12,7 +12,7 @@ from mahovik.out.campaign.report.sections import overview, quantity, worst_sampl
 from mahovik.out.campaign.rows import Work
 from mahovik.out.notices import OnProgress, Progress, tell
 from mahovik.out.report.page import write_page
-from mahovik.out.report.plot.draw import require
+from mahovik.out.report.plots import require
 from mahovik.writing import probe
 
 

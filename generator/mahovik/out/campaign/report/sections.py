@@ -15,7 +15,7 @@ from mahovik.out.campaign.report.query import Query
 from mahovik.out.campaign.report.spread import FEW, histogram, quantile_table, scatter, settling, unit_text
 from mahovik.out.campaign.rows import Work
 from mahovik.out.report.page import Part, Row, figure, paragraph, picture, table
-from mahovik.out.report.plot.panel import Mark
+from mahovik.out.report.plots import Mark
 
 Array = NDArray[np.float64]
 

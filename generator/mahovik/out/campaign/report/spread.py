@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from mahovik.out.campaign.convergence import Goal, quantile_interval
 from mahovik.out.report.page import figure, table
-from mahovik.out.report.plot.panel import Line, Mark, Panel, limit
+from mahovik.out.report.plots import Line, Mark, Panel, limit
 
 Array = NDArray[np.float64]
 

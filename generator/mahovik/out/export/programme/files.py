@@ -51,10 +51,13 @@ ANGLE_LIMIT = 0.1
 """rad: an angle further from the programme is on another turn."""
 
 WRONG = 10.0
-"""Factor on the residual accepted by `verify-programme`, or on the limit if larger, above which a file is refused."""
+"""Factor on the residual accepted by `verify`, or on the limit if larger, above which a file is refused."""
 
 TIMES = 1024
 """Intervals at whose ends the bounds of a motion are looked at."""
+
+_FINEST = 4096
+"""Most nodes per period of a table that is refined."""
 
 LEAST, MOST_NODES = 32, 1 << 14
 """Least nodes per period, and most nodes in all, of a run-up."""
@@ -81,35 +84,30 @@ def export_programme(
     limit: float | None = None,
     source: str = "programme",
     called: str = "programme",
-    force: bool = False,
 ) -> ProgrammeExport:
     """C of a programme. With its motion, the tables include drive torques, and the residual that the tables add is
-    measured; without it, the error of the accelerations. Without `nodes` a finite programme has as many as the limit
-    needs. `source` names the programme in messages, `called` in the names of the C. `force`: also of one that exceeds
-    its bounds.
+    measured; without it, the error of the accelerations. Without `nodes` a table has as many as the limit needs.
+    `source` names the programme in messages, `called` in the names of the C.
 
     CheckError: programme, stand and motion do not belong together, the programme exceeds its bounds, or the error is
     above the limit. UsageError.
     """
     check_belongs(stand, programme, motion, source)
-    if not force and (over := _exceeded_bounds(stand, programme, motion)):
-        raise CheckError(
-            f"{source}: exceeds its bounds: {'; '.join(over)}: plan again, or --force; nothing was written"
-        )
+    if over := _exceeded_bounds(stand, programme, motion):
+        raise CheckError(f"{source}: exceeds its bounds: {'; '.join(over)}: plan again; nothing was written")
     if kind == "fourier" and not programme.periodic:
         raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; use --table quintic")
-    if kind == "fourier" and nodes is not None:
-        raise UsageError("--nodes: a Fourier table has none: remove it")
     count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
     if not 0 < most < inf:
-        raise UsageError(f"--limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
+        raise UsageError(f"limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
     layout = Layout(structure(stand), PRECISIONS[real])
     if called != "programme":
         check_name(stand, layout, called)
     prescribed = None if motion is None else ProgrammeCase.of(stand, motion, programme)
     first = _course(programme, layout, prescribed, kind, count)
     found = [_measure_errors(layout, first, prescribed)]
-    while nodes is None and not programme.periodic and _is_coarse(found[0][1], most) and count < MOST_NODES:
+    finest = _FINEST if programme.periodic else MOST_NODES
+    while nodes is None and kind == "quintic" and _is_coarse(found[0][1], most) and count < finest:
         count *= 2
         first = _course(programme, layout, prescribed, kind, count)
         found = [_measure_errors(layout, first, prescribed)]
@@ -118,7 +116,7 @@ def export_programme(
     if given is not None and given > accepted:
         raise CheckError(
             f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
-            f"{accepted:g} it would): `mahovik verify-programme` says more; nothing was written"
+            f"{accepted:g} it would): `mahovik verify` says more; nothing was written"
         )
     if found[0][1].decisive > most:
         raise CheckError(_too_coarse(source, first, found[0][1], most, real))
@@ -202,7 +200,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
         if rows >= MOST_NODES:
             raise CheckError(
                 f"{source}: {part}: with {rows} nodes the error of a table is {error:.2e} of the largest acceleration, "
-                f"above {most:g}: give a larger --limit; nothing was written"
+                f"above {most:g}: nothing was written"
             )
         rows *= 2
 
@@ -226,10 +224,9 @@ def _with_torques(table: Table, finite: RunUpTable, prescribed: ProgrammeCase | 
 def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str) -> str:
     what = "the relative residual that the table adds" if found.added is not None else "the table's relative error"
     remedies = []
-    if table.form.kind == "quintic" and table.form.rows < 4096:
-        remedies.append(f"more nodes (--nodes {2 * table.form.rows})")
     remedies += ["--real double"] if real == "float" else []
-    remedies.append("a larger --limit")
+    remedies += ["--table quintic"] if table.form.kind == "fourier" else []
+    remedies = remedies or ["a programme of fewer harmonics"]
     return (
         f"{source}: {what} is {found.decisive:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
     )

@@ -34,12 +34,12 @@ def check_name(stand: Stand, layout: Layout, called: str) -> None:
     """Raises UsageError where a programme of that name would have names in C that the stand's C has."""
     problem = name_problem(called)
     if problem is not None:
-        raise UsageError(f"--name {called}: {problem}")
+        raise UsageError(f"name {called}: {problem}")
     program = lower_layout(layout)
     taken = {*_BESIDE, *(f.name for f in program.functions), *(s.name for s in program.structs)}
     bodies = [name.lower() for name in (*(b.name for b in stand.bodies), *(p.name for p in stand.points))]
     for name in sorted(taken) + bodies:
         if name == called.lower() or name.startswith(f"{called.lower()}_"):
             raise UsageError(
-                f"--name {called}: the C of {stand.name} has {stand.name}_{name}: choose another name, such as lap"
+                f"name {called}: the C of {stand.name} has {stand.name}_{name}: choose another name, such as lap"
             )

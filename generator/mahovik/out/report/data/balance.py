@@ -11,7 +11,7 @@ from mahovik.contract.quantities import RPM
 from mahovik.errors import InputError
 from mahovik.out.report.data.panels import confidence_ellipse, order_panels
 from mahovik.out.report.page import Cell, Part, figure
-from mahovik.out.report.plot.panel import Array, Panel
+from mahovik.out.report.plots import Array, Panel
 from mahovik.use.balance.by_model import WheelBalance
 from mahovik.use.balance.polar import Complex
 from mahovik.use.measured import Channel, Recording

@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from mahovik.contract.quantities import RPM
-from mahovik.out.report.plot.draw import HEIGHT, WIDTH
-from mahovik.out.report.plot.panel import Array, Line, Mark, Panel
+from mahovik.out.report.plots import HEIGHT, WIDTH, Array, Line, Mark, Panel
 from mahovik.use.measured.orders import OrderMap
 
 DECADES = 3.0

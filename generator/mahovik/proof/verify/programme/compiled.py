@@ -116,7 +116,7 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         readable = False
     if not readable:
-        raise UsageError(f"{manifest}: not as `mahovik export {kind}` writes it: export the {kind} again")
+        raise UsageError(f"{manifest}: not as `mahovik generate --{kind}` writes it: write the {kind} again")
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: export the {kind} again")

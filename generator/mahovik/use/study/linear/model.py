@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from mahovik.core.stand.frames import pose, transfer
 from mahovik.core.stand.hold import freedom_names, is_closed, twists
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
@@ -29,7 +30,6 @@ from mahovik.use.numeric import (
     Twists,
     block_diagonal,
     drive,
-    fixed_axes,
     in_fluid,
     linear,
     place,
@@ -37,7 +37,6 @@ from mahovik.use.numeric import (
     skew,
     slopes_of_residual,
     slopes_of_torques,
-    transfer,
     turn,
 )
 from mahovik.use.simulate.held import rates
@@ -328,7 +327,7 @@ def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
     none = (0.0,) * 6
     total += np.array(state.wrench.get(stand.carrier.name, none))
     for p in stand.instruments:
-        total += transfer(p.position, fixed_axes(p.angles)) @ np.array(state.wrench.get(p.name, none))
+        total += transfer(*pose(stand, p)) @ np.array(state.wrench.get(p.name, none))
     for k, s in enumerate(stand.flywheels):
         P, L = np.array(state.wrench.get(s.name, none)), mechanics.tables.Lm[k] @ block_diagonal(turn(0, state.phi[k]))
         total += L @ P

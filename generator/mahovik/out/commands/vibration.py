@@ -1,0 +1,415 @@
+"""`vibration`: what flywheels at constant speeds do to a point, and speeds and phases that make it quiet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import numpy as np
+
+from mahovik.out.arguments import Band, FilePath, Phases, Progressing, Seconds, Speed, StandGiven, Text
+from mahovik.out.result import Column, Result, column
+
+if TYPE_CHECKING:
+    from mahovik.out.api.stands import Stand
+    from mahovik.out.report.plots import Panel
+    from mahovik.use.vibration.speeds import Asked
+    from mahovik.use.vibration.study import Verdict
+    from mahovik.use.vibration.study import Vibration as Study
+    from mahovik.use.vibration.view import Observable
+
+Turning = Annotated[
+    float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
+]
+Tables = Annotated[Mapping[str, str | Path], "NAME=FILE.csv"]
+Vector = Annotated[str | Sequence[float], '"X Y Z"']
+
+Interval = tuple[float, float]
+
+SHOWN = 12
+"""Lines of a sweep with columns of their own."""
+
+NO_LINE = 1e-6
+"""Part of the largest amplitude below which a line is not listed."""
+
+
+def vibration(
+    stand: StandGiven,
+    *,
+    speed: Turning,
+    at: Text | None = None,
+    quantity: Literal["angle", "rate", "displacement", "velocity", "acceleration", "force", "moment"] | None = None,
+    band: Band | None = None,
+    phase: Phases | None = None,
+    steps: int = 61,
+    harmonics: Tables | None = None,
+    noise: Tables | None = None,
+    inner_modes: Tables | None = None,
+    modes: FilePath | None = None,
+    sight: FilePath | None = None,
+    require: Annotated[str | Sequence[str], "LIMIT"] = (),
+    improve: bool = False,
+    momentum: Vector | None = None,
+    limit: Speed | None = None,
+    avoid: Annotated[str | Sequence[str], "F|LOW..HIGH|modes"] = (),
+    seed: int = 0,
+    time: Seconds | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Find the steady vibration at constant speeds.
+
+    Of one set of speeds: a line a wheel and order, of which the amplitude is 0 to peak. Of a sweep: a row a speed, with
+    more speeds at resonances, so that the largest amplitude is the true one. On every axis rms is the root mean square
+    over time at the given phases, peak what these let happen, worst the sum of all amplitudes, whatever the phases.
+    The whole equations are solved, in a sweep where a sum is largest or they differ from the linear ones.
+
+    Args:
+        stand: the stand file.
+        speed: speed of a flywheel, rad/s or with a unit; one range, LOW..HIGH, is swept; FACTOR*NAME is geared to
+            another; `all` is every flywheel. The rest stand still.
+        at: point or instrument; carrier for O1; a flywheel for the wrench of its mount on it; of a held carrier
+            hold.reaction for that of the hold, or a freedom such as hold.pitch.
+        quantity: what is seen there; default angle, of a load force.
+        band: count only lines and noise within these frequencies.
+        phase: phase of a flywheel at t = 0, rad or with a unit; default 0.
+        steps: speeds of a sweep, evenly spaced; more are added.
+        harmonics: maker's table of a wheel's harmonics, or of `all`.
+        noise: maker's table of broadband noise.
+        inner_modes: radial, axial and rocking mode of a wheel on its bearings.
+        modes: table of structural modes, which do not act back on the wheels.
+        sight: table of sensitivities of a line of sight, in place of a point.
+        require: limit to be met at all speeds, "rms|peak|worst VALUE UNIT [LOW..HIGHHz]".
+        improve: search speeds and phases that make it quieter in the band; the momentum of the wheels stays the same.
+        momentum: hold this momentum of the wheels, in E1, N m s; default that of the given speeds.
+        limit: speed limit of all wheels in this search; default the no-load speeds of the motors.
+        avoid: frequency that no order 1 or 2 may meet, within 10 %, or a range, or modes of the stand.
+        seed: of the random starts of this search.
+        time: end a sweep or a search after this time, with what is known then.
+
+    Raises:
+        UsageError: an argument that cannot be; JitterFileError: a table that cannot.
+        CheckError: no equilibrium, no steady motion, no speeds within the limits.
+    """
+    from mahovik.core.stand.units import ANGLE
+    from mahovik.errors import UsageError
+    from mahovik.out.api.stands import Stand
+    from mahovik.out.arguments import by_flywheel
+    from mahovik.out.notices import warn_of_turn
+    from mahovik.use.vibration.band import read_band
+    from mahovik.use.vibration.chain import Makers
+    from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
+    from mahovik.use.vibration.requirement import read_requirements
+    from mahovik.use.vibration.speeds import read_speeds
+    from mahovik.use.vibration.structure import read_structure
+    from mahovik.use.vibration.study import vibration as find
+
+    own = Stand.of(stand)
+    seen = _observable(own, at, quantity, sight)
+    limits = read_requirements([require] if isinstance(require, str) else require, seen)
+    within = None if band is None else read_band("band", band)
+    makers = Makers(
+        _by_wheel(own, "harmonics", harmonics, read_harmonics),
+        _by_wheel(own, "noise", noise, read_noise),
+        _by_wheel(own, "inner_modes", inner_modes, read_inner_modes),
+        None if modes is None else read_structure(Path(modes), own),
+    )
+    plan = read_speeds(own, speed)
+    if improve and (plan.sweep is not None or makers.harmonics):
+        raise UsageError("improve: expected one set of speeds, and no makers' harmonics, which have no phases")
+    if not improve and (momentum is not None or limit is not None or avoid):
+        raise UsageError("momentum, limit, avoid: say what holds in a search; expected improve as well")
+    _warn_of_speeds(own, speed, plan)
+    clock = _Clock(time, progress)
+    phases = by_flywheel("phase", phase, own, ANGLE)
+    bands = [within, *(each.band for each in limits)]
+    found = find(
+        own, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
+    )  # fmt: skip
+    warn_of_turn(own)
+    verdicts = [found.judge(each) for each in limits]
+    meta: dict[str, Any] = {"requirements": [_verdict(found, each) for each in verdicts]} if limits else {}
+    messages = [*(_verdict_line(found, each) for each in verdicts), *_messages(found)]
+    ok = all(each.met for each in verdicts)
+    if improve:
+        better, words = _improve(own, found, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
+        meta["improved"] = better
+        messages += words
+        ok = ok and better["after"] < better["before"]
+    return _result(found, within, meta, messages, ok)
+
+
+def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
+    """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
+    from mahovik.errors import UsageError
+    from mahovik.use.vibration.view import find_view, read_sight
+
+    if (at is None) is (sight is None):
+        raise UsageError("at, sight: expected a point or a line of sight, one of them")
+    return read_sight(Path(sight), stand) if sight is not None else find_view(stand, str(at), quantity, "angle")
+
+
+def _by_wheel(
+    stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
+) -> dict[str, Any]:
+    """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, JitterFileError."""
+    from mahovik.errors import UsageError
+    from mahovik.nearest import suggestion
+    from mahovik.use.vibration.speeds import ALL
+
+    if tables is not None and not isinstance(tables, Mapping):
+        raise UsageError(f"{name} {tables}: expected NAME=FILE.csv")
+    names = [s.name for s in stand.flywheels]
+    found: dict[str, Any] = {}
+    for wheel, path in sorted((tables or {}).items(), key=lambda each: each[0] != ALL):
+        if wheel != ALL and wheel not in names:
+            raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
+        found |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
+    return found
+
+
+def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
+    """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
+    from mahovik.out.notices import warn_of_speeds
+    from mahovik.use.vibration.speeds import by_name
+
+    fastest = np.abs(plan.rows(np.array(plan.sweep or (0.0,)))).max(axis=0)
+    texts = by_name(plan.names, asked)
+    warn_of_speeds(stand, fastest.tolist(), [str(texts.get(name, "")) for name in plan.names])
+
+
+class _Clock:
+    """Ends a search after a time, and shows how far it is."""
+
+    def __init__(self, seconds: float | str | None, progress: Progressing) -> None:
+        from time import monotonic
+
+        from mahovik.out.arguments import time_limit
+
+        self._now, self.progress = monotonic, progress
+        limit = time_limit("time", seconds)
+        self.end = None if limit is None else monotonic() + limit
+
+    def go_on(self, done: int = 1, planned: int | None = None) -> bool:
+        """Whether to go on: with the first solution always."""
+        from mahovik.out.notices import Progress, tell
+
+        tell(self.progress, Progress("speeds", done, planned))
+        return done == 0 or self.end is None or self._now() < self.end
+
+
+def _verdict(found: Study, verdict: Verdict) -> dict[str, Any]:
+    """A requirement and how it is met, in SI."""
+    wanted = verdict.requirement
+    return {
+        "text": wanted.text,
+        "value": verdict.value,
+        "limit": wanted.limit,
+        "unit": found.seen.measure.unit,
+        "met": verdict.met,
+        "speed": float(found.value[verdict.step]),
+        "axis": found.seen.axes[min(verdict.axis, len(found.seen.axes) - 1)],
+    }
+
+
+def _verdict_line(found: Study, verdict: Verdict) -> str:
+    said = f"{'met' if verdict.met else 'FAILED'}: {verdict.requirement.text}"
+    where = f" at {_rpm(found, verdict.step)}" if found.plan.sweep is not None else ""
+    if not np.isfinite(verdict.value):
+        return f"{said}: there is no steady motion{where}"
+    return f"{said}: {100.0 * verdict.value / verdict.requirement.limit:.4g} % of it{where}"
+
+
+def _rpm(found: Study, step: int) -> str:
+    from mahovik.contract.quantities import RPM
+
+    return f"{RPM * found.value[step]:.6g} rpm"
+
+
+def _messages(found: Study) -> list[str]:
+    """Remarks on accuracy, problems, stability, and what is held."""
+    from mahovik.contract.quantities import RPM
+    from mahovik.core.stand.hold import numbers_in_words
+
+    many, messages = len(found.value), []
+    if many > 1:
+        of = f"the whole equations are solved at {len(found.whole)} of {many} speeds; "
+        messages.append(f"{of}the RMS of the linear ones is that of theirs within {found.off:.1e}")
+    for step, words in list(found.problems.items())[:1]:
+        where = f"at {_rpm(found, step)}: " if many > 1 else ""
+        more = f"; so at {len(found.problems)} speeds" if len(found.problems) > 1 else ""
+        messages.append(f"warning: {where}{words}{more}")
+    if found.coarse is not None:
+        near = f"coarse near {RPM * found.coarse:.6g} rpm"
+        messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
+    unstable = [step for step, each in found.whole.items() if each.unstable]
+    if unstable:
+        messages.append(f"warning: unstable at {_rpm(found, min(unstable))}: deviations from this motion grow")
+    hold = max((each.hold for each in found.whole.values()), key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
+    if np.abs(hold).max() > 1e-12:
+        force, moment = (float(np.linalg.norm(part)) for part in (hold[:3], hold[3:]))
+        words = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m holds its mean place"
+        messages.append(f"the stand is free to drift: {words}")
+    if found.chain.makers.structure is not None:
+        mass, gyro = (float(each.max(initial=0.0)) for each in found.chain.ratios)
+        shift = f"would shift a frequency by up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
+        messages.append(f"structural modes do not act back on the wheels, which {shift}")
+    if found.seen.name.startswith("hold.") and (words := numbers_in_words(found.scene.stand.hold, "hold.")):
+        messages.append(words)
+    return messages
+
+
+def _improve(
+    stand: Stand, found: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
+) -> tuple[dict[str, Any], list[str]]:
+    """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
+    from mahovik.contract.quantities import RPM
+    from mahovik.core.stand.units import SPEED
+    from mahovik.errors import whole_number
+    from mahovik.out.arguments import quantity
+    from mahovik.use.vibration.improve import Freedom, improve
+    from mahovik.use.vibration.speeds import SpeedPlan
+    from mahovik.use.vibration.study import vibration as find
+
+    most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
+    freedom = Freedom.of(stand, found.speeds[0], _momentum(momentum), most, avoided_bands(found, avoid))
+    whole_number("seed", seed, 0)
+    speeds, phases = improve(found.chain, freedom, band, seed=seed, go_on=clock.go_on)
+    plan, within = SpeedPlan.constants(stand, speeds.tolist()), None if band == (0.0, np.inf) else band
+    after = find(found.scene, plan, found.seen, phases=phases.tolist(), makers=found.chain.makers, bands=[within])
+    before, now = (float(np.linalg.norm(each.sums(within).rms[0])) for each in (found, after))
+    words = f"{before / now:.4g} times quieter" if 0.0 < now < before else "no allowed speeds are quieter"
+    said = [f"{words}: RMS {before:.4g} before, {now:.4g} {found.seen.measure.unit} after, of the whole equations"]
+    for wheel, turning, angle in zip(plan.names, speeds, phases, strict=True):
+        said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
+    return {"speeds": speeds, "phases": phases, "before": before, "after": now}, said
+
+
+def _momentum(given: Any) -> Any:
+    """The momentum to hold (3); None: that of the speeds. Raises UsageError."""
+    from mahovik.errors import UsageError
+
+    if given is None:
+        return None
+    try:
+        found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
+    except ValueError:
+        found = np.zeros(0)
+    if found.shape != (3,) or not np.isfinite(found).all():
+        raise UsageError(f'momentum {given}: expected three numbers, in N m s, as "0 0 14"')
+    return found
+
+
+def avoided_bands(found: Study, avoid: str | Sequence[str]) -> list[Interval]:
+    """Bands (Hz) to be avoided: ranges as they are, 10 % to both sides of frequencies. Raises UsageError."""
+    from mahovik.use.vibration.band import read_band, read_frequency
+    from mahovik.use.vibration.campbell import natural_at
+
+    bands = []
+    for text in [avoid] if isinstance(avoid, str) else avoid:
+        if ".." in text:
+            bands.append(read_band("avoid", text))
+            continue
+        single = [read_frequency("avoid", text)] if text != "modes" else []
+        if text == "modes" and found.scene.count:
+            single = natural_at(found.scene, found.plan, found.value)[0][0].tolist()
+        bands += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
+    return bands
+
+
+def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:
+    """Lines of one set of speeds, or a row a speed."""
+    seen, unit, stand = found.seen, found.seen.measure.unit, found.scene.stand
+    axes, swept = seen.axes, found.plan.sweep is not None
+    sums = {name: each[:, : len(axes)] for name, each in found.sums(band)._asdict().items()}
+    words = f" in {band[0]:g}..{band[1]:g} Hz" if band else ""
+    about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(found.plan.names)}
+    details = [*about, "requirements", "largest", "improved"]
+    units = dict.fromkeys(("rms", "peak", "worst", "before", "after"), unit) | {"speeds": "rad/s", "phases": "rad"}
+    if not swept:
+        return Result(
+            f"{stand.name}: {seen.quantity} of {seen.name}{words}; amplitudes 0 to peak",
+            _orders(found, band),
+            rows="orders",
+            meta=about | {name: each[0] for name, each in sums.items()} | meta,
+            units=units,
+            messages=messages,
+            ok=ok,
+            details=[*details, "phase"],
+            drawings=_picture(found, sums, swept=False),
+        )
+    largest, listed = found.largest(band), _line_columns(found, band)
+    wheel = found.plan.names[found.plan.swept or 0]
+    peak = {"value": largest.value, "unit": unit, "speed": float(found.value[largest.step]), "quantity": seen.quantity}
+    line = f"largest amplitude {largest.value:.6g} {unit} at {_rpm(found, largest.step)}, {largest.frequency:.6g} Hz"
+    return Result(
+        f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
+        (
+            column("speeds", "rad/s", found.value, shown="rpm"),
+            *(column(name, unit, each, axes) for name, each in sums.items()),
+            *listed,
+        ),
+        index="speeds",
+        meta=about | {"swept": wheel, "largest": peak | {"frequency": largest.frequency}} | meta,
+        units=units,
+        messages=[line, *messages],
+        ok=ok,
+        details=[*details, "swept", "peak", *(each.name for each in listed)],
+        drawings=_picture(found, sums, swept=True),
+    )
+
+
+def _orders(found: Study, band: Interval | None) -> tuple[Column, ...]:
+    """The lines of one set of speeds, largest first; amplitudes along the axes."""
+    from mahovik.use.vibration.band import in_band
+    from mahovik.use.vibration.lines import MAKER
+
+    lines, axes = found.lines, found.seen.axes
+    frequency, a = lines.frequency[0], lines.amplitude[0, :, : len(axes)]
+    size = np.where(in_band(frequency, band or (0.0, np.inf)), np.linalg.norm(a, axis=1), 0.0)
+    listed = [i for i in np.argsort(-size, kind="stable") if size[i] > NO_LINE * size.max(initial=0.0)]
+    names = [lines.names[i] for i in listed]
+    phase = [np.full(len(axes), np.nan) if lines.names[i].source == MAKER else np.angle(a[i]) for i in listed]
+    empty = np.zeros((0, len(axes)))
+    return (
+        column("wheel", "", [name.wheel for name in names]),
+        column("order", "", [name.order for name in names]),
+        column("frequency", "Hz", frequency[listed]),
+        column("amplitude", found.seen.measure.unit, np.abs(a[listed]), axes),
+        column("phase", "rad", np.array(phase) if listed else empty, axes, "deg"),
+        column("source", "", [f"{name.source} {name.part}".strip() for name in names]),
+    )
+
+
+def _line_columns(found: Study, band: Interval | None) -> list[Column]:
+    """The largest lines of a sweep: magnitude of the amplitude over the axes."""
+    from mahovik.use.vibration.band import in_band
+
+    lines = found.lines
+    inside = in_band(lines.frequency, band or (0.0, np.inf)) & (lines.frequency > 0.0)
+    size = np.where(inside, np.linalg.norm(lines.amplitude, axis=2), 0.0)
+    largest = np.nanmax(np.nan_to_num(size), axis=0, initial=0.0)
+    listed = [i for i in np.argsort(-largest, kind="stable")[:SHOWN] if largest[i] > NO_LINE * largest.max()]
+    return [column(lines.names[i].text, found.seen.measure.unit, size[:, i]) for i in listed]
+
+
+def _picture(found: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
+    """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
+    from mahovik.contract.quantities import RPM
+    from mahovik.out.report.plots import ARCSEC, Line, Panel, stems
+
+    seen, unit, scale = found.seen, found.seen.measure.unit, 1.0
+    if unit.startswith("rad"):
+        unit, scale = f"arcsec{unit[3:]}", ARCSEC
+    title = f"{seen.quantity} of {seen.name}, {unit}"
+    if not swept:
+        size = scale * np.linalg.norm(found.lines.amplitude[0], axis=1)
+        lines, end = stems("", found.lines.frequency[0], size), 1.1 * float(found.lines.frequency.max(initial=1.0))
+        return [Panel(f"{title}, 0 to peak", (lines,), abscissa="frequency, Hz", height=1.6, span=(0.0, end))]
+    x, order = RPM * found.value, np.argsort(found.value)
+    names = {"worst": "worst case over phases", "rms": "RMS"}
+    size = scale * np.linalg.norm(np.stack([sums[name] for name in names]), axis=2)[:, order]
+    drawn = tuple(Line(words, x[order], y, k) for k, (words, y) in enumerate(zip(names.values(), size, strict=True)))
+    steep = bool(np.nanmax(size[0]) > 50.0 * np.nanmedian(size[0]) > 0.0)
+    words, span = f"speed of {found.plan.names[found.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))
+    return [Panel(title, drawn, log=steep, abscissa=words, height=2.6, span=span)]

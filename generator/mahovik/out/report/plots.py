@@ -1,0 +1,322 @@
+"""Pictures of results: panels one below the other, drawn by matplotlib; the same numbers give the same bytes.
+
+A `Panel` is what one frame shows. `column_panels` makes panels of named columns over an index: a run over time, a sweep
+of speeds, a spectrum; `draw` writes a picture, `draw_on_axes` draws on axes of the caller.
+"""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mahovik.contract.quantities import RPM
+from mahovik.errors import UsageError
+
+Array = NDArray[np.float64]
+Columns = Sequence[tuple[str, str, Any]]
+"""Name, unit and values (M) of each column."""
+
+SUFFIXES = (".svg", ".png")
+
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d31")
+"""Eight that people with any colour vision tell apart (Okabe and Ito), brown in place of yellow."""
+
+STYLE = {
+    "svg.hashsalt": "mahovik", "svg.fonttype": "path", "font.size": 8.5, "axes.spines.top": False,
+    "axes.spines.right": False, "axes.grid": True, "axes.formatter.useoffset": False, "grid.color": "#e4e4e4",
+    "axes.formatter.limits": (-3, 5), "grid.linewidth": 0.6, "axes.axisbelow": True, "axes.xmargin": 0.01,
+    "legend.handlelength": 1.6, "legend.labelspacing": 0.25, "legend.columnspacing": 1.0, "legend.borderaxespad": 0.0,
+}  # fmt: skip
+
+ARCSEC = 648000.0 / np.pi
+"""Seconds of arc in a radian."""
+
+GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
+"""Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
+
+BINS, DECADES, LAST = 300, 4.0, 400
+"""Of long lines the extremes in so many bins are drawn; powers of ten of a sweep; samples of a motion that follows."""
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """y over x. `colour`: number of the line's colour, None for grey; `dashed`: what is required, or a limit."""
+
+    name: str
+    x: Array
+    y: Array
+    colour: int | None = 0
+    dashed: bool = False
+    tag: str = ""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A place that is pointed out; `name` says what is there."""
+
+    x: float
+    y: float
+    name: str
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """Lines in one frame.
+
+    quantity     above, with its unit; `note` at the right of it; `abscissa` below, where it is not time
+    log          ordinate by powers of ten; `log_abscissa`: abscissa
+    height       in those of other panels; `span`: first and last abscissa; `top`: the ordinate goes from 0 to it
+    """
+
+    quantity: str
+    lines: tuple[Line, ...]
+    log: bool = False
+    note: str = ""
+    abscissa: str = "t, s"
+    height: float = 1.0
+    span: tuple[float, float] | None = None
+    top: float | None = None
+    log_abscissa: bool = False
+    marks: tuple[Mark, ...] = ()
+
+    def __call__(self, of: Any, axes: Any) -> None:
+        """Draw it on axes of matplotlib; it has all that it shows, and needs nothing of a result."""
+        _draw_panel(self, axes)
+
+
+Drawing = Callable[[Any, Any], None]
+"""Draws something of a result on axes of matplotlib; a `Panel` is one."""
+
+
+def limit(name: str, x: Array, value: float) -> Line:
+    """A level."""
+    return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)
+
+
+def stems(name: str, x: Array | Sequence[float], sizes: Array, colour: int = 0) -> Line:
+    """A vertical line at each place, from 0 to the size there."""
+    y = np.stack([0.0 * sizes, sizes, np.full(len(x), np.nan)], axis=1)
+    return Line(name, np.repeat(np.asarray(x, dtype=np.float64), 3), y.ravel(), colour)
+
+
+def envelope(y: Array, bins: int = BINS) -> NDArray[np.intp]:
+    """Indices (rising) of the points of y (M) that are drawn: of each bin the extremes and what is not finite."""
+    low, high = (np.where(np.isfinite(y), y, end) for end in (np.inf, -np.inf))
+    parts = np.array_split(np.arange(len(y)), min(bins, len(y)))
+    kept = [part[each[part].argmax()] for part in parts for each in (-low, high, ~np.isfinite(y))]
+    return np.unique([0, len(y) - 1, *kept]) if len(y) > 2 * bins else np.arange(len(y))
+
+
+# -- columns of a result -----------------------------------------------------------------------------------------------
+
+QUANTITIES = {
+    "": "place of O1", "v": "velocity of O1, in E1", "omega": "turning of the carrier, in E1", "q": "freedoms",
+    "q_dot": "rates of the freedoms", "phi_dot": "speed of the flywheels", "tau": "drive torque",
+    "margin": "margin of the motors", "hold.reaction": "reaction of the hold, in E1 about O1", "angles": "attitude",
+}  # fmt: skip
+"""What a panel is called, by the common part of the names of its columns."""
+
+UNSHOWN = ("v_dot", "omega_dot", "phi", "phi_ddot", "q_ddot", "motor", "command", "quaternion")
+"""Columns of a run that follow from others: accelerations, phases, parts of torques."""
+
+_MEMBERS = re.compile(r"(|.+?[_. ])([xyzkmn])( \w+)?|(\w+) (\w+)")
+
+
+def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[Panel]:
+    """Panels of columns over an index column; None: over the rows, counted from 1.
+
+    Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Over `speed ...`: one panel a
+    unit, by powers of ten. Over `frequency`, rows, or text: stems.
+    """
+    numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in columns if _is_number(x)]
+    if not numbers or not len(numbers[0][2]):
+        raise UsageError("there are no rows of numbers to draw")
+    if not (index and index[0] in ("t", "time")):  # small angles
+        numbers = [(name, "arcsec", ARCSEC * y) if unit == "rad" else (name, unit, y) for name, unit, y in numbers]
+    name, unit, x = index if index and _is_number(index[2]) else ("row", "", np.arange(1.0, 1.0 + len(numbers[0][2])))
+    x = np.asarray(x, dtype=np.float64)
+    if name.startswith("speed") and len(x) > 1:
+        return _sweep(name, RPM * x if unit == "rad/s" else x, numbers)
+    if name in ("t", "time"):
+        return _course(x, numbers)
+    lines: dict[str, list[Line]] = {}
+    largest = max(float(np.nanmax(np.abs(y), initial=0.0)) for _, _, y in numbers)
+    for column, of, y in numbers:
+        key, label = (f"amplitude, {of}", column) if name == "frequency" else (f"{column}, {of}".rstrip(", "), "")
+        kept = np.abs(y) > 10**-DECADES * largest if name == "frequency" else np.isfinite(y)
+        lines.setdefault(key, []).append(stems(label, x[kept], y[kept], len(lines.get(key, ()))))
+    low, high = (0.0, 1.1 * max(line.x.max(initial=1.0) for each in lines.values() for line in each))
+    span = (low, high) if name == "frequency" else (0.5, len(x) + 0.5) if name == "row" else None
+    words = f"{name}, {unit}".rstrip(", ")
+    return [Panel(quantity, tuple(drawn), abscissa=words, span=span) for quantity, drawn in lines.items()]
+
+
+def _is_number(values: Any) -> bool:
+    return np.asarray(values).dtype.kind in "iuf"
+
+
+def _sweep(name: str, rpm: Array, columns: Columns) -> list[Panel]:
+    """A large panel a unit: RMS and worst case, then the largest of the other columns."""
+    panels = []
+    names = {column for column, _, _ in columns}
+    shown = [each for each in columns if not each[0].startswith(("speed ", "mean "))]
+    shown = [each for each in shown if each[0][-2:] not in (" x", " y", " z") or f"{each[0][:-1]}xyz" not in names]
+    for unit in dict.fromkeys(unit for _, unit, _ in shown):
+        sizes = {column: y for column, of, y in shown if of == unit}
+        order = sorted(sizes, key=lambda each: (each[:3] not in ("rms", "wor"), -np.nanmax(sizes[each], initial=0.0)))
+        floor = 10**-DECADES * max(float(np.nanmax(y, initial=0.0)) for y in sizes.values())
+        kept = [column for column in order if np.nanmax(sizes[column], initial=0.0) > floor][:LEGEND]
+        drawn = [np.where(sizes[column] > floor, sizes[column], np.nan) for column in kept]
+        lines = tuple(Line(_short(each), rpm, y, k) for k, (each, y) in enumerate(zip(kept, drawn, strict=True)))
+        span = (float(rpm.min()), float(rpm.max()))
+        panels.append(Panel(f"amplitude, {unit}", lines, bool(lines), "", f"{name}, rpm", 2.6, span))
+    return panels
+
+
+def _short(name: str) -> str:
+    """The name of an order, flywheels between the first and the last left out where there are more than two."""
+    parts = [part.split(", ") for part in name.replace(" xyz", "").replace(" x ", "× ").split(" = ")]
+    return " = ".join(f"{part[0]} … {part[-1]}" if len(part) > 2 else ", ".join(part) for part in parts)
+
+
+def _course(t: Array, columns: Columns) -> list[Panel]:
+    """Quantities over time. Those that stay as they are have no panel, unless nothing moves."""
+    groups: dict[tuple[str, str], list[Line]] = {}
+    if any(name.startswith("required") for name, _, _ in columns):  # what is followed is seen at the end
+        t, columns = t[-LAST:], [(name, unit, y[-LAST:]) for name, unit, y in columns]
+    values = {name: y for name, _, y in columns}
+    held = any(name.startswith("q_dot ") for name in values)
+    freedoms = [name for name in values if name.startswith("q ") and "orientation" not in name]
+    if "qw" in values and "psi" not in values and not (freedoms and held):
+        vectors = np.degrees(_rotation_vectors(np.stack([values[f"q{a}"] for a in "wxyz"], axis=1)))
+        groups["attitude as a rotation vector, in E0", "deg"] = [
+            Line(a, t, vectors[:, i], i) for i, a in enumerate("xyz")
+        ]
+    for name, unit, y in columns:
+        required = name.startswith("required")
+        quantity, member = _quantity(name.removeprefix("required").lstrip("_ ") if required else name)
+        if required and not member:
+            quantity, member = "q", quantity
+        if quantity in UNSHOWN or "orientation" in name or (held and quantity in ("", "v", "omega")):
+            continue
+        rpm = quantity == "phi_dot" and unit == "rad/s"
+        scale, shown = (RPM, "rpm") if rpm else (np.degrees(1.0), "deg") if unit == "rad" else (1.0, unit)
+        drawn = groups.setdefault((QUANTITIES.get(quantity, quantity), shown), [])
+        colours = {line.name: line.colour for line in drawn}
+        label = f"{member}, required" if required else member
+        drawn.append(Line(label, t, scale * y, colours.get(member, len(colours)), required))
+    panels = [Panel(f"{name}, {unit}".rstrip(", "), tuple(lines)) for (name, unit), lines in groups.items()]
+    moving = [panel for panel in panels if any(np.ptp(line.y[np.isfinite(line.y)]) > 1e-9 for line in panel.lines)]
+    return moving or panels
+
+
+def _quantity(name: str) -> tuple[str, str]:
+    """Quantity and member of a column's name: ("phi_dot", "w1"), ("force acc1", "x"), ("angles", "psi")."""
+    if name in ("psi", "theta", "phi"):
+        return "angles", name
+    if name in ("qw", "qx", "qy", "qz"):
+        return "quaternion", name
+    match = _MEMBERS.fullmatch(name)
+    if match is None:
+        return name, ""
+    return (match[4], match[5]) if match[4] else (match[1].rstrip("_. ") + (match[3] or ""), match[2])
+
+
+def _rotation_vectors(quaternions: Array) -> Array:
+    """Rotation vectors (M, 3, rad) of quaternions (M, 4; w first), each nearest to the one before it."""
+    from scipy.spatial.transform import Rotation
+
+    vectors = Rotation.from_quat(quaternions[:, [1, 2, 3, 0]]).as_rotvec()
+    for row in range(1, len(vectors)):
+        angle = float(np.linalg.norm(vectors[row]))
+        if angle > 0.0:
+            axis = vectors[row] / angle
+            vectors[row] += 2.0 * np.pi * round((float(axis @ vectors[row - 1]) - angle) / (2.0 * np.pi)) * axis
+    return np.asarray(vectors)
+
+
+# -- drawing -----------------------------------------------------------------------------------------------------------
+
+
+def require(command: str) -> tuple[Any, Any]:
+    """matplotlib and its figures. Raises UsageError, with the command that needs them, where they are missing."""
+    try:
+        return import_module("matplotlib"), import_module("matplotlib.figure")
+    except ImportError:
+        raise UsageError(f'{command} needs matplotlib: pip install "mahovik[report]"') from None
+
+
+def draw(title: str, drawings: Sequence[Drawing], suffix: str, of: Any = None) -> bytes:
+    """A picture of the drawings, of a result: `suffix` .svg or .png. Raises UsageError where matplotlib is missing."""
+    matplotlib, figures = require("a picture")
+    with matplotlib.rc_context(STYLE):
+        figure, _ = make_figure(figures.Figure, title, drawings, of)
+        buffer = io.BytesIO()
+        metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
+        figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
+    return buffer.getvalue()
+
+
+def draw_on_axes(title: str, drawings: Sequence[Drawing], axes: Any = None, of: Any = None) -> list[Any]:
+    """Drawings on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
+
+    Raises UsageError where matplotlib is not installed, or more axes are given than there are drawings.
+    """
+    matplotlib, _ = require("plot")
+    with matplotlib.rc_context(STYLE):
+        if axes is None:
+            return make_figure(import_module("matplotlib.pyplot").figure, title, drawings, of)[1]
+        frames = list(np.ravel(np.asarray(axes, dtype=object)))
+        if len(frames) > len(drawings):
+            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(drawings)} panels")
+        for frame, drawing in zip(frames, drawings, strict=False):
+            drawing(of, frame)
+    return frames
+
+
+def make_figure(make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None) -> tuple[Any, Any]:
+    """A figure that `make` makes, with all drawings one below the other, and their axes."""
+    heights = [getattr(each, "height", 1.2) for each in drawings]
+    figure = make(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
+    if title:
+        figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
+    axes = list(figure.subplots(len(drawings), squeeze=False, height_ratios=heights)[:, 0])
+    for frame, drawing in zip(axes, drawings, strict=True):
+        drawing(of, frame)
+    for k, frame in enumerate(axes[:-1]):  # the same abscissa is written once
+        if isinstance(drawings[k], Panel) and frame.get_xlabel() == axes[k + 1].get_xlabel():
+            frame.set_xlabel("")
+            frame.tick_params(labelbottom=False)
+    return figure, axes
+
+
+def _draw_panel(panel: Panel, axes: Any) -> None:
+    for line in panel.lines:
+        kept, turn = envelope(line.y), (line.colour or 0) // len(COLOURS)
+        colour = GREY if line.colour is None else COLOURS[line.colour % len(COLOURS)]
+        dashes: Any = (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
+        axes.plot(line.x[kept], line.y[kept], color=colour, label=line.name or None, linewidth=1.2, linestyle=dashes)
+        if line.tag:
+            axes.annotate(line.tag, (line.x[-1], line.y[-1]), xytext=(2, 2), textcoords="offset points", color=GREY)
+    for mark in panel.marks:
+        axes.plot(mark.x, mark.y, "o", color="#1b1f24", markersize=3.5)
+    axes.set(xscale="log" if panel.log_abscissa else "linear", yscale="log" if panel.log else "linear")
+    if panel.span is not None:
+        axes.set_xlim(*panel.span)
+    if panel.top is not None:
+        axes.set_ylim(0.0, panel.top)
+    low, high = axes.get_ylim()
+    if not panel.log and high - low < 1e-8 * max(abs(low), abs(high)):  # a constant: rounding is not worth a picture
+        axes.set_ylim(low - 0.1 * abs(low), high + 0.1 * abs(high))
+    axes.set_title(panel.quantity, loc="left", fontsize="medium")
+    axes.set_title(panel.note, loc="right", fontsize="medium", color=GREY)
+    axes.set_xlabel(panel.abscissa)
+    if named := sum(bool(line.name) for line in panel.lines):
+        axes.legend(loc="upper left", bbox_to_anchor=(1.005, 1.02), frameon=False, ncols=-(-named // LEGEND))

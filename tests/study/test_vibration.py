@@ -1,0 +1,459 @@
+"""Vibration by lines: closed forms, the periodic response, one verdict in all branches, slow beats, tables, modes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import mahovik
+from mahovik.core.stand import Stand, load
+from mahovik.core.stand.state import rest_state
+from mahovik.errors import CheckError, UsageError
+from mahovik.out.commands.vibration import vibration as command
+from mahovik.proof.reference import pieces
+from mahovik.proof.reference.momentum import momentum, momentum_in_E0
+from mahovik.proof.reference.motion import mounts
+from mahovik.stands import path
+from mahovik.use.study.linear.model import places
+from mahovik.use.vibration import spectrum
+from mahovik.use.vibration.balance import _Search, balance
+from mahovik.use.vibration.band import in_band, rms
+from mahovik.use.vibration.chain import Makers
+from mahovik.use.vibration.csv_table import JitterFileError
+from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes
+from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.structure import read_structure
+from mahovik.use.vibration.study import Vibration
+from mahovik.use.vibration.study import vibration as find
+from mahovik.use.vibration.torus import Torus
+from mahovik.use.vibration.torus_motion import Balance, full_motion
+from mahovik.use.vibration.view import find_view
+from study.test_response_held import table as force_table
+
+M_CARRIER, M_WHEEL, J_TRANSVERSE, J_SPIN = 40.0, 2.0, 3.0, 0.02
+
+HEAD = f"""
+schema = 1
+name = "one"
+[carrier]
+mass = {M_CARRIER}
+inertia = [{J_TRANSVERSE}, {J_TRANSVERSE}, 2.0]
+[[point]]
+name = "eye"
+angles = ["90 deg", 0, 0]
+"""
+
+WHEEL = """
+[[flywheel]]
+name = "w"
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = {mass}
+spin_inertia = {spin}
+transverse_inertia = 0.011
+unbalance = {{ {unbalance} }}
+"""
+
+
+def one_wheel(folder: Path, unbalance: str, more: str = "") -> Stand:
+    """The stand with a wheel of this unbalance, and more tables."""
+    file = folder / "one.toml"
+    file.write_text(HEAD + WHEEL.format(mass=M_WHEEL, spin=J_SPIN, unbalance=unbalance) + more)
+    return load(file)
+
+
+OMEGA = 240.0
+SUSPENSION = """
+[suspension]
+stiffness = [9e5, 9e5, 9e5, 50, 50, 50]
+damping = [40, 40, 40, 0.1, 0.1, 0.1]
+"""
+
+
+def vibration(
+    stand: Stand, speeds: list[str], quantity: str, point: str = "eye", steps: int = 2, makers: Makers | None = None
+) -> Vibration:
+    """Vibration of a point by name."""
+    return find(stand, read_speeds(stand, speeds), find_view(stand, point, quantity), steps=steps, makers=makers)
+
+
+STATIC, DYNAMIC = 'static = "5 g cm"', 'dynamic = "20 g cm^2"'
+RADIUS = 5e-5 / (M_CARRIER + M_WHEEL)
+"""m: in the plane both bodies go round the common centre of mass, and nothing turns."""
+SPRUNG = 5e-5 * OMEGA**2 / abs(9e5 - (M_CARRIER + M_WHEEL) * OMEGA**2 + 40j * OMEGA)
+ANGLE = 2e-6 / (J_TRANSVERSE + 0.011 - J_SPIN)
+"""rad: J theta'' - i H theta' = U Omega^2 exp(i Omega t), theta = theta_x + i theta_y, H the wheel's spin momentum."""
+
+
+@pytest.mark.parametrize(
+    ("unbalance", "more", "quantity", "size"),
+    [
+        (STATIC, "", "displacement", RADIUS),
+        (STATIC, "", "acceleration", RADIUS * OMEGA**2),
+        (STATIC, SUSPENSION, "displacement", SPRUNG),
+        (DYNAMIC, "", "angle", ANGLE),
+        (DYNAMIC, "", "rate", ANGLE * OMEGA),
+    ],
+)
+def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size: float, tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, unbalance, more)
+    found = vibration(stand, [f"w={OMEGA}"], quantity)
+    first = [(name.wheel, name.order) for name in found.lines.names].index(("w", 1.0))
+    assert found.lines.sizes[0, first] == pytest.approx([size, size, 0.0], rel=1e-6, abs=1e-16)
+
+
+@pytest.mark.parametrize(
+    ("name", "speeds", "point"),
+    [
+        ("sat4", ["rw1=3000rpm", "rw2=2000rpm", "rw3=-1000rpm"], "acc1"),
+        ("sat4", ["all=3000rpm"], "acc1"),
+        ("bench8", ["w1=60", "w2=-40", "w3=20"], "carrier"),
+    ],
+)
+def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: list[str], point: str) -> None:
+    stand, quantity = load(path(name)), "acceleration"
+    asked = read_speeds(stand, speeds)
+    found = vibration(stand, speeds, quantity, point)
+    other = periodic_response(stand, asked.speeds(0.0))
+    wanted = rms(other.harmonics(find_view(stand, point, quantity)), other.frequencies)
+    assert found.sums().rms[0] == pytest.approx(wanted, rel=1e-6)
+
+
+def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
+    rate = 9e5 / (M_CARRIER + M_WHEEL)
+    stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION.replace("damping = [40, 40, 40, 0.1, 0.1, 0.1]", ""))
+    with pytest.raises(CheckError, match="no steady motion found"):
+        balance(stand, [float(np.sqrt(rate))])
+
+
+def test_a_line_on_the_end_of_a_band_is_within() -> None:
+    """A speed of 1800 rpm is 30.000000000000004 Hz."""
+    rounded = np.nextafter(30.0, [0.0, np.inf])
+    assert in_band(rounded, (30.0, 60.0)).all() and in_band(rounded, (15.0, 30.0)).all()
+    assert not in_band(30.0 * (1.0 + 2e-9), (10.0, 30.0)) and not in_band(10.0 * (1.0 - 2e-9), (10.0, 30.0))
+
+
+QUESTIONS: dict[str, tuple[str, dict[str, str], dict[str, str]]] = {
+    "all": ("sat4", {"all": "3000rpm"}, {"all": "2900..3000rpm"}),
+    "geared": ("sat4", {"all": "3000rpm", "rw2": "1500rpm"}, {"all": "2900..3000rpm", "rw2": "0.5*rw1"}),
+    "apart": ("sat4", {"all": "3000rpm", "rw2": "2987rpm"}, {"rw1": "2900..3000rpm", "rw3": "1*rw1", "rw4": "rw1",
+                                                            "rw2": "2987rpm"}),
+    "shaker": ("shaker2", {"all": "110rpm"}, {"all": "100..110rpm"}),
+}  # fmt: skip
+"""Stand, speeds, and a sweep that ends with them and is largest there."""
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("few_turns", [0, 40])
+def test_a_requirement_has_one_verdict_in_all_branches(
+    name: str, few_turns: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One set of speeds or the end of a sweep, the torus or a common period, lines on the end of a band."""
+    stand, speeds, sweep = QUESTIONS[name]
+    at: dict[str, Any] = {"at": "acc1" if stand == "sat4" else "carrier", "quantity": "acceleration"}
+    edge = 110.0 / 60.0 if stand == "shaker2" else 50.0
+    sums = [f"{sum} VALUE m/s2{band}" for sum in ("rms", "peak", "worst") for band in ("", f" 1..{edge!r}Hz")]
+    wanted = command(path(stand), speed=speeds, **at, require=[each.replace("VALUE", "1") for each in sums])
+    values = [each["value"] for each in wanted["requirements"]]
+    assert values[0] == pytest.approx(wanted["rms"].max(), rel=1e-9) and values[0] <= values[2] <= values[4]
+    monkeypatch.setattr(spectrum, "FEW_TURNS", few_turns)
+    for part, verdict in ((1.0 + 1e-5, True), (1.0 - 1e-5, False)):
+        limits = [text.replace("VALUE", repr(part * value)) for text, value in zip(sums, values, strict=True)]
+        for asked in (speeds, sweep):
+            found = command(path(stand), speed=asked, steps=3, **at, require=limits)
+            assert [each["met"] for each in found["requirements"]] == [verdict] * len(sums)
+            assert found.ok is verdict
+
+
+@pytest.mark.parametrize(("stand", "most"), [("shaker2", 3000), ("bench8", 3000), ("auv6", 600)])
+def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int) -> None:
+    """However coarse its grid: a dense sweep about the peak finds nothing larger by 2 %, and no speed is coarse."""
+    asked: dict[str, Any] = {"at": "carrier", "quantity": "displacement"}
+    found = command(path(stand), speed={"all": f"0..{most}rpm"}, steps=7, **asked)
+    largest = found["largest"]
+    assert not any("coarse" in message for message in found.messages)
+    at = largest["speed"] / RPM
+    dense = command(path(stand), speed={"all": f"{at - 5:.6f}..{at + 5:.6f}rpm"}, steps=21, **asked)
+    assert (
+        0.98 * dense["largest"]["value"] < largest["value"] == pytest.approx(np.sqrt(2) * _norm(found["rms"]), rel=0.02)
+    )
+
+
+def _norm(values: Any) -> float:
+    return float(np.linalg.norm(np.nan_to_num(values), axis=1).max())
+
+
+RPM = np.pi / 30
+SAT4 = load(path("sat4"))
+NEARLY_EQUAL: tuple[list[float], ...] = (
+    [3000, 2995, 3000, 3000],
+    [3000, 2999.99, 0, 0],
+)
+
+
+def solve(speeds: list[float]) -> Balance:
+    """The motion at speeds in rpm."""
+    return balance(SAT4, [RPM * x for x in speeds])
+
+
+@pytest.mark.parametrize("speeds", NEARLY_EQUAL, ids=str)
+def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
+    """Momentum in E0 by the literal reference: a carrier that turned by a false beat would show it."""
+    found, rng = solve(speeds), np.random.default_rng(3)
+    angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(found.turning)))
+    Z = np.array([momentum_in_E0(pieces(SAT4, found.state(theta))) for theta in angles])
+    spin = np.linalg.norm(Z[:, 3:], axis=1).max()
+    assert np.abs(Z[:, :3]).max() < 1e-9 and np.abs(Z - Z.mean(axis=0)).max() < 1e-11 * spin
+
+
+def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:
+    """Two methods, at speeds without slow beats."""
+    search = _Search(Scene.of(SAT4), np.array([300.0, -211.0, 0.0, 0.0]), np.zeros(4))
+    by_momentum = search.at(3)
+    search.conserves = False
+    search.before = None
+    other = search.at(3)
+    size = np.abs(by_momentum.c).max(axis=0)
+    assert np.abs(other.c - by_momentum.c).max(axis=0) / size == pytest.approx(np.zeros(12), abs=1e-6)
+
+
+@given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 2**32 - 1))
+def test_coefficients_come_back_from_values(count: int, order: int, seed: int) -> None:
+    torus, rng = Torus.of(count, order), np.random.default_rng(seed)
+    c = rng.normal(size=(len(torus.k), 2)) + 1j * rng.normal(size=(len(torus.k), 2))
+    c[0] = c[0].real
+    values = torus.values(c)
+    assert np.abs(torus.coefficients(values) - c).max() < 1e-12
+    assert np.abs(torus.at(c, torus.nodes) - values).max() < 1e-10
+
+
+def table(folder: Path, text: str) -> Path:
+    file = folder / "table.csv"
+    file.write_text(text)
+    return file
+
+
+def test_mount_wrenches_are_those_of_the_reference() -> None:
+    stand = load(path("bench8"))
+    found = balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
+    torus = found.torus
+    rates = 1j * found.frequencies[:, None] * found.c
+    ours = full_motion(found, torus, found.c, found.h).mount_wrenches()
+    own = found.scene.chart.mechanics.tables.Lm
+    for j in (0, 11, 57):
+        at = pieces(stand, found.state(torus.nodes[j]))
+        V_dot = torus.values(rates)[j, 6:]
+        wanted = mounts(at, V_dot, np.zeros(8))
+        for s in range(8):
+            assert ours[j, s] == pytest.approx(-own[s] @ wanted[s], rel=1e-9, abs=1e-9)
+
+
+MODES = "frequency [Hz],damping [-],modal mass [kg],{}\n{},0,{},{}\n"
+COLUMNS = ",".join(f"{name} {part} [{'rad/m' if part[0] == 'r' else '-'}]" for name in ("w", "eye") for part in
+                   ("x", "y", "z", "rx", "ry", "rz"))  # fmt: skip
+
+
+@pytest.mark.parametrize("speed", [f"w={OMEGA}", f"w=200..{OMEGA}"])
+def test_a_mode_that_is_the_rigid_carrier_moves_as_the_carrier(speed: str, tmp_path: Path) -> None:
+    """Shape: translation along x, modal mass: the carrier's, no stiffness. The mount wrench moves both alike."""
+    stand = one_wheel(tmp_path, 'static = "5 g cm"')
+    file = table(tmp_path, MODES.format(COLUMNS, 1e-6, M_CARRIER, "1,0,0,0,0,0,1,0,0,0,0,0"))
+    found = vibration(stand, [speed], "displacement", makers=Makers(structure=read_structure(file, stand))).lines
+    alone = vibration(stand, [speed], "displacement").lines
+    axes = places(stand, ["eye"])[0].axes
+    first = [each.names.index(each.names[0]) for each in (found, alone)]
+    more, rigid = (each.amplitude[-1, i] @ axes.T for each, i in zip((found, alone), first, strict=True))
+    assert more == pytest.approx(rigid * [2.0, 1.0, 1.0], rel=1e-6, abs=1e-15)
+
+
+@pytest.mark.parametrize("speed", [f"w={OMEGA}", f"w=-{OMEGA}", f"w=200..{OMEGA}"])
+def test_a_table_with_the_unbalance_gives_the_unbalance(speed: str, tmp_path: Path) -> None:
+    """Order 1 of the table takes the place of the wheel's own: 5 g cm are 5e-5 N/(rad/s)^2."""
+    stand = one_wheel(tmp_path, 'static = "5 g cm", dynamic = "20 g cm^2"')
+    file = table(
+        tmp_path, "order [-],radial force [N/(rad/s)^2],radial moment [N m/(rad/s)^2]\n1,5e-5,2e-6\n2.5,1e-5,0\n"
+    )
+    makers = Makers({"w": read_harmonics(file)})
+    for quantity in ("displacement", "angle"):
+        found = vibration(stand, [speed], quantity, makers=makers).lines
+        own = vibration(stand, [speed], quantity).lines
+        first = [i for i, name in enumerate(found.names) if name.order == 1.0]
+        wanted = max(own.sizes[-1], key=np.linalg.norm)
+        got = max(found.sizes[-1, first], key=np.linalg.norm)
+        assert got == pytest.approx(wanted, rel=1e-3, abs=1e-12)
+    at = next(i for i, name in enumerate(found.names) if name.order == 2.5)
+    assert found.frequency[-1, at] == pytest.approx(2.5 * OMEGA / (2.0 * np.pi))
+
+
+def test_units_of_a_table_are_converted(tmp_path: Path) -> None:
+    one = read_harmonics(table(tmp_path, "order,radial force [N/(rad/s)^2],tolerance [%]\n1,1e-5,20\n"))
+    rpm = 1e-5 * (np.pi / 30) ** 2
+    two = read_harmonics(table(tmp_path, f"order [-],radial force [mN/rpm^2]\n1,{1e3 * rpm!r}\n"))
+    assert one.amplitude == pytest.approx(two.amplitude, rel=1e-12)
+    assert one.tolerance.tolist() == [0.2]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("order,radial force\n1,1\n", 'column "radial force": no unit; expected a force by the square of a speed'),
+        ("order,radial force [N]\n1,1\n", "expected a force by the square of a speed"),
+        ("order,radial force [N/Hz^2]\n1,1\n", "Hz may be turns or radians"),
+        ("order,radiale force [N/rpm^2]\n1,1\n", 'unknown column "radiale force [N/rpm^2]", did you mean'),
+        ("radial force [N/rpm^2]\n1\n", 'no column "order"'),
+        ("order,radial force [N/rpm^2]\n0,1\n", "row 2: order 0"),
+        ("order,radial force [N/rpm^2]\n1,x\n", '"x" is not a number'),
+        ("order,radial force [N/rpm^2]\n1\n", "1 cells, but the header has 2"),
+        ("order,radial force [N/rpm^2]\n1,1\n1,2\n", "order 1 appears twice"),
+        ("order,radial force [N/rpm^2],sense\n1,1,left\n", 'sense "left", expected one of forward, backward, unknown'),
+    ],
+)
+def test_bad_harmonics_are_refused_in_one_line(text: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(JitterFileError) as caught:
+        read_harmonics(table(tmp_path, text))
+    assert words in str(caught.value) and str(caught.value).count("\n") == 0
+
+
+def test_a_shape_of_some_columns_says_which_to_add(tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, 'static = "5 g cm"')
+    file = table(tmp_path, MODES.format("w z [-],w rx [rad/m]", 10, 5, "1,0"))
+    with pytest.raises(JitterFileError) as caught:
+        read_structure(file, stand)
+    assert 'mode shape of "w" has z, rx alone, expected all of x, y, z, rx, ry, rz; add columns w x, w y, w ry' in str(
+        caught.value
+    )
+
+
+def rotor(inner: InnerModes, omega: float, speed: float) -> tuple[float, float]:
+    """Gains of a forward and a backward turning moment, by the two real equations of the rocking rotor."""
+    own, damping = inner.modes["rocking"]
+    g = inner.polar * speed
+    # theta_2'' + g theta_3' + ..., theta_3'' - g theta_2' + ...: unit transverse inertia
+    D = np.array([
+        [own**2 - omega**2 + 2j * damping * own * omega, 1j * omega * g],
+        [-1j * omega * g, own**2 - omega**2 + 2j * damping * own * omega],
+    ])  # fmt: skip
+    through = own**2 + 2j * damping * own * omega
+    found = []
+    for moment in ([1.0, -1j], [1.0, 1j]):
+        theta = np.linalg.solve(D, np.array(moment))
+        found.append(abs(through * theta[0]))
+    return found[0], found[1]
+
+
+def test_rocking_splits_into_whirls(tmp_path: Path) -> None:
+    inner = read_inner_modes(
+        table(tmp_path, "mode,frequency [Hz],damping [-],polar ratio [-]\nrocking,40,0.01,1.8\nradial,200,0.02,\n")
+    )
+    speed = 300.0
+    for omega in (100.0, 250.0, 700.0):
+        w = np.array([0, 0, 0, 0, 1, -1j]), np.array([0, 0, 0, 0, 1, 1j])
+        passed = [abs(inner.transmit(each, np.array(omega), np.array(speed))[4]) for each in w]
+        assert passed == pytest.approx(rotor(inner, omega, speed), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("sense", "size"), [("forward", 2.191e-4), ("backward", 9.394e-4), ("unknown", 9.394e-4), ("", 9.394e-4)]
+)
+def test_a_harmonic_against_the_wheel_meets_the_other_whirl(sense: str, size: float, tmp_path: Path) -> None:
+    """Order 0.5 at 6000 rpm on a rocking mode of 90 Hz, by theta'' - i p W theta' + c theta' + k theta = moment."""
+    (tmp_path / "modes.csv").write_text("mode,frequency [Hz],damping [-],polar ratio [-]\nrocking,90,0.02,1.8\n")
+    rows = f"order [-],radial moment [N m/(rad/s)^2],sense\n1,1e-9,\n0.5,1e-9,{sense}\n"
+    found = command(
+        mahovik.Stand.from_dict(force_table()), speed={"wheel": "6000rpm"}, at="hold.reaction", quantity="moment",
+        harmonics={"wheel": table(tmp_path, rows)}, inner_modes={"wheel": tmp_path / "modes.csv"},
+    )  # fmt: skip
+    half, one = (found["amplitude"][found["order"] == order][0] for order in (0.5, 1.0))
+    assert half == pytest.approx([size, size, 0.0], rel=2e-4)
+    W, own = 200.0 * np.pi, 2.0 * np.pi * 90.0
+    through = own**2 + 0.04j * own * W
+    forward = 1e-9 * W**2 * abs(through / (through - W**2 + 1.8 * W * W))
+    assert one == pytest.approx([forward, forward, 0.0], rel=1e-6)
+    assert found["worst"] == pytest.approx(half + one, rel=1e-6)
+
+
+BAND = (20.0, 200.0)
+AWAY = {"rw1": "3040rpm", "rw2": "3022rpm", "rw3": "3040rpm", "rw4": "3022rpm"}
+QUIET: dict[str, Any] = {"speed": AWAY, "at": "acc1", "quantity": "acceleration", "band": "20..200Hz", "improve": True}
+
+
+def test_small_differences_of_speed_make_sat4_quieter() -> None:
+    """All orders in the band by collocation over a common period; the momentum is that of the literal reference."""
+    found = command(path("sat4"), **QUIET, momentum="0 0 14")["improved"]
+    exact = periodic_response(SAT4, found["speeds"].tolist(), found["phases"].tolist())
+    values = rms(exact.harmonics(find_view(SAT4, "acc1")), exact.frequencies, BAND)
+    assert found["after"] == pytest.approx(float(np.linalg.norm(values)), rel=1e-6)
+    assert found["before"] > 5.0 * found["after"]
+    mean = np.zeros(3)
+    for turn in range(4):
+        phi = tuple(found["phases"] + turn * math.pi / 2)
+        state = replace(rest_state(SAT4), phi=phi, phi_dot=tuple(found["speeds"].tolist()))
+        mean += momentum(pieces(SAT4, state))[3:] / 4
+    assert mean == pytest.approx([0.0, 0.0, 14.0], abs=1e-12)
+
+
+def test_limits_and_frequencies_to_be_avoided_hold() -> None:
+    found = command(
+        path("sat4"), **QUIET | {"speed": 0.0}, momentum=(2.0, 1.0, 5.0), limit="3000 rpm", avoid=["14..22Hz", "40Hz"]
+    )["improved"]
+    turns = np.abs(found["speeds"]) / (2.0 * np.pi)
+    assert np.all(turns <= 50.0 * (1.0 + 1e-8))
+    for order in (1, 2):
+        for low, high in ((14.0, 22.0), (36.0, 44.0)):
+            assert not np.any((order * turns > low * (1 + 1e-8)) & (order * turns < high * (1 - 1e-8)))
+
+
+@pytest.mark.parametrize(
+    ("wanted", "error", "words"),
+    [
+        ({"momentum": "0 0 40"}, CheckError, r"needs 1\.4\d* times the speed limits"),
+        ({"momentum": "0 0"}, UsageError, "expected three numbers"),
+        ({"speed": {"all": "0..10rpm"}}, UsageError, "expected one set of speeds"),
+        ({"improve": False, "limit": 3.0}, UsageError, "expected improve as well"),
+        ({"avoid": "35"}, UsageError, "expected a frequency with its unit"),
+        ({"avoid": "0.001..1000Hz"}, CheckError, "keep out of these frequencies"),
+    ],
+)
+def test_searches_that_are_refused(wanted: dict[str, Any], error: type[Exception], words: str) -> None:
+    with pytest.raises(error, match=words):
+        command(path("sat4"), **QUIET | wanted)
+
+
+def test_wheels_that_have_nothing_free_are_refused() -> None:
+    """Three flywheels for three axes; two of one axis hold nothing across it."""
+    few = replace(SAT4, flywheels=SAT4.flywheels[:3])
+    with pytest.raises(UsageError, match="3 flywheels with spin axes of rank 3 leave no speeds free"):
+        command(few, **QUIET | {"speed": "3000rpm"})
+    one = replace(SAT4.flywheels[0], name="other")
+    pair = replace(SAT4, flywheels=(SAT4.flywheels[0], one))
+    with pytest.raises(UsageError, match="perpendicular to all spin axes"):
+        command(pair, **QUIET | {"speed": "3000rpm"}, momentum="0 0 14")
+
+
+def test_two_wheels_cancel_on_a_force_table() -> None:
+    """Together they leave the difference of the unbalances, half a turn apart; no momentum has to be kept."""
+    document = force_table()
+    first = document["flywheel"][0] | {"name": "up", "unbalance": {"static": "72 g mm"}}
+    second = first | {"name": "down", "position": [0, 0, -0.1]}
+    document["flywheel"] = [first, second | {"unbalance": {"static": "60 g mm", "static_at": "30 deg"}}]
+    found = command(
+        mahovik.Stand.from_dict(document), speed={"up": "3000rpm", "down": "2987rpm"}, at="hold.reaction",
+        band="20..200Hz", improve=True, limit="3000rpm",
+    )["improved"]  # fmt: skip
+    one, other = found["speeds"]
+    away = 40.0 * np.pi  # below the band nothing counts
+    assert abs(one) <= away or abs(abs(one) - abs(other)) < 1e-9 * one
+    if abs(one) > away:
+        assert np.exp(1j * (found["phases"][1] - found["phases"][0] + np.radians(30.0))) == pytest.approx(
+            -1.0, abs=1e-6
+        )
+        assert found["after"] == pytest.approx(12e-6 * one**2, rel=1e-6)  # of x and y together
