@@ -73,7 +73,7 @@ _PLACES = {
     "judge": "out.functions.judging",
     "load": "out.api.stands",
     "modes": "out.commands.modes",
-    "plan": "out.functions.programmes",
+    "plan": "out.commands.plan",
     "report": "out.commands.report",
     "simulate": "out.functions.simulation",
     "verify": "out.functions.evidence",

@@ -20,13 +20,13 @@ from mahovik.out.commands.check import check as check
 from mahovik.out.commands.eval import eval as eval
 from mahovik.out.commands.generate import generate as generate
 from mahovik.out.commands.modes import modes as modes
+from mahovik.out.commands.plan import plan as plan
 from mahovik.out.commands.report import report as report
 from mahovik.out.commands.vibration import vibration as vibration
 from mahovik.out.functions.balancing import balance as balance
 from mahovik.out.functions.evidence import verify as verify
 from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.judging import judge as judge
-from mahovik.out.functions.programmes import plan as plan
 from mahovik.out.functions.programmes import verify_programme as verify_programme
 from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.functions.stand_balancing import balance_stand as balance_stand

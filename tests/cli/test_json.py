@@ -27,7 +27,7 @@ WITHOUT = {
 }
 """Commands without a table: they print lines of JSON, a script, or the files that they wrote."""
 
-ELSEWHERE = {"campaign run", "campaign status", "campaign resume", "cost", "identify", "judge-log", "replay"}
+ELSEWHERE = {"campaign run", "campaign status", "campaign resume", "cost", "identify", "judge-log", "replay", "report"}
 """Commands whose cases need much that their own test has."""
 
 CASES: dict[str, tuple[int, tuple[str, ...]]] = {

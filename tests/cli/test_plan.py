@@ -30,8 +30,8 @@ def test_what_is_out_of_reach_is_refused_with_the_reason(tmp_path: Path) -> None
     motion = changed(tmp_path, TURN, harmonics=[{"k": 1, "cos": cos}], winding="any")
     result = run("plan", DEMO3, "--motion", motion, "-o", str(tmp_path / "p.json"))
     assert result.exit_code == 1
-    assert result.stdout == "NO_PROGRAM SPAN\n"
-    assert "force along z" in result.stderr
+    assert "status: NO_PROGRAM" in result.stdout and "reason: SPAN" in result.stdout
+    assert "force along z" in result.stdout
     assert not (tmp_path / "p.json").exists()
 
 
@@ -40,10 +40,20 @@ def test_numbers_that_move_are_printed_and_the_stand_is_written(tmp_path: Path) 
     motion = changed(tmp_path, SPIN, harmonics=[{"k": 1, "cos": [0, 0, 0.6, 0, 0, 0]}], winding="spin")
     new, programme = tmp_path / "new.toml", tmp_path / "p.json"
     told = run(
-        "plan", SHAKER, "--motion", motion, "--free", "*t.unbalance.static", "--stand", str(new), "-o", str(programme)
+        "plan",
+        SHAKER,
+        "--motion",
+        motion,
+        "--free",
+        "left.unbalance.static",
+        "right.unbalance.static",
+        "--stand",
+        str(new),
+        "-o",
+        str(programme),
     )
     assert told.exit_code == 0, told.output
-    assert "left.unbalance.static" in told.stdout and "\nOK\n" in told.stdout
+    assert "left.unbalance.static" in told.stdout and "status: OK\n" in told.stdout
     judged = [
         run("verify-programme", stand, "--motion", motion, "--programme", str(programme)).exit_code
         for stand in (str(new), SHAKER)
@@ -59,7 +69,7 @@ def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
     motion.write_text(json.dumps(keys | {"duration": 6}), encoding="utf-8")
     sat4 = str(stand_path("sat4"))
     told = run("plan", sat4, "--motion", str(motion), "-o", str(programme))
-    assert told.exit_code == 0 and "slew, quietest, 6 s" in told.stdout and "\nOK\n" in told.stdout
+    assert told.exit_code == 0 and "duration: 6 s" in told.stdout and "status: OK\n" in told.stdout
     assert load_programme(programme).carrier is not None
     judged = run("verify-programme", sat4, "--motion", str(motion), "--programme", str(programme), "--json")
     names = {each["name"] for each in json.loads(judged.stdout)["findings"] if each["passed"]}

@@ -73,7 +73,7 @@ CASES = [
     ("vibration", "--improve --avoid 40..30Hz", "--avoid 40..30 Hz: expected two frequencies"),
     ("vibration", "--improve --seed -1", "--seed -1: expected a whole number of at least 0"),
     ("vibration", "--improve --harmonics all=wheel.csv", "--improve: expected one set of speeds, and no makers'"),
-    ("plan", "--stand new.toml", "--stand: writes what --free changes; expected --free KEYS"),
+    ("plan", "--stand new.toml", "--stand: is written where numbers are free; expected --free KEYS"),
     ("plan", "-o .", ".: is a directory, expected a file to write"),
     ("plan", "--method ocp", "(13) needs at least 6"),
     ("plan", "--time 0", "--time"),

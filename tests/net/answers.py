@@ -121,14 +121,14 @@ def _sums(found: Any) -> Answers:
 def _planned() -> tuple[Any, Path, Any]:
     folder = place("shaker2").parent
     motion = folder / "shaker2_spin.motion.json"
-    return place("shaker2"), motion, mahovik.plan(place("shaker2"), motion, seed=0).programme
+    return place("shaker2"), motion, mahovik.plan(place("shaker2"), motion=motion, seed=0)
 
 
 def _plan(stand: str, motion: str) -> Answers:
     path = place(stand).parent / motion
-    result = mahovik.plan(place(stand), path, seed=0)
-    verdict = mahovik.verify_programme(place(stand), path, result.programme)
-    return {"status": result.status, "effort": _plain(result.effort), "passed": verdict.passed}
+    result = mahovik.plan(place(stand), motion=path, seed=0)
+    verdict = mahovik.verify_programme(place(stand), path, result)
+    return {"status": result["status"], "effort": _plain(result["effort"]), "passed": verdict.passed}
 
 
 def _follow() -> Answers:

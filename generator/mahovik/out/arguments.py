@@ -48,6 +48,17 @@ Progressing = OnProgress | None
 """What hears how far a command is; the command line shows it as a line, and offers no option for it."""
 
 
+def output_path(name: str, path: str | Path, read: Sequence[str | Path]) -> Path:
+    """The file that an argument says is to be written. Raises UsageError if it cannot be, or is one of `read`."""
+    from mahovik.writing import probe
+
+    path = Path(path)
+    if path.exists() and any(path.samefile(each) for each in read if Path(each).exists()):
+        raise UsageError(f"{name} {path}: is read by this command; expected another name")
+    probe(path)
+    return path
+
+
 def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
     """The regime of a run of `until` s. Raises RegimeError."""
     from mahovik.core.motion.regime import load, loads_regime
@@ -82,9 +93,14 @@ def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreSt
 
 
 def programme_of(programme: Programme | Keys | str | Path) -> Programme:
-    """The programme of the flywheels. Raises ProgrammeError."""
+    """The programme of the flywheels; of the result of `plan` its own. Raises ProgrammeError, UsageError."""
     from mahovik.core.motion.programme import load_programme, read_programme
+    from mahovik.out.result import Result
 
+    if isinstance(programme, Result):
+        if programme["programme"] is None:
+            raise UsageError(f"{programme.title}: {programme['status']}: {'; '.join(programme.messages)}")
+        programme = programme["programme"]
     if isinstance(programme, str | Path):
         return load_programme(programme)
     return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme

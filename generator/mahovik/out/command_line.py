@@ -76,6 +76,9 @@ COMMANDS: dict[str, dict[str, str]] = {
         "modes": "Find natural frequencies, damping, shapes.",
         "vibration": "Find steady vibration; meet limits.",
     },
+    "Programmes of the flywheels": {
+        "plan": "Find a programme that moves the carrier as required.",
+    },
     "Pages": {
         "report": "Write one page on a stand and its proof, or its derivation.",
     },
@@ -104,7 +107,7 @@ def make_command(name: str) -> click.Command:
         params.append(click.Option(["-o", "save"], metavar="FILE", help=words_of_file))
     if not _is_stream(hints["return"]):
         params.append(click.Option(["--json", "as_json"], is_flag=True, help="Print JSON in place of tables."))
-    return click.Command(name, callback=partial(_run, function), params=params, help=words)
+    return _Command(name, callback=partial(_run, function), params=params, help=words)
 
 
 def read_docstring(function: Callable[..., Any]) -> tuple[str, dict[str, str]]:
@@ -121,6 +124,25 @@ def read_docstring(function: Callable[..., Any]) -> tuple[str, dict[str, str]]:
     return re.sub(r"\n\n(?= )", "\n\n\b\n", text), {
         key: f"{words[0].upper()}{words[1:]}" for key, words in entries.items()
     }
+
+
+class _Command(click.Command):
+    """A command whose options that may be repeated take several values behind one name, too: `--free A B`."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        repeated = {name for one in self.params if isinstance(one, click.Option) and one.multiple for name in one.opts}
+        single = {name for one in self.params if isinstance(one, click.Option) and not one.is_flag for name in one.opts}
+        arguments, found, last = len([one for one in self.params if isinstance(one, click.Argument)]), [], ""
+        for k, word in enumerate(args):
+            before = args[k - 1] if k else ""
+            if word.startswith("-") or before in single:  # an option, or the value of one
+                last = before if before in repeated else "" if word.startswith("-") else last
+            elif arguments:
+                arguments, last = arguments - 1, ""
+            elif last:
+                found.append(last)
+            found.append(word)
+        return super().parse_args(ctx, found)
 
 
 class _Names(dict[str, Any]):

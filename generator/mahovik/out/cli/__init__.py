@@ -15,7 +15,7 @@ OLD = {
     "Not yet functions": (
         *("new", "import", "verify", "judge", "cost", "evidence", "judge-log"),
         *("simulate", "replay", "balance", "identify", "campaign"),
-        *("plan", "verify-programme"),
+        *("verify-programme",),
     )
 }
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.api.stands import Stand
-from mahovik.out.arguments import Number, StandGiven, motion_of, servo_of
-from mahovik.out.functions.programmes import MotionGiven, Plan, Programme, ProgrammeGiven, given_programme
+from mahovik.out.arguments import Number, StandGiven, motion_of, programme_of, servo_of
+from mahovik.out.functions.programmes import MotionGiven, ProgrammeGiven
 from mahovik.out.functions.simulation import Simulation
 from mahovik.out.functions.table import Column, Table
 from mahovik.out.notices import OnProgress, Progress, tell, warn
@@ -109,7 +109,7 @@ class Following(Table):
 def follow(
     stand: StandGiven,
     motion: MotionGiven,
-    programme: ProgrammeGiven | Programme | Plan,
+    programme: ProgrammeGiven,
     servo: Servo | str | Path,
     *,
     mismatch: Number = 0.0,
@@ -173,7 +173,7 @@ def share_of(mismatch: Number) -> float:
 def following_case(
     stand: Stand,
     motion: MotionGiven,
-    programme: ProgrammeGiven | Programme | Plan,
+    programme: ProgrammeGiven,
     servo: Servo | str | Path,
     mismatch: Number,
     seed: int,
@@ -189,7 +189,7 @@ def following_case(
     from mahovik.use.control.trim import design_trim
 
     share = share_of(mismatch)
-    found = given_programme(programme)
+    found = programme_of(programme)
     source = _name(programme, "the programme")
     if (whose := stand_check(stand, found)).failed:
         raise UsageError(f"{source}: {whose.words}")

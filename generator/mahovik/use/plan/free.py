@@ -154,10 +154,11 @@ def _unknown(group: list[StandNumber], free: list[str], given: Mapping[str, tupl
 
 @dataclass
 class FreeSearch:
-    """State of the search: starts made, the least relative residual, whether Ctrl-C or time ended it."""
+    """State of the search: starts made, least relative residual, why a stand had no programme, what ended it."""
 
     starts: int = 0
     best: float = np.inf
+    refused: tuple[str, ...] = ()
     interrupted: bool = False
     cut: bool = False
     doing: str = "searching a stand"
@@ -355,6 +356,7 @@ def plan_free(
                 if made.plan.status == "OK" or made.plan.interrupted:
                     return made
                 beyond = beyond or (made if made.document is not None else None)
+                state.refused = made.plan.words
     except KeyboardInterrupt:
         state.interrupted = True
     return beyond or _nothing(own, state, budget, options.seed)
@@ -397,7 +399,9 @@ def _nothing(own: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> 
         f"residual {state.best:.3g}; free more numbers, widen their bounds, or make the motion smaller"
     ]
     first = preflight(own.start)
-    if first.refusal is not None:
+    if state.refused:
+        words.append(f"the last stand that solves (12): {state.refused[0]}")
+    elif first.refusal is not None:
         words.append(f"the stand as it is: {first.refusal.words}")
     effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": budget.cut}
     return FreePlan(Plan("NO_PROGRAM", "SEARCH", tuple(words), (), (), effort, state.interrupted))

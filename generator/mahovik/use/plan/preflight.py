@@ -301,6 +301,7 @@ def reach(G: Array, axes: Array, unbalance: Array, ways: Array | None = None) ->
     candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
     along = G @ candidates.T
     need = (along.max(axis=0) - along.min(axis=0)) / 2.0
+    need[need <= _RANK * need.max()] = 0.0  # rounding, along axes where there is no unbalance at all
     some = axes[:: max(1, len(axes) // 16)]
     across = np.sqrt(np.maximum(1.0 - (candidates @ some) ** 2, 0.0))  # (m, ways, N)
     have = (across.max(axis=0) * unbalance).sum(axis=1)

@@ -1,0 +1,210 @@
+"""`plan`: flywheel motions that make the carrier move as required, of a stand whose numbers may move too."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
+
+import numpy as np
+
+from mahovik.errors import UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.arguments import FileGiven, FilePath, Progressing, Seconds, StandGiven, output_path
+from mahovik.out.result import Column, Result, column
+
+if TYPE_CHECKING:
+    from mahovik.core.motion.required import RequiredMotion, Slew
+    from mahovik.out.api.stands import Stand
+    from mahovik.use.plan import Plan
+
+Method = Literal["fourier", "ocp"]
+Paths = Annotated[str | Sequence[str], "KEYS"]
+
+_FIGURES = (
+    "residual", "simulation_error", "objective", "least_singular_value", "det_I_sign_changes", "duration",
+    "least_duration", "strayed",
+)  # fmt: skip
+_UNITS = {"duration": "s", "least_duration": "s", "strayed": "m"}
+
+
+def plan(
+    stand: StandGiven,
+    *,
+    motion: FileGiven,
+    free: Paths = (),
+    stand_: FilePath | None = None,
+    method: Method = "fourier",
+    time: Seconds | None = None,
+    seed: int = 0,
+    output: FilePath | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Find a programme that moves the carrier as required.
+
+    Flywheel motions that make the carrier move exactly as required, (12), (13). A motion out of reach is refused at
+    once, with what is missing. Programmes are verified by the literal reference. Ctrl-C gives the best so far. A slew
+    has one programme and no search.
+
+    With --free numbers of the stand move too, inside `free` of the motion file, others by 10 % of their value. In
+    Python `programme` and `stand` of the result are the keys of their files, which every function takes.
+
+    Exit status: 0 a programme inside the bounds; 1 none, or a bound is exceeded; 2 bad input; 130 Ctrl-C.
+
+    Args:
+        stand: the stand file.
+        motion: read the required motion, or a slew, from this file.
+        free: move numbers of the stand too: paths, as w*.position; commas part several.
+        stand_: write the stand that results of free numbers to this file.
+        method: plan by fourier; or solve (13) from there as it is printed, by IPOPT, as its judge.
+        time: limit the search, s or "1 min"; run-ups after it, if any, have half of the time.
+        seed: draw the starts from this seed.
+        output: write the programme to this file.
+
+    Raises:
+        MotionError: the motion file is refused, or a free number has no bounds.
+        UsageError: a path leads to no number; the method does not apply to the stand.
+    """
+    from mahovik.out.api.stands import Stand
+    from mahovik.out.arguments import required_of, time_limit
+    from mahovik.out.notices import Progress, tell
+    from mahovik.use.plan import PlanOptions
+    from mahovik.writing import write
+
+    if method not in get_args(Method):
+        raise UsageError(f'method: unknown "{method}"{suggestion(method, get_args(Method))}')
+    keys = [key for text in ([free] if isinstance(free, str) else free) for key in text.split(",")]
+    if stand_ is not None and not keys:
+        raise UsageError("stand_: is written where numbers are free; expected --free KEYS beside it")
+    if keys and method == "ocp":
+        raise UsageError("method ocp: judges plans of a stand as it is; expected no --free beside it")
+    read = [each for each in (stand, motion) if isinstance(each, str | Path)]
+    paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
+    own, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
+    required = required_of(motion, own)
+    found, made, changes = _planned(own, required, keys, method, options, lambda words: tell(progress, Progress(words)))
+    programme = _programme(found)
+    for name, path in paths.items():
+        if programme is not None and name == "output":
+            write(path, json.dumps(programme, indent=1) + "\n")
+        elif programme is not None:
+            made.save(path)
+    return _result(made, required, found, programme, changes)
+
+
+def _planned(
+    stand: Stand, required: RequiredMotion | Slew, keys: Sequence[str], method: str, options: Any, say: Any
+) -> tuple[Plan, Stand, Sequence[tuple[str, str, float, float]]]:
+    """The plan, the stand that it is for, and the numbers that moved."""
+    from mahovik.core.motion.required import Slew
+    from mahovik.out.notices import warn
+    from mahovik.use.plan import plan_motion
+    from mahovik.use.plan.held import refuse_unplannable
+    from mahovik.use.plan.smoothing import smoothing_warnings
+
+    def on_progress(state: Any) -> None:
+        say(state.words)
+
+    refuse_unplannable(stand, required)
+    if isinstance(required, Slew):
+        from mahovik.use.plan.slew import plan_slew
+
+        if method != "fourier" or keys:
+            raise UsageError("method, free: not for a slew, whose course is found with its programme")
+        return plan_slew(stand, required, tell=say), stand, ()
+    for line in smoothing_warnings(stand, required):  # before the search, which may be long
+        warn(line)
+    if keys:
+        from mahovik.use.plan.free import plan_free
+
+        found = plan_free(stand, stand.to_dict(), required, keys, options, on_progress)
+        made = stand if found.document is None else type(stand).from_dict(found.document, stand.name)
+        return found.plan, made, found.changes
+    if method == "ocp":
+        from mahovik.use.plan.ocp import plan_ocp
+
+        return plan_ocp(stand, required, options, on_progress), stand, ()
+    return plan_motion(stand, required, options, on_progress), stand, ()
+
+
+def _programme(found: Plan) -> dict[str, Any] | None:
+    """Keys of the programme file; None: there is none."""
+    from mahovik.core.motion.programme import programme_text
+
+    if not found.programmes:
+        return None
+    keys: dict[str, Any] = json.loads(programme_text(found.programmes[0]))
+    return keys
+
+
+def _result(
+    stand: Stand,
+    required: RequiredMotion | Slew,
+    found: Plan,
+    programme: Mapping[str, Any] | None,
+    changes: Sequence[tuple[str, str, float, float]],
+) -> Result:
+    """A row a flywheel, the figures of the programme, and the numbers that moved."""
+    from mahovik.out.arguments import text_of_keys
+
+    report: Mapping[str, Any] = {} if programme is None else programme["report"]
+    columns: list[Column] = []
+    if programme is not None:
+        torque = "peak_motor_torque" if report["kind"] == "slew" else "peak_torque"
+        units = {"peak_speed": "rad/s", "peak_acceleration": "rad/s2", torque: "N m"}
+        columns = [column("flywheel", "", programme["flywheels"])]
+        columns += [column(name, unit, report[name]) for name, unit in units.items()]
+    moved = [column(name, "", [each[k] for each in changes]) for k, name in enumerate(_MOVED)] if changes else []
+    kind = {"kind": report.get("kind"), "winding": None if programme is None else programme.get("winding")}
+    cut = ["warning: the time cut the search: another run may find more"] if found.effort.get("cut_by_time") else []
+    given = json.loads(text_of_keys(stand.to_dict())) if changes else None
+    return Result(
+        f"programme of {stand.name} for {required.name}",
+        columns,
+        rows="flywheels",
+        meta={
+            "status": found.status, "reason": found.reason, **kind,
+            **{name: report.get(name) for name in _FIGURES}, "through_zero": report.get("through_zero"),
+            "changes": Result("numbers of the stand", moved, rows="changes"), "interrupted": found.interrupted,
+            "effort": dict(found.effort), "programme": programme, "stand": given,
+        },
+        units=_UNITS,
+        messages=[*(f"warning: {line}" for line in found.warnings), *cut, *found.words, *_details(report)],
+        ok=found.status == "OK",
+        details=("interrupted", "effort", "programme", "stand", *(["winding"] if kind["kind"] == "slew" else [])),
+        drawings=() if programme is None else (_draw_speeds,),
+    )  # fmt: skip
+
+
+_MOVED = ("path", "unit", "before", "after")
+
+
+def _details(report: Mapping[str, Any]) -> list[str]:
+    """What a slew takes of the limits and what unbalance adds, how (13) was solved, and the run-ups."""
+    lines = list(report.get("hardest", ()))
+    if (effect := report.get("unbalance")) is not None:
+        parts = (f"{name} {key} {effect[name][key]:.3g} {unit}" for name, unit in _EFFECT for key in effect[name])
+        lines.append(f"unbalance adds: {', '.join(parts)}")
+    if (solved := report.get("ocp")) is not None:
+        J = f"J {solved['objective_of_start']:.6g} of the start, {solved['objective']:.6g} now"
+        lines.append(f"IPOPT: {solved['ipopt']}, {solved['iterations']} iterations; {J}")
+    for key in ("runup", "rundown"):
+        if "deviation" in report.get(key, {}):
+            most = (f"{part} {x['largest']:.3g}" for part, x in report[key]["deviation"].items())
+            lines.append(f"{key}: terminal error {report[key]['terminal_error']:.2g}, deviation {', '.join(most)}")
+    return lines
+
+
+_EFFECT = (("angle", "rad"), ("shift", "m"))
+
+
+def _draw_speeds(found: Result, ax: Any) -> None:
+    """The speeds of the flywheels over the period, or the duration."""
+    from mahovik.out.arguments import programme_of
+
+    programme = programme_of(found["programme"])
+    t = np.linspace(0.0, programme.span, 401)
+    ax.plot(t, programme.at(t).phi_dot, label=list(programme.flywheels))
+    ax.set(xlabel="time, s", title="speeds of the flywheels, rad/s")
+    ax.legend(loc="upper right", frameon=False)
