@@ -1,5 +1,9 @@
 """Data of published cases of balancing."""
 
+from typing import Any
+
+from mahovik.use.balance.influence import Method, Solution, read_influence, solve
+
 BRUEL_KJAER = {
     "A": ["170@112", "53@78"],
     "B": [["235@94", "185@115"], ["58@68", "77@104"]],
@@ -41,3 +45,9 @@ FOILES = (
 """A turbogenerator of Foiles, Allaire, Gunter: ALPHA, A."""
 
 TURBOGENERATOR = {"ALPHA": [row.split() for row, _ in FOILES], "A": [a for _, a in FOILES]}
+
+
+def solved(given: dict[str, Any], method: Method = "least-squares") -> Solution:
+    """Corrections and what they leave of a case with one answer."""
+    (problem,), _ = read_influence(given)
+    return solve(problem, method)

@@ -12,9 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import mahovik
+from balance.published import solved
 from cli.run import run
 from mahovik.errors import BalanceError
-from mahovik.use.balance.polar import read_polar, write_polar
+from mahovik.use.balance.influence import read_influence, read_polar, write_polar
+from mahovik.use.balance.pieces import Made, choose_pieces
 
 RUNS = {"A": ["170@112", "53@78"], "B": [["235@94", "185@115"], ["58@68", "77@104"]], "U": ["1.15@0", "1.15@0"]}
 
@@ -34,15 +36,16 @@ def case(seed: int, M: int, N: int) -> dict[str, object]:
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(0, 4))
 def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int, more: int) -> None:
     given_case = case(seed, N + more, N)
-    least, best = (mahovik.balance(given_case, method=each) for each in ("least-squares", "min-max"))
-    assert np.abs(least.problem.alpha.conj().T @ least.residual).max() < 1e-9
-    assert np.abs(best.residual).max() <= np.abs(least.residual).max() + 1e-7
+    (problem,), _ = read_influence(given_case)
+    least, best = (solved(given_case, method) for method in ("least-squares", "min-max"))
+    assert np.abs(problem.alpha.conj().T @ least.left).max() < 1e-9
+    assert np.abs(best.left).max() <= np.abs(least.left).max() + 1e-7
     rng = np.random.default_rng(seed)
     for size in (1e-3, 1e-2, 0.1):
         near = best.w + size * (rng.normal(size=(50, N)) + 1j * rng.normal(size=(50, N)))
-        others = np.abs(best.problem.A + near @ best.problem.alpha.T).max(axis=1)
-        assert best.solution.bound is not None
-        assert others.min() >= best.solution.bound - 1e-9
+        others = np.abs(problem.A + near @ problem.alpha.T).max(axis=1)
+        assert best.bound is not None
+        assert others.min() >= best.bound - 1e-9
 
 
 def test_trial_weights_that_stay_on() -> None:
@@ -53,28 +56,74 @@ def test_trial_weights_that_stay_on() -> None:
     for B, keep in ((off, False), (on, True)):
         rows = [[text(x) for x in row] for row in B.tolist()]
         given_case = {"A": [text(x) for x in A.tolist()], "B": rows, "U": [text(x) for x in U.tolist()]}
-        found.append(mahovik.balance({**given_case, "keep_trial": keep}).w)
+        found.append(solved({**given_case, "keep_trial": keep}).w)
     assert np.allclose(found[0], -np.linalg.solve(alpha, A)) and np.allclose(found[0], found[1])
+
+
+def made(given_case: dict[str, object]) -> Made:
+    (problem,), _ = read_influence(given_case)
+    return choose_pieces(problem.A, problem.alpha, problem.choices)
 
 
 def test_pieces_are_the_best_of_all() -> None:
     """Against every choice of one weight or none in each of two planes."""
     pieces = {"holes": 8, "amounts": [1, 2], "forbidden": [[200, 230]], "most": 1}
-    found = mahovik.balance({**RUNS, "pieces": pieces})
-    assert found.made is not None and found.made.proven
+    chosen, ((problem,), _) = made({**RUNS, "pieces": pieces}), read_influence(RUNS)
+    assert chosen.proven
     allowed = [0j, *(a * np.exp(1j * np.radians(45 * i)) for i in range(8) for a in (1, 2) if i != 5)]
-    A, alpha = found.problem.A, found.problem.alpha
-    sizes = [np.abs(A + alpha @ np.array(each)).max() for each in itertools.product(allowed, repeat=2)]
-    assert min(sizes) * (1 - 1e-9) <= np.abs(found.made.left).max() <= min(sizes) / np.cos(np.pi / 36) * (1 + 1e-5)
+    sizes = [np.abs(problem.A + problem.alpha @ np.array(each)).max() for each in itertools.product(allowed, repeat=2)]
+    assert min(sizes) * (1 - 1e-9) <= np.abs(chosen.left).max() <= min(sizes) / np.cos(np.pi / 36) * (1 + 1e-5)
+    found = mahovik.balance(influence={**RUNS, "pieces": pieces})
+    assert found["made"].tolist() == [write_polar(each) for each in chosen.w.tolist()]
+    assert set(found["pieces"]["kind"]) == {"weight"}
 
 
 def test_holes_are_opposite_and_screws_split() -> None:
-    weight = mahovik.balance({**RUNS, "pieces": {"positions": [0, 120, 240], "amounts": [3], "split": True}})
-    hole = mahovik.balance(
-        {**RUNS, "pieces": {"positions": [180, 300, 60], "amounts": [3], "split": True, "remove": True}}
-    )
-    assert weight.made is not None and hole.made is not None
-    assert np.allclose(weight.made.w, weight.w, atol=1e-3) and np.allclose(hole.made.w, weight.w, atol=1e-3)
+    screws = {"amounts": [3], "split": True}
+    weight = made({**RUNS, "pieces": {**screws, "positions": [0, 120, 240]}})
+    hole = made({**RUNS, "pieces": {**screws, "positions": [180, 300, 60], "remove": True}})
+    w = solved(RUNS).w
+    assert np.allclose(weight.w, w, atol=1e-3) and np.allclose(hole.w, w, atol=1e-3)
+
+
+NO_PHASE = (
+    {"A": 10, "B": [7, 12, 18], "U": ["50@0", "50@120", "50@240"]},
+    {"A": [10], "B": [[7, 12, 18]], "U": ["50@0", "50@120", "50@240"]},
+    {"A": ["10"], "B": [["7", "12", "18"]], "U": ["50@0", "50@120", "50@240"]},
+)
+
+
+@pytest.mark.parametrize("given_case", NO_PHASE)
+def test_four_runs_without_phase(given_case: dict[str, object]) -> None:
+    """|w| = 10 x 50 / sqrt((49 + 144 + 324 - 300) / 3) = 58.8 g; the angle by the parts of the influence, by hand."""
+    found = mahovik.balance(influence=given_case)
+    (w,) = found["corrections"].tolist()
+    assert abs(w) == pytest.approx(10 * 50 / np.sqrt((49 + 144 + 324 - 300) / 3))
+    x = (49 - 100 - 217 / 3) / 20
+    y = -((144 - 100 - 217 / 3) / 20 + x / 2) / (np.sqrt(3) / 2)
+    assert np.degrees(np.angle(w)) == pytest.approx(180.0 - np.degrees(np.arctan2(y, x)))
+    assert found["w"].tolist() == ["58.79@40.1"] and found["left"] == ["0@0"] and "also" not in found
+
+
+def test_one_plane_with_phase() -> None:
+    """7@160 became 5@70 with 100 g at 0: w = -7@160 / ((5@70 - 7@160) / 100), 81.37 g."""
+    found = mahovik.balance(influence={"A": ["7@160"], "B": [["5@70"]], "U": ["100@0"]})
+    assert abs(found["corrections"][0]) == pytest.approx(81.3733, abs=1e-4)
+    assert np.degrees(np.angle(found["corrections"][0])) % 360 == pytest.approx(324.462, abs=1e-3)
+
+
+@settings(deadline=None)
+@given(st.floats(0.01, 10.0), st.floats(0.0, 6.28), st.integers(0, 3))
+def test_amplitudes_alone_tell_the_weight_or_two(size: float, at: float, kind: int) -> None:
+    """The true weight is among the answers, and no other is where trial weights are at three places."""
+    U = np.array([[50, 50j], [50, -30], [50, 40 * np.exp(2j), 30 * np.exp(4j)], [50, -50, 20j]][kind], dtype=complex)
+    alpha = size * np.exp(1j * at) / 50
+    b = np.abs(1.0 + alpha * U)
+    found = mahovik.balance(influence={"A": [1.0], "B": [b.tolist()], "U": [text(u) for u in U.tolist()]})
+    answers = [found[key][0] for key in ("w", "also") if key in found]
+    assert len(answers) == 1 or kind < 2
+    errors = [abs(read_polar(each) + 1.0 / alpha) * abs(alpha) for each in answers]
+    assert min(errors) < 3e-3 if max(b) < 1e3 else True
 
 
 @given(st.floats(0, 1e6), st.floats(-720, 720))
@@ -95,20 +144,23 @@ REFUSED = (
     ({**RUNS, "ALPHA": [["1@0"]]}, "ALPHA: given beside trial runs"),
     ({"A": ["1@0", "1@0"], "ALPHA": [["1@0", "2@0"], ["2@0", "4@0"]]}, "not independent: 0 and 1"),
     ({"A": ["1@0"], "ALPHA": [["1@0", "2@0"]]}, "2 planes, but only 1 sensor"),
-    ({**RUNS, "keep": True}, "keep: unknown key"),
-    ({**RUNS, "keep_trial": 1}, "keep_trial: expected true or false"),
-    ({**RUNS, "most": [1]}, "most: 1 number, but there are 2 planes"),
-    ({**RUNS, "most": 2, "pieces": [None, {"holes": 4, "amounts": [1]}]}, 'most: not allowed with "pieces"'),
-    ({**RUNS, "pieces": {"holes": 4, "amounts": []}}, "pieces.amounts"),
+    ({**RUNS, "keep": True}, 'unknown key "keep"'),
+    ({**RUNS, "keep_trial": 1}, "keep_trial"),
+    ({**RUNS, "pieces": {"holes": 4, "amounts": []}}, "pieces: amounts"),
     ({**RUNS, "pieces": {"holes": 4, "amounts": [1], "forbidden": [[0, 359]]}}, "pieces.forbidden: leaves no position"),
     ({"A": ["1@0"]}, "B: expected a list of rows"),
+    ({"A": ["1@0", 2], "B": [["1@0"], ["1@0"]], "U": ["1@0"]}, "A[1]"),
+    ({"A": [1], "B": [1], "U": ["1@0"]}, "weights at two different places"),
+    ({"A": [1], "B": [9, 0.1], "U": ["1@0", "1@180"]}, "no influence fits"),
+    ({"A": [1, 2], "B": [[1], [2]], "U": ["1@0"]}, "one sensor, one plane"),
+    ({"A": [1], "ALPHA": [["1@0"]]}, "without phase it needs trial runs"),
 )
 
 
 @pytest.mark.parametrize(("raw", "words"), REFUSED)
 def test_refused(raw: dict[str, object], words: str) -> None:
     with pytest.raises(BalanceError) as error:
-        mahovik.balance(raw)
+        mahovik.balance(influence=raw)
     assert words in str(error.value)
 
 
@@ -129,9 +181,11 @@ def test_a_file_is_read_strictly(tmp_path: Path) -> None:
     file = tmp_path / "a.json"
     file.write_text(json.dumps(RUNS)[:-1] + ', "U": ["2@0", "2@0"]}', encoding="utf-8")
     with pytest.raises(BalanceError, match=r'a\.json: not JSON: key "U" appears twice'):
-        mahovik.balance(file)
+        mahovik.balance(influence=file)
     with pytest.raises(BalanceError, match=r"gone\.json: no such file"):
-        mahovik.balance(tmp_path / "gone.json")
-    for more in ({"most": [0.5, 2.5]}, {"pieces": {"holes": 4, "first": 0.5, "amounts": [0.5, 1.5]}}):
+        mahovik.balance(influence=tmp_path / "gone.json")
+    for more in ({"pieces": {"holes": 4, "first": 0.5, "amounts": [0.5, 1.5]}},):
         file.write_text(json.dumps({**RUNS, **more}), encoding="utf-8")
-        assert np.array_equal(mahovik.balance(file).w, mahovik.balance({**RUNS, **more}).w)
+        assert (
+            mahovik.balance(influence=file)["made"].tolist() == mahovik.balance(influence=RUNS | more)["made"].tolist()
+        )

@@ -11,27 +11,27 @@ from math import pi, sqrt
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
-import mahovik
 from by_hand.stands import stand, wheel
-from mahovik.core.motion.laws import Constant
-from mahovik.out.identify.gauss_newton import Loss
-from mahovik.out.identify.phases import motion_of
-from mahovik.use.measured.recording import Channel, Recording
-from mahovik.use.measured.tacho import find_pulses, phase_of
+from identify.data import identified
+from mahovik.out.identify.estimate import Loss
+from mahovik.out.identify.predict import phase_of as fitted_phase
+from mahovik.use.measured import Recording
+from mahovik.use.measured.flywheels import find_pulses, phase_of
 
 W, LATE = 200.0, 3e-3
 T = np.arange(0.0, 1.0, 1e-3)
 
 
-@pytest.mark.parametrize(("source", "late"), [("count", LATE), ("", 0.0)])
-def test_the_latency_of_an_encoder_is_that_of_its_counts(source: str, late: float) -> None:
+@pytest.mark.parametrize(("counted", "late"), [({"w"}, LATE), (set(), 0.0)])
+def test_the_latency_of_an_encoder_is_that_of_its_counts(counted: set[str], late: float) -> None:
     encoded = stand(wheel("w", encoder={"counts": 4096, "latency": LATE}))
-    channel = Channel("flywheel", "w", "phase", "", "rad", W * T, source)
-    motion = motion_of(Recording(T, (channel,), "data"), encoded).flywheels[0]
-    assert motion.phase == pytest.approx(W * late, abs=1e-9)
-    assert isinstance(motion.law, Constant) and motion.law.speed == pytest.approx(W)
+    frame = pd.DataFrame({"w.phase": W * T}, index=T)
+    phase = fitted_phase(Recording(frame, "data", (), frozenset(counted)), encoded, "w")
+    assert phase(np.zeros(1)) == pytest.approx(W * late, abs=1e-9)
+    assert phase(T, 1) == pytest.approx(W)
 
 
 def test_a_tacho_is_zero_where_it_rises() -> None:
@@ -62,7 +62,7 @@ def test_unbalance_on_a_force_table_and_its_standard_errors(loss: Loss, tmp_path
     np.savetxt(tmp_path / "run.csv", rows, fmt="%.12g", delimiter=",", header=head, comments="")
     unbalanced = wheel("w", transverse_inertia=0.011, unbalance={"static": 1.5 * U, "static_at": 0.5})
     held = stand(unbalanced, hold={"freedoms": []})
-    parameters = mahovik.identify(held, tmp_path / "run.csv", "w.unbalance.static*", loss=loss).parameters
+    parameters, _ = identified(held, tmp_path / "run.csv", "w.unbalance.static*", loss)
     z = np.linspace(-8.0, 8.0, 1601)
     counts = np.exp(-(z**2) / 2) / np.sqrt(1 + z**2) / sqrt(2 * pi) * 0.01
     error = NOISE / W**2 / sqrt(SAMPLES * (1.0 if loss == "linear" else counts.sum()))

@@ -14,10 +14,6 @@ from cli.run import BENCH8, DEMO3, refused
     [
         (("simulate", DEMO3, "--until", "1", "-o", "a.csv", "--regime"), "a regime file"),
         (("simulate", DEMO3, "--programme", "p.json", "--motion", "m.json", "--servo"), "a servo file"),
-        (("identify", DEMO3, "--free", "w*.unbalance", "-o", "new.toml", "--data"), "measured data"),
-        (("identify", DEMO3, "--data", "d.csv", "-o", "new.toml", "--free"), "a file that names free numbers"),
-        (("balance", DEMO3, "--data"), "measured data"),
-        (("balance", DEMO3, "--data", "d.csv", "--plane"), "a file of correction planes"),
         (("judge", DEMO3, "--fmu", "a.fmu", "--map"), "a map of variables"),
         (("verify", DEMO3, "--against", "c", "--servo"), "a servo file"),
     ],

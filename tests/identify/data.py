@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.laws import Constant
-from mahovik.core.motion.regime import FlywheelRegime, Regime
+import mahovik
 from mahovik.out.api.stands import Stand, example
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import points
@@ -79,8 +79,18 @@ def bench8(flywheels: int = 8) -> Stand:
     return Stand.from_dict(keys)
 
 
-def constant(stand: Stand, speeds: Sequence[float], phases: Sequence[float] | None = None) -> Regime:
-    """Constant speeds (rad/s) from given phases (rad; 0)."""
-    phases = phases or [0.0] * len(speeds)
-    wheels = zip(stand.flywheels, speeds, phases, strict=True)
-    return Regime("constant", tuple(FlywheelRegime(s.name, Constant(w), p) for s, w, p in wheels), {})
+class Number(NamedTuple):
+    """A row of the result of `identify`."""
+
+    value: float
+    standard_error: float
+    before: float
+
+
+def identified(
+    stand: Stand | str, data: Path | str, free: str | Sequence[str], loss: Any = "linear"
+) -> tuple[dict[str, Number], Any]:
+    """Numbers by path, and the whole result."""
+    found = mahovik.identify(stand, data=data, free=free, loss=loss)
+    rows = zip(*(found[key].tolist() for key in ("path", "value", "standard_error", "before")), strict=True)
+    return {path: Number(*figures) for path, *figures in rows}, found

@@ -1,4 +1,4 @@
-"""Prediction of channels and its derivatives, the solver, and numbers in the text of a stand file."""
+"""Prediction of channels and its derivatives, and numbers in the text of a stand file."""
 
 from __future__ import annotations
 
@@ -6,86 +6,54 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import least_squares
 
 import mahovik
-from identify.data import bench8, constant
+from identify.data import bench8
+from mahovik.core.motion.laws import Constant
+from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
-from mahovik.errors import UsageError
-from mahovik.out.api.model import build
-from mahovik.out.identify.channels import channel_of, six_axes
-from mahovik.out.identify.document import with_numbers
+from mahovik.out.identify.estimate import slopes
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.gauss_newton import LOSSES, Loss, minimise
-from mahovik.out.identify.jacobian import slopes, values
-from mahovik.out.identify.predict import Predictor
+from mahovik.out.identify.predict import Phase, Predictor, channels_of
+from mahovik.out.identify.stand_text import with_numbers
 from mahovik.use.simulate import judge
 from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.held import home
+
+
+def turning(speed: float, begin: float) -> Phase:
+    """A constant speed, rad/s."""
+    return lambda t, order=0: np.asarray((begin + speed * t, 0.0 * t + speed, 0.0 * t)[order])
 
 
 @pytest.mark.slow
 def test_channels_are_those_of_the_literal_reference() -> None:
-    stand = bench8(3)
-    regime = constant(stand, [100.0, -130.0, 210.0], [0.1, 0.2, 0.3])
-    predictor = Predictor(stand, regime, six_axes("imu"), 0.0, 1e-3, 31)
-    found = predictor(build(stand).tables({}, 1))[:, :, 0]
-    case = Case(stand, regime, predictor._case.start, 0.03)
-    imu = [p.name for p in (*stand.instruments, *stand.points)].index("imu")
-    start = np.array([*case.start.position, *(case.start.quaternion or (1.0, 0.0, 0.0, 0.0)), *case.start.V])
-    readings = np.concatenate([at.readings[:, 24 * imu : 24 * imu + 24, 0] for at in judge.motion(case, start)])
+    stand, speeds, begins = bench8(3), (100.0, -130.0, 210.0), (0.1, 0.2, 0.3)
+    phases = [turning(w, begin) for w, begin in zip(speeds, begins, strict=True)]
+    predictor = Predictor(stand, phases, channels_of(stand), 0.0, 1e-3, 31)
+    predicted = predictor(Free(stand, ["carrier.mass"]).tables(np.array([[stand.carrier.mass]])), np.zeros((12, 1)))
+    wheels = zip(stand.flywheels, speeds, begins, strict=True)
+    regime = Regime("constant", tuple(FlywheelRegime(s.name, Constant(w), p) for s, w, p in wheels), {})
+    case = Case(stand, regime, home(stand), 0.03)
+    start = np.array([0.0] * 3 + [1.0] + [0.0] * 9)
+    readings = np.concatenate([at.readings[:, -24:, 0] for at in judge.motion(case, start)])  # of the one point
     expected = np.hstack([readings[:, 18:21], readings[:, 15:18]])
-    assert np.allclose(expected, found, rtol=0.0, atol=[5e-4] * 3 + [5e-6] * 3)  # 0.21 rad a step: 1e-5 of the motion
+    atol = [5e-4] * 3 + [5e-6] * 3  # 0.21 rad a step: 1e-5 of the motion
+    assert np.allclose(expected, predicted[:, :, 0], rtol=0.0, atol=atol)
 
 
 def test_derivatives_are_those_of_the_channels() -> None:
     stand = bench8(2)
-    free = Free(build(stand), ["w*.unbalance", "carrier.mass", "imu.position", "imu.delay"])
-    predictor = Predictor(stand, constant(stand, [100.0, 130.0]), six_axes("imu"), 0.0, 1e-3, 200)
-    theta, start = free.nominal, np.zeros(12)
-    theta[-1] = 3e-4
-    at = slopes(predictor, free, theta, start)
-    rng = np.random.default_rng(3)
-    to, begin = 1e-5 * free.scale * rng.normal(size=len(theta)), 1e-6 * rng.normal(size=12)
-    ahead, behind = values(predictor, free, theta + to, begin), values(predictor, free, theta - to, -begin)
-    expected, found = (ahead - behind) / 2, at.by_theta @ to + at.by_start @ begin
-    seen = slice(5, None)  # before that the delayed sensor tells what was before the first predicted time
-    assert np.abs(expected - found)[seen].max() < 1e-7 * np.abs(expected).max()
-
-
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [("im.rate.x", 'did you mean "imu"'), ("imu.rate.w", ".x, .y or .z"), ("imu.speed.x", "imu.acceleration or")],
-)
-def test_unknown_channels_are_named(name: str, words: str) -> None:
-    with pytest.raises(UsageError, match=words):
-        channel_of(name, bench8(1))
-
-
-@pytest.mark.parametrize(
-    ("path", "words"), [("w9.mass", 'no "w9"'), ("imo.delay", 'did you mean "imu"'), ("w1.encoder.counts", "no|acts")]
-)
-def test_unknown_free_numbers_are_named(path: str, words: str) -> None:
-    with pytest.raises(UsageError, match=words):
-        Free(build(bench8(1)), [path])
-
-
-@pytest.mark.parametrize("loss", LOSSES)
-def test_the_least_loss_is_that_of_scipy(loss: Loss) -> None:
-    rng = np.random.default_rng(3)
-    t = np.linspace(0.0, 2.0, 80)
-    y = 2.0 * np.exp(-0.8 * t) + 0.01 * rng.normal(size=80)
-    y[::10] += 1.0
-
-    def residuals(z: np.ndarray) -> np.ndarray:
-        return np.asarray((z[0] * np.exp(-z[1] * t) - y) / 0.05)
-
-    def jacobian(z: np.ndarray, _exact: bool = True) -> np.ndarray:
-        decay = np.exp(-z[1] * t)
-        return np.column_stack([decay, -z[0] * t * decay]) / 0.05
-
-    expected = least_squares(residuals, [1.0, 0.1], jacobian, loss=loss, xtol=1e-12, ftol=1e-14, gtol=1e-12).x
-    assert np.allclose(minimise(residuals, jacobian, np.array([1.0, 0.1]), loss), expected, rtol=1e-4)
+    free = Free(stand, ["w*.unbalance", "carrier.mass", "imu.position"])
+    predictor = Predictor(stand, [turning(100.0, 0.0), turning(130.0, 0.0)], channels_of(stand), 0.0, 1e-3, 200)
+    theta, start, rng = free.nominal, np.zeros(12), np.random.default_rng(3)
+    _, by = slopes(predictor, free, theta, start)
+    to, begin = 1e-5 * rng.normal(size=len(theta)), 1e-6 * rng.normal(size=12)
+    ends = theta[:, None] + (free.scale * to)[:, None] * [1.0, -1.0]
+    ahead, behind = np.moveaxis(predictor(free.tables(ends), begin[:, None] * [1.0, -1.0]), 2, 0)
+    expected, found = (ahead - behind) / 2, by @ np.concatenate([to, begin / predictor.start_scale])
+    assert np.abs(expected - found).max() < 1e-7 * np.abs(expected).max()
 
 
 TEXT = """

@@ -75,7 +75,9 @@ def read_one(path: Path, columns: Mapping[str, Array]) -> Recording:
 
 def values(recording: Recording, label: str) -> Array:
     """Values of a channel that must be there."""
-    return next(channel.values for channel in recording.channels if channel.label == label)
+    found = recording.get(label)
+    assert found is not None, label
+    return found
 
 
 MAGIC = b"ULog\x01\x12\x35\x01"

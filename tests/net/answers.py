@@ -105,6 +105,11 @@ def _modes(name: str) -> Answers:
     return _columns(mahovik.modes(place(name)))
 
 
+def _identified(found: Any) -> Answers:
+    """Without standard errors: the data have no noise but rounding."""
+    return {key: _plain(found[key]) for key in ("path", "value", "before")}
+
+
 def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         return _plain({"re": value.real, "im": value.imag}) if np.iscomplexobj(value) else value.tolist()
@@ -196,17 +201,15 @@ CASES: dict[str, tuple[Tolerance, Callable[[], Answers]]] = {
     "campaign two": (ROUNDING, _campaign),
     "identify two": (
         ITERATION,
-        lambda: _columns(mahovik.identify(mahovik.load(place("two")), INPUTS / "two.csv", "w*.unbalance")),
+        lambda: _identified(mahovik.identify(place("two"), data=INPUTS / "two.csv", free="w*.unbalance")),
     ),
     "balance two": (
         ITERATION,
-        lambda: _columns(mahovik.balance_stand(place("two"), INPUTS / "two.csv", planes={"all": [-0.01, 0.01]})),
+        lambda: _columns(mahovik.balance(place("two"), data=INPUTS / "two.csv", plane={"all": [-0.01, 0.01]})),
     ),
     "balance influence": (
         ROUNDING,
-        lambda: _plain(
-            mahovik.balance({"A": ["170@112"], "B": [["235@94"]], "U": ["1.15@0"], "keep_trial": False}).to_dict()
-        ),
+        lambda: _plain(mahovik.balance(influence={"A": ["170@112"], "B": [["235@94"]], "U": ["1.15@0"]}).to_dict()),
     ),
     "vibration improve sat4": (SEARCH, lambda: _plain(mahovik.vibration(place("sat4"), **IMPROVED)["improved"])),
 }

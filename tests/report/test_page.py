@@ -14,7 +14,6 @@ from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.out.api.stands import Stand
 from mahovik.out.commands.report import report
-from mahovik.out.report.data.panels import confidence_ellipse, order_spectra, waterfall
 from mahovik.out.report.page import Part, figure, page, picture, table, write_page
 from mahovik.out.report.plots import Line, Mark, Panel
 from mahovik.out.report.sections import (
@@ -24,7 +23,6 @@ from mahovik.out.report.sections import (
     requirements_part,
     vibration_part,
 )
-from mahovik.use.measured.orders import OrderMap
 from report.chromium import Opened, launched
 from report.reports import read, words
 
@@ -48,18 +46,9 @@ def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
     assert figure(value) == text
 
 
-ORDERS = np.arange(1, 33) / 8.0
-
-
 def test_text_is_escaped_and_nothing_is_loaded(tmp_path: Path) -> None:
     evil, x = '<script>alert("&")</script>', np.arange(3.0)
-    spectra = {"before": np.linspace(1.0, 0.1, 32), "after": np.zeros(32)}
-    amplitude = np.where(ORDERS == 1.0, 1.0, 1e-6)[None]
-    drawn = (
-        Panel(evil, (Line(evil, x, x, tag=evil),), note=evil, abscissa=evil, marks=(Mark(1.0, 1.0, evil),)),
-        order_spectra("rms", "m/s2", ORDERS, spectra, "w1"),
-        waterfall({"measured": OrderMap("w1", "acc1.acceleration.x", "m/s2", np.array([10.0]), ORDERS, amplitude)}),
-    )
+    drawn = (Panel(evil, (Line(evil, x, x, tag=evil),), note=evil, abscissa=evil, marks=(Mark(1.0, 1.0, evil),)),)
     part = Part(evil, f"{evil} `{evil}`", (evil, "n, kg>"), ((evil, "&"),), drawn, notes=(evil,), summary=evil,
                 failures=(evil,))  # fmt: skip
     stand = load(stands.path("bench8"))
@@ -70,17 +59,6 @@ def test_text_is_escaped_and_nothing_is_loaded(tmp_path: Path) -> None:
     addresses = re.sub(r'(xmlns(:\w+)?|about)="http[^"]*"', "", html)  # names, which nobody asks for
     assert not re.search(r"(https?:|file:|@import|//[a-z])", addresses)
     assert "a&lt;b" in table(("a<b>",), [])
-
-
-def test_the_ellipse_holds_95_percent_of_its_distribution() -> None:
-    centre, covariance = np.array([100.0, -5.0]), np.array([[4.0, -1.5], [-1.5, 1.0]])
-    panel = confidence_ellipse("w1", ("y, g mm", "z, g mm"), centre, covariance)
-    high, low = panel.lines
-    x, y = np.random.default_rng(3).multivariate_normal(centre, covariance, 20_000).T
-    top = np.interp(x, high.x, high.y, left=np.nan, right=np.nan)
-    bottom = np.interp(x, low.x, low.y, left=np.nan, right=np.nan)
-    assert abs(np.mean((y < top) & (y > bottom)) - 0.95) < 0.006
-    assert panel.span is not None and panel.span[0] < high.x.min() and panel.span[1] > high.x.max()
 
 
 def test_a_picture_is_the_same_text_again() -> None:

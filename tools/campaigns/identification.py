@@ -94,14 +94,16 @@ def write_run(file: Path, rows: Array, rng: np.random.Generator) -> None:
 def trial(stand: mahovik.Stand, file: Path, true: dict[str, float]) -> tuple[dict[str, float], list[int], float]:
     """Largest errors by kind of number, whether each interval holds the truth, and seconds."""
     begin = time.perf_counter()
-    parameters = mahovik.identify(stand, file, "w*.unbalance", delay={"imu": DELAY}).parameters
+    found = mahovik.identify(stand, data=file, free={"free": ["w*.unbalance"], "delay": {"imu": DELAY}})
     taken = time.perf_counter() - begin
+    rows = zip(*(found[key].tolist() for key in ("path", "value", "standard_error")), strict=True)
+    parameters = {path: figures for path, *figures in rows}
     worst, covered = {"static": 0.0, "static_at": 0.0, "dynamic": 0.0}, []
     for path, value in true.items():
-        key, error = path.rsplit(".", 1)[1], parameters[path].value - value
+        key, error = path.rsplit(".", 1)[1], parameters[path][0] - value
         if key.endswith("_at"):
             error = math.remainder(error, 2.0 * math.pi)
-        covered.append(int(abs(error) <= HALF * parameters[path].standard_error))
+        covered.append(int(abs(error) <= HALF * parameters[path][1]))
         if key in worst:
             worst[key] = max(worst[key], abs(math.degrees(error)) if key.endswith("_at") else abs(error / value))
     return worst, covered, taken

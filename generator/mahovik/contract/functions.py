@@ -232,6 +232,7 @@ _CHOSEN = (
         ("table", "mounting", "x", "V_dot", "phi_ddot"),
         ("Y_carrier", "Y_flywheel", "Y_drive", "Y_added_mass", "Y_linear", "Y_quadratic"),
         ("reference",),
+        python=False,
     ),
     PublicFunction(
         "identify_step",

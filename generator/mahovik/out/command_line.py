@@ -82,6 +82,10 @@ COMMANDS: dict[str, dict[str, str]] = {
     "Pages": {
         "report": "Write one page on a stand and its proof, or its derivation.",
     },
+    "Measured data": {
+        "identify": "Estimate numbers from measured data.",
+        "balance": "Find correction weights of flywheels or of any rotor.",
+    },
 }
 """Commands and what they do, under the headings of `--help`, in the order of use."""
 

@@ -1,7 +1,6 @@
 data="--data $INPUTS/two.csv"
 mahovik identify $INPUTS/two.toml $data --free "w*.mass" -o new.toml
 mahovik identify $INPUTS/two.toml $data --free "w*.unbalanc" -o bad.toml
-mahovik identify $INPUTS/two.toml $data --free "w*.mass" --delay "imu=2 mm" -o bad.toml
 mahovik identify $INPUTS/two.toml --data missing.csv --free "w*.mass" -o bad.toml
 mahovik balance $INPUTS/two.toml $data --plane "w9=10 mm"
 echo '{"A": ["170@112"], "B": [["235@94"]], "U": ["1.15@0"], "keep_trial": false}' > influence.json

@@ -430,7 +430,7 @@ class StandNumbers:
                 value, freedom = getattr(values, name), getattr(values, "freedom", None)
                 along = dimension_along(self._stand.hold, schema, freedom, name) if value is not None else None
                 if along is not None:
-                    quantity, value = QuantityValidator(float, along), number(value, along)
+                    quantity, value = QuantityValidator(float, dimension=along), number(value, along)
                 self._add(quantity, inner, value, raw.get(key), at, below)
 
     def _add(

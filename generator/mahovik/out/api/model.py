@@ -22,7 +22,6 @@ from mahovik.out.api.core import Built, Locks, Wrenches
 from mahovik.out.api.fields import Array
 from mahovik.out.api.inputs import Given
 from mahovik.out.api.reaction import WithReaction
-from mahovik.out.api.regressor import WithRegressor
 from mahovik.out.api.results import Answer
 from mahovik.out.api.simulate import WithSimulation
 from mahovik.out.api.states import States
@@ -78,7 +77,7 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
     return Model(stand, real, compiler, threads)
 
 
-class Model(WithReaction, WithRegressor, WithCoordinates, WithSimulation):
+class Model(WithReaction, WithCoordinates, WithSimulation):
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
     `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape

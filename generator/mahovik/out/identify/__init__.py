@@ -1,1 +1,1 @@
-"""Numbers of a stand from measured data: prediction of channels, their derivatives, estimation, what cannot be seen."""
+"""Numbers of a stand from measured data: what is free, prediction by the C, least squares, the new stand file."""

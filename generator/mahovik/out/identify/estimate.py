@@ -1,38 +1,47 @@
-"""Least squares of free numbers over runs, with the exact model and channels weighted by their noise.
+"""Least squares of free numbers over runs by `scipy.optimize.least_squares`, with channels weighted by their noise.
 
 Unknown besides the free numbers are the initial state of each run and a constant offset of each channel; offsets are
-eliminated by centring. Weak priors of PRIOR natural sizes keep what no channel tells at its value in the stand file.
+eliminated by centring. Combinations of free numbers that no channel tells, by the singular values of the Jacobian,
+stay as in the stand file; weak priors keep everything else within reason.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import null_space
+from scipy.optimize import least_squares
 
 from mahovik.errors import StandError, StateError, UsageError
+from mahovik.nearest import suggestion
 from mahovik.out.identify.free import Free
-from mahovik.out.identify.gauss_newton import Loss, minimise, triangle, weights_of
-from mahovik.out.identify.jacobian import slopes, values
-from mahovik.out.identify.run import Run, noise_of
-from mahovik.out.identify.sight import undetermined_directions
-from mahovik.out.notices import OnProgress, Progress, tell
+from mahovik.out.identify.predict import NEAR_CORNER, Phase, Predictor, Samples, channels_of, corners_of, phase_of
+from mahovik.use.measured import Recording
 
 Array = NDArray[np.float64]
+Loss = Literal["linear", "soft_l1", "huber", "cauchy", "arctan"]
 
-PRIOR = 100.0
-"""Standard deviation of the priors of free numbers, in natural sizes."""
+WEIGHTS: Mapping[str, Callable[[Array], Array]] = {
+    "linear": np.ones_like,
+    "soft_l1": lambda z: 1.0 / np.sqrt(1.0 + z),
+    "huber": lambda z: 1.0 / np.sqrt(np.maximum(1.0, z)),
+    "cauchy": lambda z: 1.0 / (1.0 + z),
+    "arctan": lambda z: 1.0 / (1.0 + z**2),
+}
+"""Weights of squares z of residuals with which least squares has the gradient of a loss of SciPy."""
 
-HELD = 1e-6
-"""Standard deviation of the priors of combinations that no channel tells, in natural sizes."""
+PRIOR, PRIOR_START = 100.0, 10.0
+"""Standard deviations of the priors of free numbers and of initial states, in natural sizes."""
 
-PRIOR_START = 10.0
-"""Standard deviation of the priors of initial states, in natural sizes."""
+LARGE = 0.5
+"""A combination whose standard deviation is above this, in natural sizes of its numbers, is unobservable."""
 
-LINEAR = 0.02
-"""A jacobian is kept while its prediction of a change of residuals is as good as this share of the change."""
+WHOLE, PART = 0.99, 0.3
+"""Part of a number in unobservable combinations from which it is one by itself; part of the largest to be named."""
 
 SIGMA = 1.4826
 """Standard deviation of a normal distribution over its median absolute deviation."""
@@ -40,224 +49,326 @@ SIGMA = 1.4826
 LEAST_NOISE = 1e-9
 """Least noise of a channel, of 1 SI and its spread."""
 
-ROUNDS = 2
-"""Fits with weights by the residuals of the fit before."""
+HEARD = 3.0
+"""A channel has a signal where its spread is above this many times its noise."""
+
+MUCH, ABOVE = 1.0 / 3.0, 5.0
+"""A fit is bad where it leaves more than this share of a channel's data, and this many times its noise."""
+
+STEP = 1e-4
+"""Step of central differences, of the natural size of a number."""
+
+PAD = 8
+"""Steps that a prediction begins before the first sample and ends after the last: delays reach there."""
+
+FEWEST = 100
+"""Samples that a run has at least."""
+
+STILL, STEADY, TOGETHER = 1e-3, 0.01, 4.0 * np.pi
+"""Speed of a flywheel that stands still (rad/s); share of a speed by which a constant one changes; difference of the
+angles of two flywheels of one speed (rad)."""
+
+SWING, LEAST_SWING, TRIAL = 0.3, 5.0, 2000
+"""Amplitude of the speeds of a trial motion: share of the speed, and least (rad/s); its samples."""
+
+
+class Run:
+    """Samples of the channels of a stand's sensors in one recording, and what is predicted for them.
+
+    channels  labels (C); measured: (T, C) SI, NaN where there is no sample; noise: (C) by differences
+    """
+
+    def __init__(self, recording: Recording, free: Free) -> None:
+        """Raises UsageError."""
+        stand = free.stand
+        t, every, self.source, self.notes = recording.t, recording.step, recording.source, list[str]()
+        self.channels = tuple(label for label in channels_of(stand) if label in recording.frame)
+        if not self.channels:
+            example = "hold.reaction.x [N]" if stand.hold is not None else "acc1.acceleration.x [m/s2]"
+            hint = "" if channels_of(stand) else f"; {stand.name} has no [[point]]: give it the places of its sensors"
+            raise UsageError(f"{self.source}: no channel of a sensor, expected such as {example}{hint}")
+        phases = [phase_of(recording, stand, wheel.name) for wheel in stand.flywheels]
+        known = recording.frame[[f"{wheel.name}.phase" for wheel in stand.flywheels]].dropna().index
+        self.measured = recording.frame[list(self.channels)].to_numpy(copy=True)
+        outside = (t < known[0] + 0.5 * every) | (t > known[-1] - 0.5 * every)  # there a spline is known from one side
+        if left := int(np.isfinite(self.measured[(t < known[0]) | (t > known[-1])]).any(axis=1).sum()):
+            where = f"outside {known[0]:.6g} to {known[-1]:.6g} s, where a phase is missing"
+            self.notes.append(f"{self.source}: {left} samples {where}, are left out")
+        self.measured[outside] = np.nan
+        for at in (at for phase in phases for at in corners_of(phase, every)):  # not even known from one side there
+            self.measured[np.abs(t - t[0] - at) < NEAR_CORNER * every] = np.nan
+        self.there = np.isfinite(self.measured)
+        if (samples := int(self.there.any(axis=1).sum())) < FEWEST:
+            raise UsageError(f"{self.source}: {samples} samples of sensors, expected at least {FEWEST}")
+        self.duration, self._free = float(t[-1] - t[0]), free
+        begin = -PAD * every - max(free.known.values(), default=0.0)
+        count = int(np.ceil((self.duration - begin) / every)) + PAD + 1
+        self.predictor = Predictor(stand, phases, self.channels, begin, every, count)
+        self._samples = Samples(self.predictor.times, t - t[0], self.channels)
+        self.noise = noise_of(self.measured)
+
+    def predict(self, theta: Array, start: Array) -> Array:
+        """Channels (T, C) at theta (k) and the numbers of an initial state (D)."""
+        course = self.predictor(self._free.tables(theta[:, None]), start[:, None])
+        return self._samples.at(course, self._free.delays(theta))[:, :, 0]
+
+    def slopes(self, theta: Array, start: Array) -> Array:
+        """Derivatives (T, C, k + D) by theta and the initial state, each over its natural size."""
+        course, rates = slopes(self.predictor, self._free, theta, start)
+        delays, size = self._free.delays(theta), self._free.size
+        late = np.zeros((*self.measured.shape, len(self._free.delayed)))
+        for i, name in enumerate(self._free.delayed):
+            own = [label.startswith(f"{name}.") for label in self.channels]
+            late[:, own, i] = -self._samples.at(course[:, :, None], delays, 1)[:, own, 0] * self._free.scale[size + i]
+        at = self._samples.at(rates, delays)
+        return np.concatenate([at[:, :, :size], late, at[:, :, size:]], axis=2)
+
+    def centred(self, values: Array) -> tuple[Array, Array]:
+        """Values (T, C, ...) less their means (C, ...) over the samples that exist; NaN elsewhere."""
+        kept = np.where(self.there.reshape(*self.there.shape, *(1,) * (values.ndim - 2)), values, np.nan)
+        mean = np.nanmean(kept, axis=0)
+        return kept - mean, mean
+
+
+def slopes(predictor: Predictor, free: Free, theta: Array, start: Array) -> tuple[Array, Array]:
+    """Channels (G, C), and their derivatives (G, C, n) by n numbers of the stand and of the initial state.
+
+    Central differences over natural sizes; one-sided where a stand on one side cannot be. Raises StandError.
+    """
+    k, D = free.size, len(predictor.start_scale)
+    steps = STEP * np.concatenate([free.scale[:k], predictor.start_scale])
+    both = np.kron(np.diag(steps), [1.0, -1.0])
+    thetas = np.column_stack([theta, theta[:, None] + np.pad(both[:k], ((0, len(theta) - k), (0, 0)))])
+    starts = np.column_stack([start, start[:, None] + both[k:]])
+    try:
+        tables = free.tables(thetas)
+    except StandError:
+        for i in range(k):
+            refused = []
+            for j in (1 + 2 * i, 2 + 2 * i):
+                try:
+                    free.tables(thetas[:, j : j + 1])
+                except StandError:
+                    thetas[:, j] = theta
+                    refused.append(j)
+            if len(refused) == 2:
+                raise
+        tables = free.tables(thetas)
+    course = predictor(tables, starts)
+    width = np.full(k + D, 2.0 * STEP)
+    width[:k] = [(thetas[i, 1 + 2 * i] - thetas[i, 2 + 2 * i]) / free.scale[i] for i in range(k)]
+    return course[:, :, 0], (course[:, :, 1::2] - course[:, :, 2::2]) / width
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
     """An estimate.
 
-    theta      free numbers; `covariance` theirs (k, k), with initial states and offsets unknown
-    starts     deviations of the initial states of the runs (R, D), see Deviations
-    information  triangular factor (k, k) of the inverse covariance, in natural sizes of the numbers, without priors
-    noise      of channels, by run (C), SI
-    residuals  measured minus predicted without offset, by run (T, C), SI; NaN where there is no sample
-    by_theta   derivatives of the channels, by run (T, C, k)
-    offsets    of the channels, by run (C), SI
-    held       unit vectors (k), in natural sizes of the numbers, along which these stay as in the stand file
+    theta        free numbers; covariance: theirs (k, k), without what is unobservable
+    unobservable orthonormal combinations (q, k), in natural sizes, that stay as in the stand file
+    noise        of channels, by run (C); residuals: measured less predicted without offset, by run (T, C); offsets: (C)
+    starts       numbers of the initial states (R, D)
     """
 
     theta: Array
     covariance: Array
-    starts: Array
-    information: Array
+    unobservable: Array
     noise: list[Array]
     residuals: list[Array]
-    by_theta: list[Array]
-    by_start: list[Array]
     offsets: list[Array]
-    held: list[Array]
+    starts: Array
+
+    def standard_errors(self, slopes: Array) -> Array:
+        """Standard errors of numbers with derivatives `slopes` (k, k) by theta; NaN where one is not determined."""
+        variance = np.diag(slopes @ self.covariance @ slopes.T)
+        lost = (slopes != 0.0) @ (np.linalg.norm(self.unobservable, axis=0) > PART)
+        return np.sqrt(np.where((variance >= 0.0) & ~lost, variance, np.nan))
 
 
 class Problem:
-    """Residuals of all runs as a function of z: theta and initial states in natural sizes, about the stand file."""
+    """Residuals of all runs as a function of z: combinations of free numbers, then initial states, in natural sizes.
 
-    def __init__(self, free: Free, runs: Sequence[Run], theta: Array, fixed: bool = False) -> None:
-        """`fixed`: theta is not free, only initial states are."""
-        self.free, self.runs, self._about, self._fixed = free, runs, theta, fixed
-        self.scale = free.scale
-        self.k = 0 if fixed else len(theta)
-        self.noise = [noise_of(run.measured) for run in runs]
-        self._kept: tuple[Array, Array, list[Array]] | None = None
-        self._units = [noise.copy() for noise in self.noise]
-        self._seen: dict[bytes, list[tuple[Array, Array]]] = {}
-        self.slopes: list[tuple[Array, Array]] = []
-        self._held = np.zeros((0, self.k))
+    basis  (k, r): theta = nominal + scale (basis z)
+    """
 
-    def hold(self, directions: Sequence[Array]) -> None:
-        """Keep these combinations of free numbers, unit vectors in natural sizes, as in the stand file."""
-        self._held = np.array(directions).reshape(-1, self.k)
+    def __init__(self, free: Free, runs: Sequence[Run]) -> None:
+        self.free, self.runs, self.noise = free, runs, [run.noise for run in runs]
+        self.basis = np.eye(len(free.paths))
+        self._starts = runs[0].predictor.start_scale
 
-    def restore_held(self, z: Array) -> Array:
-        """z with the held combinations at their values in the stand file."""
-        found = z.copy()
-        found[: self.k] -= self._held.T @ (self._held @ z[: self.k])
-        return found
+    def split(self, z: Array) -> tuple[Array, Array]:
+        """theta, and the numbers of the initial states (R, D)."""
+        r = self.basis.shape[1]
+        theta = self.free.nominal + self.free.scale * (self.basis @ z[:r])
+        return theta, z[r:].reshape(len(self.runs), len(self._starts)) * self._starts
+
+    def differences(self, z: Array) -> list[tuple[Array, Array]]:
+        """Measured less predicted, centred (T, C), and offsets (C), of each run. Raises StandError, StateError."""
+        theta, starts = self.split(z)
+        return [run.centred(run.measured - run.predict(theta, x)) for run, x in zip(self.runs, starts, strict=True)]
 
     @property
     def size(self) -> int:
         """Numbers of z."""
-        return self.k + self._start_scale.size * len(self.runs)
+        return self.basis.shape[1] + len(self.runs) * len(self._starts)
 
     @property
-    def _start_scale(self) -> Array:
-        """Natural sizes of the deviations of an initial state (D)."""
-        return self.runs[0].predictor.deviations.scale
-
-    def _of_start(self, r: int) -> slice:
-        """Places of the deviations of the initial state of a run in z."""
-        count = self._start_scale.size
-        return slice(self.k + count * r, self.k + count * (r + 1))
-
-    def split(self, z: Array) -> tuple[Array, Array]:
-        """theta, and the deviations of the initial states (R, D)."""
-        theta, scale = self._about.copy(), self._start_scale
-        theta[: self.k] += self.scale[: self.k] * z[: self.k]
-        return theta, z[self.k :].reshape(len(self.runs), len(scale)) * scale
-
-    def reweigh(self, z: Array, loss: Loss) -> None:
-        """Take the noise of each channel from its residuals; with a robust loss by their median, as outliers are in."""
-        found = []
-        for (r, _), run in zip(self.differences(z), self.runs, strict=True):
-            size = np.sqrt(np.nanmean(r**2, axis=0)) if loss == "linear" else SIGMA * np.nanmedian(np.abs(r), axis=0)
-            found.append(np.maximum(size, LEAST_NOISE * (1.0 + np.nanstd(run.measured, axis=0))))
-        self.noise = found
-
-    def differences(self, z: Array) -> list[tuple[Array, Array]]:
-        """Measured minus predicted, centred (T, C), and offsets (C), of each run. Raises StandError, StateError."""
-        key = z.tobytes()
-        if key in self._seen:
-            return self._seen[key]
-        theta, starts = self.split(z)
-        found = []
-        for run, start in zip(self.runs, starts, strict=True):
-            course = values(run.predictor, self.free, theta, start)
-            difference = run.measured - run.at_samples(course[:, :, None])[:, :, 0]
-            offset = np.nanmean(difference, axis=0)
-            found.append((difference - offset, offset))
-        self._seen = {key: found}
-        return found
+    def prior(self) -> Array:
+        """Diagonal of the rows of the priors."""
+        return np.where(np.arange(self.size) < self.basis.shape[1], 1.0 / PRIOR, 1.0 / PRIOR_START)
 
     def residuals(self, z: Array) -> Array:
         """Weighted residuals, then priors; NaN for a stand that cannot be, from which the search turns back."""
         try:
-            found = self.differences(z)
+            differences = self.differences(z)
         except (StandError, StateError):
-            return np.full(sum(int(run.there.sum()) for run in self.runs) + len(self.prior_rows), np.nan)
-        parts = [_there(r / noise, run) for (r, _), noise, run in zip(found, self.noise, self.runs, strict=True)]
-        return np.concatenate([*parts, self.prior_rows @ z])
+            return np.full(sum(int(run.there.sum()) for run in self.runs) + self.size, np.nan)
+        rows = zip(differences, self.noise, self.runs, strict=True)
+        return np.concatenate([*((r / noise)[run.there] for (r, _), noise, run in rows), self.prior * z])
 
-    @property
-    def _priors(self) -> Array:
-        return np.repeat([1.0 / PRIOR, 1.0 / PRIOR_START], [self.k, self.size - self.k])
+    def jacobian(self, z: Array) -> Array:
+        """Derivatives of the residuals."""
+        (theta, starts), k, r, D = self.split(z), len(self.basis), self.basis.shape[1], len(self._starts)
+        parts = []
+        for i, (run, start, noise) in enumerate(zip(self.runs, starts, self.noise, strict=True)):
+            by = (-run.centred(run.slopes(theta, start))[0] / noise[:, None])[run.there]
+            part = np.zeros((len(by), self.size))
+            part[:, :r], part[:, r + D * i : r + D * (i + 1)] = by[:, :k] @ self.basis, by[:, k:]
+            parts.append(part)
+        return np.concatenate([*parts, np.diag(self.prior)])
 
-    @property
-    def prior_rows(self) -> Array:
-        """Priors, then held combinations, as rows of the residuals."""
-        held = np.zeros((len(self._held), self.size))
-        held[:, : self.k] = self._held / HELD
-        return np.concatenate([np.diag(self._priors), held])
+    def reweigh(self, z: Array, loss: Loss) -> None:
+        """Take the noise of each channel from its residuals; with a robust loss by their median, as outliers are in."""
+        for i, ((r, _), run) in enumerate(zip(self.differences(z), self.runs, strict=True)):
+            size = np.sqrt(np.nanmean(r**2, axis=0)) if loss == "linear" else SIGMA * np.nanmedian(np.abs(r), axis=0)
+            self.noise[i] = np.maximum(size, LEAST_NOISE * (1.0 + np.nanstd(run.measured, axis=0)))
 
-    def jacobian(self, z: Array, exact: bool = False) -> Array:
-        """Derivatives of the residuals; those of a z before, while the channels change as they say, unless exact."""
-        found = self._kept_slopes(z, exact)
-        rows = []
-        for r, (run, own) in enumerate(zip(self.runs, found, strict=True)):
-            whole = np.zeros((len(own), self.size))
-            noise = np.broadcast_to(self.noise[r], run.measured.shape)[run.there][:, None]
-            whole[:, : self.k] = -own[:, : self.k] / noise
-            whole[:, self._of_start(r)] = -own[:, self.k :] / noise
-            rows.append(whole)
-        return np.concatenate([*rows, self.prior_rows])
-
-    def _kept_slopes(self, z: Array, exact: bool) -> list[Array]:
-        """Derivatives of the centred channels at the samples (n, k + D) of each run, in natural sizes."""
-        rows = zip(self.differences(z), self._units, self.runs, strict=True)
-        now = np.concatenate([_there(difference / units, run) for (difference, _), units, run in rows])
-        if self._kept is not None and not (exact and not np.array_equal(self._kept[0], z)):
-            at, before, found = self._kept
-            if self._is_near(z - at, now - before, found):
-                return found
-        theta, starts = self.split(z)
-        found, self.slopes = [], []
-        for run, start in zip(self.runs, starts, strict=True):
-            at_start = slopes(run.predictor, self.free, theta, start)
-            by_theta = run.at_samples(at_start.by_theta)[:, :, : self.k]
-            by_start = run.at_samples(at_start.by_start)
-            self.slopes.append((by_theta, by_start))
-            own = np.concatenate([by_theta * self.scale[: self.k], by_start * self._start_scale], axis=2)
-            own[~run.there] = np.nan
-            own -= np.nanmean(own, axis=0)
-            found.append(own[run.there])
-        self._kept = z.copy(), now, found
-        return found
-
-    def _is_near(self, by: Array, change: Array, found: list[Array]) -> bool:
-        """Whether kept derivatives predict a change of the channels to the share LINEAR of it."""
-        row, left = 0, 0.0
-        for r, (run, own) in enumerate(zip(self.runs, found, strict=True)):
-            part = np.concatenate([by[: self.k], by[self._of_start(r)]])
-            units = np.broadcast_to(self._units[r], run.measured.shape)[run.there]
-            left += float(np.sum((change[row : row + len(own)] + own @ part / units) ** 2))
-            row += len(own)
-        return left <= LINEAR**2 * float(change @ change)
+    def information(self, z: Array, loss: Loss) -> Array:
+        """Triangular factor (r, r) of the inverse covariance of the combinations, with unknown starts, no priors."""
+        r = self.basis.shape[1]
+        J = self.jacobian(z) * np.sqrt(WEIGHTS[loss](self.residuals(z) ** 2))[:, None]
+        J[len(J) - self.size : len(J) - self.size + r] = 0.0
+        return np.asarray(np.linalg.qr(np.column_stack([J[:, r:], J[:, :r]]), mode="r"))[-r:, -r:]
 
 
-def estimate(
-    free: Free,
-    runs: Sequence[Run],
-    loss: Loss = "linear",
-    theta: Array | None = None,
-    fixed: bool = False,
-    progress: OnProgress | None = None,
-) -> Fit:
-    """Free numbers from runs, from theta on. `fixed`: theta stays, only initial states are found. Raises UsageError."""
-    about = free.nominal if theta is None else theta
-    problem = Problem(free, runs, about, fixed)
+def estimate(free: Free, recordings: Sequence[Recording], loss: Loss = "linear") -> tuple[Fit, list[Run]]:
+    """Free numbers from recordings, by one of SciPy's losses. Raises UsageError, StandError, StateError."""
+    if loss not in get_args(Loss):
+        raise UsageError(f'loss: unknown "{loss}"{suggestion(loss, get_args(Loss))}')
+    runs = [Run(recording, free) for recording in recordings]
+    problem = Problem(free, runs)
     samples = sum(int(run.there.sum()) for run in runs)
     if samples <= problem.size:
         raise UsageError(f"{samples} samples of sensors for {problem.size} unknown numbers: too few data")
-    z = np.zeros(problem.size)
-    for k in range(1 + ROUNDS):
-        tell(progress, Progress("fit", k, 1 + ROUNDS))
-        z = minimise(problem.residuals, problem.jacobian, z, loss)
+
+    def solve(z: Array) -> Array:
+        z = least_squares(problem.residuals, z, problem.jacobian, loss=loss, ftol=1e-9, xtol=1e-12, gtol=1e-12).x
         problem.reweigh(z, loss)
-    information = _information(problem, z, loss)
-    held = [] if fixed else undetermined_directions(free, runs, problem.split(z)[0], information)
-    if held:
-        problem.hold(held)
-        z = minimise(problem.residuals, problem.jacobian, problem.restore_held(z), loss)
-        problem.reweigh(z, loss)
-        information = _information(problem, z, loss)
-    return _result(problem, z, information, held)
+        return np.asarray(z)
 
-
-def _information(problem: Problem, z: Array, loss: Loss) -> Array:
-    """Triangular factor (k, k) of the inverse covariance, in natural sizes, with unknown starts, without priors."""
-    k, extra = problem.k, problem.size - problem.k
-    J = problem.jacobian(z)
-    data = (J * np.sqrt(weights_of(problem.residuals(z), loss))[:, None])[: -len(problem.prior_rows)]
-    nuisance = np.concatenate([data[:, k:], problem.prior_rows[k : problem.size, k:]])
-    whole = np.concatenate([nuisance, np.concatenate([data[:, :k], np.zeros((extra, k))])], axis=1)
-    return triangle(whole)[extra:, extra:]
-
-
-def _result(problem: Problem, z: Array, information: Array, held: list[Array]) -> Fit:
-    """The estimate at z, with its covariance by the weights of its own residuals."""
-    k = problem.k
-    scale = problem.scale[:k]
-    whole = np.concatenate([information, np.eye(k) / PRIOR])
-    inverse = np.linalg.pinv(whole.T @ whole) if k else np.zeros((0, 0))
+    z = solve(solve(np.zeros(problem.size)))
+    information = problem.information(z, loss)
+    _, sigma, rows = np.linalg.svd(information)
+    weak = _singles_first(rows[sigma * LARGE < 1.0])
+    if len(weak):
+        k, problem.basis = len(problem.basis), null_space(weak)
+        z = solve(np.concatenate([problem.basis.T @ z[:k], z[k:]]))
+        information = problem.information(z, loss)
     theta, starts = problem.split(z)
-    found = problem.differences(z)
-    return Fit(
-        theta, scale[:, None] * inverse * scale, starts, information, problem.noise,
-        [difference for difference, _ in found], [by_theta for by_theta, _ in problem.slopes],
-        [by_start for _, by_start in problem.slopes], [offset for _, offset in found], held,
-    )  # fmt: skip
+    spread = np.linalg.inv(information.T @ information + np.eye(len(information)) / PRIOR**2)
+    axes = free.scale[:, None] * problem.basis
+    differences = problem.differences(z)
+    fit = Fit(
+        theta,
+        axes @ spread @ axes.T,
+        weak,
+        problem.noise,
+        [r for r, _ in differences],
+        [o for _, o in differences],
+        starts,
+    )
+    return fit, runs
 
 
-def _there(array: Array, run: Run) -> Array:
-    """Rows of the samples that exist, (n) or (n, k)."""
-    return array[run.there]
+def _singles_first(weak: Array) -> Array:
+    """Orthonormal directions that span those of `weak` (q, k), nearly: axes of single numbers, then the rest."""
+    singles = np.linalg.norm(weak, axis=0) > WHOLE
+    _, sigma, rows = np.linalg.svd(np.where(singles, 0.0, weak), full_matrices=False)
+    return np.concatenate([np.eye(weak.shape[1])[singles], rows[sigma > 0.5]])
+
+
+def noise_of(measured: Array) -> Array:
+    """Noise (C) of channels (T, C) by their fourth differences, which motion hardly has."""
+    noise = []
+    for column in measured.T:
+        values = np.diff(column[np.isfinite(column)], 4)
+        noise.append(SIGMA * np.median(np.abs(values)) / np.sqrt(70.0) if len(values) else 0.0)
+    return np.asarray(np.maximum(np.array(noise), 1e-6 * np.nanstd(measured, axis=0) + 1e-12))
+
+
+def shares_left(run: Run, residuals: Array) -> tuple[Array, NDArray[np.bool_], NDArray[np.bool_]]:
+    """Of channels (C): what is left as a share of the data, NaN of constant ones; has it a signal; is the fit bad?"""
+    spread, left = np.nanstd(run.measured, axis=0), np.sqrt(np.nanmean(residuals**2, axis=0))
+    noise = np.maximum(np.minimum(run.noise, noise_of(residuals)), LEAST_NOISE)
+    heard = spread > HEARD * noise
+    shares = left / np.where(spread > LEAST_NOISE, spread, np.nan)
+    return shares, heard, heard & (shares > MUCH) & (left > ABOVE * noise)
+
+
+# -- what the data cannot tell ---------------------------------------------------------------------------------------
+
+
+def unobservable_lines(free: Free, runs: Sequence[Run], fit: Fit) -> list[str]:
+    """One line for each number, or combination of numbers, that the data do not tell, and what would show it."""
+    names = [path.removesuffix("_at") if ".unbalance." in path else path for path in free.paths]
+    lines: dict[str, None] = {}
+    for direction in fit.unobservable:
+        size = np.abs(direction)
+        parts = dict.fromkeys(names[i] for i in np.argsort(-size) if size[i] >= PART * size.max())
+        many = "their combination is" if len(parts) > 1 else "is"
+        lines[f"{', '.join(parts)}: {many} {_advice(free, runs, fit, direction, list(parts))}"] = None
+    return list(lines)
+
+
+def _advice(free: Free, runs: Sequence[Run], fit: Fit, direction: Array, names: Sequence[str]) -> str:
+    """Why data do not show a combination, and what would."""
+    wheels = [wheel.name for wheel in free.stand.flywheels]
+    own = [i for i, name in enumerate(wheels) if any(path.startswith(f"{name}.") for path in names)]
+    motions = [run.predictor.motion(np.linspace(0.0, run.duration, 200)) for run in runs]
+    still = [wheels[i] for i in own if all(np.abs(speeds[:, i]).max() < STILL for _, speeds, _ in motions)]
+    if still:
+        return f"not seen in the data: {', '.join(still)} stands still, let it turn"
+    if len(own) > 1 and all(
+        min(np.ptp(phi[:, a] - phi[:, b]), np.ptp(phi[:, a] + phi[:, b])) < TOGETHER
+        for phi, _, _ in motions for a in own for b in own if a < b
+    ):  # fmt: skip
+        return f"not seen: {' and '.join(wheels[i] for i in own)} turn at one speed in all data, let the speeds differ"
+    if any(np.any(np.ptp(speeds, axis=0) > STEADY * np.abs(speeds).max(axis=0) + 1e-6) for _, speeds, _ in motions):
+        return "not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
+    if _shown_by_swing(free, runs[0], fit, motions[0][1].mean(axis=0), direction):
+        return "not seen at constant speeds: add a run in which the speeds of the flywheels change"
+    return "not seen at constant speeds, nor if they changed: keep it as it is, or add a sensor at another place"
+
+
+def _shown_by_swing(free: Free, run: Run, fit: Fit, mean: Array, direction: Array) -> bool:
+    """Whether a run as long, in which all speeds (N, rad/s) swing about their means, would tell a combination."""
+    phases = [_swing(float(w), 3.0 + 0.7 * i, 0.3 * i) for i, w in enumerate(mean)]
+    every, whole = float(run.predictor.times[1] - run.predictor.times[0]), len(run.predictor.times)
+    predictor = Predictor(free.stand, phases, run.channels, 0.0, every, min(TRIAL, whole))
+    _, by = slopes(predictor, free, fit.theta, np.zeros(len(predictor.start_scale)))
+    by = ((by - by.mean(axis=0)) / fit.noise[0][:, None]).reshape(-1, by.shape[2])
+    k, D = free.size, len(predictor.start_scale)
+    R = np.asarray(np.linalg.qr(np.column_stack([by[:, k:], by[:, :k] @ direction[:k]]), mode="r"))
+    return bool(LARGE * abs(R[D, D]) * np.sqrt(whole / len(predictor.times)) > 1.0)
+
+
+def _swing(mean: float, rate: float, begin: float) -> Phase:
+    """Phase of a flywheel whose speed (rad/s) swings about its mean at `rate`, rad/s."""
+    size = max(SWING * abs(mean), LEAST_SWING)
+
+    def phase(t: Array, order: int = 0) -> Array:
+        shift = 0.5 * np.pi * order
+        drift = (begin + mean * t, mean, 0.0)[order]
+        return np.asarray(drift - size / rate * rate**order * np.cos(rate * t + shift))
+
+    return phase

@@ -8,192 +8,166 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import Field
 
+from mahovik.core.motion.document import document_of, text_of
+from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.fields import Table
 from mahovik.core.stand.inertia import inertia_about_origin
-from mahovik.core.stand.numbers import StandNumber, StandNumbers
-from mahovik.core.stand.units import TIME, Dimension
-from mahovik.errors import UsageError
+from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.units import TIME, QuantityError, number
+from mahovik.errors import DataError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.model import Model, build
+from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.signals import sensors
+from mahovik.use.measured.headers import sensors
 
 Array = NDArray[np.float64]
 
 SHARE = 0.02
 """Share of a moment of inertia that an unbalance or product may be which is zero in the file; for scaling."""
 
-SMALL_LENGTH, SMALL_ANGLE = 0.01, 0.02
-"""Sizes of places (m) and directions (rad) that are zero in the file."""
+SMALL_LENGTH, SMALL_ANGLE, SMALL_DELAY = 0.01, 0.02, 1e-3
+"""Sizes of places (m) and directions (rad) that are zero in the file, and of delays of sensors (s)."""
 
-STEP = 1e-4
-"""Step of central differences, of the scale of a number."""
-
-DELAY = "delay"
+UNBALANCE = ("static", "static_at", "dynamic", "dynamic_at")
 
 _LENGTHS = ("position", "pivot", "center_of_mass", "ground", "carrier", "center")
-_ANGLES = ("angles",)
 
 
-@dataclass(frozen=True)
-class Entry:
-    """One path or the two of an unbalance, with one theta each; `scale`: natural size of its theta, SI."""
+class FreeFile(Table):
+    """Keys of FREE.toml: paths that are free, and known delays of sensors by their point, s or texts with a unit."""
 
-    numbers: tuple[StandNumber, ...]
-    scale: float
-
-    @property
-    def polar(self) -> bool:
-        """Amount and angle, estimated by parts."""
-        return len(self.numbers) == 2
-
-    @property
-    def paths(self) -> tuple[str, ...]:
-        """Names of its results."""
-        return tuple(place.path for place in self.numbers)
-
-    def theta(self, values: Sequence[float]) -> list[float]:
-        """Numbers that are estimated, from values of the paths."""
-        if not self.polar:
-            return list(values)
-        amount, angle = values
-        return [amount * math.cos(angle), amount * math.sin(angle)]
-
-    def values(self, theta: Array) -> Array:
-        """Values of the paths (k, n) from theta (k, n)."""
-        if not self.polar:
-            return theta
-        return np.stack([np.hypot(theta[0], theta[1]), np.arctan2(theta[1], theta[0])])
-
-    def slopes(self, theta: Array) -> Array:
-        """d values / d theta (k, k) at theta (k)."""
-        if not self.polar:
-            return np.eye(1)
-        c, s = theta
-        r2 = c * c + s * s
-        r = math.sqrt(r2)
-        return np.array([[c / r, s / r], [-s / r2, c / r2]]) if r else np.full((2, 2), math.nan)
+    free: Annotated[list[str], Field(min_length=1)]
+    delay: Annotated[dict[str, Any], Field(default_factory=dict)]
 
 
 class Free:
-    """All free numbers of a stand.
+    """Free numbers of a stand; in theta the delays of sensors come after the numbers of the stand.
 
-    `delays`: points whose delay is free; their delays (s) come after the numbers of the stand in theta.
+    numbers  of the stand file; paths: names of all results
+    scale    natural size of each theta: that of the file, or where this is zero what a real stand may have
+    delayed  points whose delay is free; known: delays of points that are given, s
     """
 
-    def __init__(self, model: Model, paths: Sequence[str]) -> None:
+    def __init__(self, stand: Stand, paths: Sequence[str], known: Mapping[str, float] | None = None) -> None:
         """`paths`: as `StandNumbers.find` takes them; also `NAME.unbalance`, all of it, and `POINT.delay`."""
-        self.stand = Stand.of(model.stand)
-        numbers = StandNumbers(self.stand, self.stand.to_dict())
-        found: dict[str, StandNumber] = {}
-        delays: list[str] = []
-        for path in paths:
-            if path.endswith(f".{DELAY}"):
-                delays.append(_point(path, self.stand))
-                continue
-            whole = path.endswith(".unbalance")
-            for each in (
-                [f"{path}.{key}" for key in ("static", "static_at", "dynamic", "dynamic_at")] if whole else [path]
-            ):
-                found |= {place.path: place for place in numbers.find(each)}
-        if not found and not delays:
-            raise UsageError("--free: expected at least one path, such as w*.unbalance")
-        self.stand = Stand.from_dict(numbers.written_out(found.values()), self.stand.name)
-        self.model = build(self.stand)
-        self.delays = tuple(dict.fromkeys(delays))
-        self.entries = tuple(_entries(found, self.stand))
-
-    @property
-    def paths(self) -> tuple[str, ...]:
-        """Names of the results, with delays last."""
-        return (*(path for entry in self.entries for path in entry.paths), *(f"{p}.{DELAY}" for p in self.delays))
-
-    @property
-    def dimensions(self) -> tuple[Dimension, ...]:
-        """Dimensions of the results."""
-        return (*(place.dimension for e in self.entries for place in e.numbers), *(TIME for _ in self.delays))
+        self.known = dict(known or {})
+        points = sensors(stand)
+        free_delays = [path.removesuffix(".delay") for path in paths if path.endswith(".delay")]
+        for name in (*self.known, *free_delays):
+            if name not in points:
+                raise UsageError(
+                    f"{name}.delay: {stand.name} has no such point or instrument{suggestion(name, points)}"
+                )
+        self.delayed = tuple(dict.fromkeys(free_delays))
+        of_file = StandNumbers(stand, stand.to_dict())
+        chosen: dict[str, StandNumber] = {}
+        for path in (path for path in paths if not path.endswith(".delay")):
+            whole = [f"{path}.{key}" for key in UNBALANCE] if path.endswith(".unbalance") else [path]
+            chosen |= {place.path: place for each in whole for place in of_file.find(each)}
+        if not chosen and not self.delayed:
+            raise UsageError("free: expected at least one path, such as w*.unbalance")
+        self.numbers = tuple(chosen.values())
+        self.paths = (*chosen, *(f"{name}.delay" for name in self.delayed))
+        self.units = (*(place.dimension.si or "1" for place in self.numbers), *(TIME.si for _ in self.delayed))
+        self._pairs = [
+            (self.paths.index(path), self.paths.index(f"{path}_at"))
+            for path in chosen
+            if ".unbalance." in path and f"{path}_at" in chosen
+        ]
+        self.stand = Stand.from_dict(of_file.written_out(self.numbers), stand.name)
+        self._model = build(self.stand)
+        self.nominal = self._theta(np.array([*(place.value for place in self.numbers), *(0.0 for _ in self.delayed)]))
+        self.scale = np.array([*(_scale(x, stand) for x in self.numbers), *(SMALL_DELAY for _ in self.delayed)])
+        for amount, angle in self._pairs:
+            self.scale[angle] = self.scale[amount]
 
     @property
     def size(self) -> int:
         """How many numbers of the stand, without delays."""
-        return sum(len(entry.numbers) for entry in self.entries)
+        return len(self.numbers)
 
-    @property
-    def nominal(self) -> Array:
-        """theta of the stand file; delays zero."""
-        own = [t for entry in self.entries for t in entry.theta([place.value for place in entry.numbers])]
-        return np.array([*own, *(0.0 for _ in self.delays)])
+    def delays(self, theta: Array) -> dict[str, float]:
+        """Delays of points (s): the known ones, and those of theta in addition."""
+        free = dict(zip(self.delayed, theta[self.size :].tolist(), strict=True))
+        return {name: self.known.get(name, 0.0) + free.get(name, 0.0) for name in {**self.known, **free}}
 
-    @property
-    def scale(self) -> Array:
-        """Natural size of each theta; of a delay 1 ms."""
-        return np.array([*(e.scale for e in self.entries for _ in e.numbers), *(1e-3 for _ in self.delays)])
+    def _theta(self, values: Array) -> Array:
+        theta = values.copy()
+        for amount, angle in self._pairs:
+            theta[amount], theta[angle] = (values[amount] * f(values[angle]) for f in (math.cos, math.sin))
+        return theta
 
     def values(self, theta: Array) -> Array:
-        """Values of all paths (k, n) from theta (k, n)."""
-        rows = [entry.values(theta[own]) for entry, own in self._parts()]
-        return np.concatenate([*rows, theta[self.size :]]) if rows else theta
+        """Values of all paths (k, ...) from theta (k, ...)."""
+        values = theta.copy()
+        for amount, angle in self._pairs:
+            values[amount] = np.hypot(theta[amount], theta[angle])
+            values[angle] = np.arctan2(theta[angle], theta[amount])
+        return values
 
     def slopes(self, theta: Array) -> Array:
-        """d values / d theta (k, k)."""
-        found = np.eye(len(theta))
-        for entry, own in self._parts():
-            found[own, own] = entry.slopes(theta[own])
-        return found
-
-    def changes(self, theta: Array) -> Mapping[str, Array]:
-        """Changes for `Model.tables`, for n thetas (k, n)."""
-        values = self.values(theta)
-        paths = [path for entry in self.entries for path in entry.paths]
-        return {path: np.ascontiguousarray(values[i]) for i, path in enumerate(paths)}
+        """d values / d theta (k, k); NaN for the parts of no unbalance."""
+        slopes = np.eye(len(theta))
+        for amount, angle in self._pairs:
+            c, s = theta[amount], theta[angle]
+            r = math.hypot(c, s)
+            block = np.array([[c / r, s / r], [-s / r**2, c / r**2]]) if r else np.full((2, 2), math.nan)
+            slopes[np.ix_((amount, angle), (amount, angle))] = block
+        return slopes
 
     def tables(self, theta: Array) -> Tables:
         """Tables of the stands with n thetas (k, n). Raises StandError: a stand cannot be."""
-        return self.model.tables(self.changes(theta), theta.shape[1])
-
-    def _parts(self) -> list[tuple[Entry, slice]]:
-        found, row = [], 0
-        for entry in self.entries:
-            found.append((entry, slice(row, row + len(entry.numbers))))
-            row += len(entry.numbers)
-        return found
-
-
-def _entries(found: Mapping[str, StandNumber], stand: Stand) -> list[Entry]:
-    """Amounts and angles of unbalances together, where both are free."""
-    entries = []
-    for path, place in found.items():
-        amount = path.removesuffix("_at")
-        if path.endswith("_at") and ".unbalance." in path and amount in found:
-            continue
-        partner = found.get(f"{path}_at") if ".unbalance." in path else None
-        entries.append(Entry((place,) if partner is None else (place, partner), _scale(place, stand)))
-    return entries
+        values = np.ascontiguousarray(self.values(theta)[: self.size])
+        changes = {place.path: row for place, row in zip(self.numbers, values, strict=True)}
+        return self._model.tables(changes, theta.shape[1])
 
 
 def _scale(place: StandNumber, stand: Stand) -> float:
-    """Natural size of a number: as in the file; where that is zero, what a real stand may have."""
+    """Natural size of a number of the stand."""
     body = next((each for each in stand.bodies if each.name == place.body), None)
+    least = SHARE
     if ".unbalance." in place.path and body is not None and not place.key.endswith("_at"):
         spin = float(inertia_about_origin(body)[0, 0])
-        anywhere = SHARE * (math.sqrt(spin * body.mass) if place.key == "static" else spin)
-        return max(abs(place.value), anywhere)
-    if place.key == "inertia" and body is not None:
-        return max(abs(place.value), SHARE * float(np.trace(inertia_about_origin(body))))
-    if place.key in _LENGTHS:
-        return max(abs(place.value), SMALL_LENGTH)
-    if place.key in _ANGLES or place.key.endswith("_at"):
-        return max(abs(place.value), SMALL_ANGLE)
-    return abs(place.value) or SHARE
+        least = SHARE * (math.sqrt(spin * body.mass) if place.key == "static" else spin)
+    elif place.key == "inertia" and body is not None:
+        least = SHARE * float(np.trace(inertia_about_origin(body)))
+    elif place.key in _LENGTHS:
+        least = SMALL_LENGTH
+    elif place.key == "angles" or place.key.endswith("_at"):
+        least = SMALL_ANGLE
+    else:
+        return abs(place.value) or SHARE
+    return max(abs(place.value), least)
 
 
-def _point(path: str, stand: Stand) -> str:
-    known, name = sensors(stand), path.removesuffix(f".{DELAY}")
-    if name not in known:
-        raise UsageError(f'{path}: {stand.name} has no point or instrument "{name}"{suggestion(name, known)}')
-    return name
+def read_free(free: str | Sequence[str] | Mapping[str, Any]) -> tuple[tuple[str, ...], dict[str, float]]:
+    """Paths, and known delays of sensors (s): of texts separated by commas, of a file that ends in .toml, or its keys.
+
+    Raises DataError.
+    """
+    if isinstance(free, str) and not free.endswith(".toml"):
+        return tuple(path.strip() for path in free.split(",") if path.strip()), {}
+    if not isinstance(free, str | Mapping):
+        return tuple(free), {}
+    problems, delays = Problems(free if isinstance(free, str) else "free"), dict[str, float]()
+    document: Mapping[str, Any] = exact(free)
+    if isinstance(free, str):
+        document = document_of(text_of(Path(free), TABLE, DataError), free, DataError, is_json=False)
+    table = problems.valid(FreeFile, document)
+    for point, value in ({} if table is None else table.delay).items():
+        try:
+            delays[point] = number(value, TIME)
+        except QuantityError as error:
+            problems.add(f"delay.{point}: {error}")
+    if table is None or problems.lines:
+        raise DataError(problems.lines)
+    return tuple(table.free), delays

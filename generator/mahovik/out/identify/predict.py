@@ -1,195 +1,251 @@
-"""Channels of sensors while all flywheels turn as given, of n variants of a stand at once, by the batch C.
+"""Channels of sensors while all flywheels turn as measured, of n variants of a stand at once, by the batch C.
 
-Steps of order 4 of `step_driven`, whose tables and initial states differ from variant to variant.
+Phases of flywheels are fitted by splines, never differentiated. Steps of order 4 under given speeds; numbers and
+initial states differ from variant to variant. An initial state is exp(S q) from the home pose with V = S u: of a free
+carrier S = E and 12 numbers (q, u), of one with m freedoms 2 m.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Any, cast
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import BSpline, generate_knots, make_interp_spline, make_lsq_spline
+from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.functions import Motion
 from mahovik.core.motion.laws import SpeedLaw
 from mahovik.core.motion.regime import FlywheelRegime, Regime
-from mahovik.core.stand.state import State
+from mahovik.core.stand.hold import twists
 from mahovik.core.toolchain.block import PER_BLOCK, Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
-from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.out.campaign.holds import Holds
-from mahovik.out.campaign.observe import Chunk, Observer, Stepped
-from mahovik.out.campaign.pose import cross, turn_back
-from mahovik.out.campaign.values import Frame, frames_of
-from mahovik.out.identify.channels import REACTION, Channel
-from mahovik.out.identify.deviations import Deviations
+from mahovik.use.measured import Recording
+from mahovik.use.measured.headers import LETTERS, sensors
 from mahovik.use.simulate.case import Case
+from mahovik.use.simulate.course import motion
 from mahovik.use.simulate.held import home
 
 Array = NDArray[np.float64]
+Phase = Callable[..., Array]
+"""Phase of a flywheel over time (s), rad; with a second argument its derivative of that order."""
+
+DEGREE = 5
+"""Degree of the splines: the acceleration of a flywheel is smooth, too."""
+
+FEWEST, LEAST = 10, 50
+"""Samples an interval of a spline has at least, on average; samples of a phase that a fit needs."""
+
+SETTLED = 4
+"""Refinements without gain after which the search for knots ends."""
+
+ON_GRID = 1e-3
+"""Samples so near to the times of a prediction, in steps, are taken to be there."""
+
+NEAR_CORNER = 3.0
+"""Knots of a phase so near to one another, in steps of time, are at a corner."""
 
 TURN = 0.25
 """A step turns no flywheel by more, rad: the error of order 4 is then far below that of any sensor."""
 
-SIZE = 128
+SIZE = 16 * PER_BLOCK
 """Variants that are stepped together."""
+
+READINGS, TWIST, FORCE = 24, 15, 18
+"""Numbers of `points` of one sensor, the first of its angular velocity, the first of its specific force."""
+
+POSE, RATES = np.repeat([1e-2, 1e-1], 3), np.repeat([1e-1, 1.0], 3)
+"""Natural sizes of a shift (m) and a turn (rad), and of the two parts of a twist (m/s, rad/s)."""
+
+
+def channels_of(stand: Stand) -> tuple[str, ...]:
+    """Labels of all channels that can be predicted: of its sensors, and of the hold of a held carrier."""
+    of_hold = [] if stand.hold is None else [f"hold.reaction.{letter}" for letter in LETTERS]
+    return (
+        *(f"{name}.{key}.{axis}" for name in sensors(stand) for key in ("acceleration", "rate") for axis in "xyz"),
+        *of_hold,
+    )
+
+
+def phase_of(recording: Recording, stand: Stand, name: str) -> Phase:
+    """The phase of a flywheel over the time since the first sample of a recording. Raises UsageError."""
+    values = recording.get(f"{name}.phase")
+    if values is None:
+        hint = "; a speed does not tell where its unbalance is" if f"{name}.speed" in recording.frame else ""
+        raise UsageError(
+            f"{recording.source}: nothing tells the phase of {name}{hint}; expected a column "
+            f"{name}.count, {name}.phase [rad] or {name}.tacho"
+        )
+    there = np.isfinite(values)
+    if np.count_nonzero(there) < LEAST:
+        many = f"{np.count_nonzero(there)} samples, expected at least {LEAST}"
+        raise UsageError(f"{recording.source}: {name}.phase has {many}")
+    encoder = next(wheel.encoder for wheel in stand.flywheels if wheel.name == name)
+    latency = encoder.latency if encoder is not None and name in recording.counted else 0.0
+    return fit_phase(recording.t[there] - recording.t[0] - latency, values[there])
+
+
+def fit_phase(t: Array, phi: Array) -> Phase:
+    """The phase of a flywheel whose phases phi (rad, not wrapped) were seen at the times t (s).
+
+    Of a straight line and splines with knots where they are needed, such as at the end of a ramp, the one of least
+    Bayesian information criterion n ln(sum of squares / n) + p ln n: what is left is then rounding of counts and noise.
+    """
+    slope, begin = np.polyfit(t, phi, 1)
+    line = BSpline(np.repeat(t[[0, -1]], 2), begin + slope * t[[0, -1]], 1)
+    least, worse = _criterion(phi - line(t), 2), 0
+    best: Phase = line
+    for knots in generate_knots(t, phi, k=DEGREE, s=1e-24 * len(t)):
+        inner = len(knots) - 2 * DEGREE - 2
+        if worse == SETTLED or (inner and len(t) < FEWEST * inner):
+            break
+        spline = make_lsq_spline(t, phi, knots, k=DEGREE)
+        value = _criterion(phi - spline(t), 2 * inner + DEGREE + 1)  # a knot counts for its place, too
+        worse = 0 if value < least else worse + 1
+        if value < least:
+            least, best = value, spline
+    return best
+
+
+def corners_of(phase: Phase, every: float) -> Array:
+    """Times (s) at which the acceleration of a fitted phase jumps: knots are as near there as samples, `every` s."""
+    knots = np.unique(phase.t) if isinstance(phase, BSpline) else np.zeros(0)
+    return np.asarray(knots[:-1][np.diff(knots) < NEAR_CORNER * every])
+
+
+def _criterion(residual: Array, numbers: int) -> float:
+    n = len(residual)
+    mean = max(float(np.mean(residual**2)), 1e-24)  # rounding of a double is the least noise
+    return n * math.log(mean) + numbers * math.log(n)
 
 
 @dataclass(frozen=True, eq=False)
-class Shifted(SpeedLaw):
-    """A law as seen from the time `by` (s) on: t = 0 is there."""
+class MeasuredSpeed(SpeedLaw):
+    """Law of a flywheel by its phase over time; t = 0 of the law is at `begin`, s."""
 
-    law: SpeedLaw
-    by: float
-
-    @property
-    def breaks(self) -> tuple[float, ...]:
-        """Times at which the acceleration of the law jumps, s."""
-        return tuple(each - self.by for each in self.law.breaks)
+    phase: Phase
+    begin: float
 
     def motion(self, t: Array) -> Motion:
-        """Motion at the times t (s)."""
-        begin = self.law.motion(np.array([self.by]))[0]
-        phi, phi_dot, phi_ddot = self.law.motion(t + self.by)
-        return phi - begin, phi_dot, phi_ddot
-
-
-def shift_regime(regime: Regime, by: float) -> Regime:
-    """A regime of given speeds, seen from the time `by` (s) on."""
-    turned = regime.motion(np.array([by]))[0][0].tolist()
-    driven = (
-        FlywheelRegime(each.name, Shifted(cast(SpeedLaw, each.law), by), (each.phase or 0.0) + turn)
-        for each, turn in zip(regime.flywheels, turned, strict=True)
-    )
-    return Regime(regime.name, tuple(driven), regime.wrenches)
+        """Motion at the times t (s); the phase is counted from t = 0."""
+        turned = self.phase(t + self.begin) - self.phase(np.array([self.begin]))
+        return turned, self.phase(t + self.begin, 1), self.phase(t + self.begin, 2)
 
 
 class Predictor:
     """Predicts channels at `count` evenly spaced times from `begin` (s) on, `every` s apart.
 
-    `regime` gives the speeds of all flywheels; `start` is the nominal state of the carrier at `begin`, from which
-    initial states differ (see Deviations); of a held carrier it is the home pose by default. Raises UsageError.
+    phases  of all flywheels; channels: labels, see `channels_of`
+    start_scale  natural sizes of the numbers of an initial state (D)
     """
 
     def __init__(
-        self,
-        stand: Stand,
-        regime: Regime,
-        channels: Sequence[Channel],
-        begin: float,
-        every: float,
-        count: int,
-        start: State | None = None,
+        self, stand: Stand, phases: Sequence[Phase], channels: Sequence[str], begin: float, every: float, count: int
     ) -> None:
-        if regime.by_torque:
-            raise UsageError(f"{regime.name}: expected the speeds of all flywheels, found a flywheel driven by torque")
-        if not stand.flywheels:
+        if not phases:
             raise UsageError(f"{stand.name} has no flywheel, expected at least one: a still one has a constant phase")
-        if count < 2:
-            raise UsageError(f"expected at least 2 samples, found {count}")
-        N = len(stand.flywheels)
-        self.stand, self.channels, self.begin, self.every, self.count = stand, tuple(channels), begin, every, count
-        own = regime if begin == 0.0 else shift_regime(regime, begin)
-        until = every * (count - 1)
-        fastest = float(np.abs(own.motion(np.linspace(0.0, until, 1000))[1]).max()) if N else 0.0
+        self.stand, self.phases, self.channels = stand, tuple(phases), tuple(channels)
+        self.times: Array = begin + every * np.arange(count, dtype=np.float64)
+        fastest = float(np.abs(self.motion(self.times)[1]).max())
+        wheels = tuple(
+            FlywheelRegime(wheel.name, MeasuredSpeed(phase, begin), float(phase(np.array([begin]))[0]))
+            for wheel, phase in zip(stand.flywheels, phases, strict=True)
+        )
         dt = min(every, TURN / fastest) if fastest else every
-        still = State((0.0,) * 3, None, None, (0.0,) * 6, *((0.0,) * N,) * 3, (0.0,) * 6, (0.0,) * N)
-        self.deviations = Deviations(stand)
-        if start is None and stand.hold is not None:
-            still = replace(still, **{name: getattr(home(stand), name) for name in ("position", "quaternion", "u")})
-        self._case = Case(stand, own, start or still, until, every, dt)
+        self._case = Case(stand, Regime("measured", wheels, {}), home(stand), every * (count - 1), every, dt)
         self._made = compile_library(stand)
-        self._course = Stepped(self._case, 1)
-        self._gravity = np.array(stand.gravity)
+        names = sensors(stand)
+        self._rows = np.array([_row(label, names) for label in channels], dtype=int)
+        held = np.any(self._rows >= READINGS * len(names))
+        self._needs = {"readings", "reaction"} if held else {"readings"}
+        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        turns = np.any(S[3:] != 0.0, axis=0)
+        sizes = (POSE, RATES) if stand.hold is None else [np.where(turns, size[3], size[0]) for size in (POSE, RATES)]
+        self.start_scale: Array = np.concatenate(sizes)
 
-    @property
-    def times(self) -> Array:
-        """Times of the predicted samples, s."""
-        return self.begin + self.every * np.arange(self.count, dtype=np.float64)
+    def motion(self, t: Array) -> tuple[Array, Array, Array]:
+        """Phases, speeds and accelerations (T, N) of all flywheels."""
+        phi, speeds, rates = (np.column_stack([phase(t, order) for phase in self.phases]) for order in range(3))
+        return phi, speeds, rates
 
-    def __call__(self, tables: Tables, starts: Array | None = None) -> Array:
-        """Channels (count, C, n), SI, of the stands of `tables`, with deviations of the initial states (n, D).
+    def __call__(self, tables: Tables, starts: Array) -> Array:
+        """Channels (count, C, n), SI, of the stands of `tables` from initial states of the numbers `starts` (D, n).
 
         Raises StateError: a variant leaves the computable range.
         """
         n = len(tables)
-        found = np.zeros((self.count, len(self.channels), n))
-        starts = np.zeros((n, self.deviations.count)) if starts is None else starts
-        holds = Holds.of(self.stand, tables)
-        for first in range(0, n, SIZE // PER_BLOCK * PER_BLOCK):
-            block = Block(self.stand, self._made, min(SIZE, n - first), tables.block, first)
-            own = slice(first, first + block.n)
-            self._begin(block, starts[own].T, None if holds is None else holds.part(own))
-            self._run(block, found[:, :, own])
-        return found
+        x, out = self._states(tables, starts), np.empty((len(self.times), len(self.channels), n))
+        for first in range(0, n, SIZE):
+            part, row = slice(first, min(first + SIZE, n)), 0
+            block = Block(self.stand, self._made, part.stop - first, tables.block, first)
+            block.x[:13] = x[:, part]
+            for at in motion(self._case, block, self._needs):
+                out[row : row + len(at.t), :, part] = np.concatenate([at.readings, at.reaction], axis=1)[:, self._rows]
+                row += len(at.t)
+            for j in np.flatnonzero(block.status < 0).tolist():
+                raise StateError(f"{self.stand.name}: variant {first + j}: {block.reason(j)}")
+        return out
 
-    def states(self) -> tuple[Array, Array]:
-        """States (count, 13 + 2 N) and V_dot (count, 6) of the stand itself, from its nominal initial state.
+    def _states(self, tables: Tables, starts: Array) -> Array:
+        """Position, attitude and twist (13, n)."""
+        hold, n = self.stand.hold, len(tables)
+        S, still = np.eye(6)[..., None], home(self.stand)
+        position, attitude = np.array(still.position)[:, None], np.array(still.quaternion)[:, None]
+        if hold is not None:
+            laws = tables.laws()  # of these those that differ
+            position, attitude = laws.get("home_position", position), laws.get("home_attitude", attitude)
+            S = laws.get("S", twists(hold)[..., None])
+        S = np.broadcast_to(S, (*S.shape[:2], n))
+        m = S.shape[1]
+        step, V = (np.einsum("imn,mn->in", S, part) for part in (starts[:m], starts[m:]))
+        C = Rotation.from_quat(np.broadcast_to(attitude, (4, n)).T, scalar_first=True)
+        moved = position + C.apply(_shift(step[:3], step[3:]).T).T
+        return np.concatenate([moved, (C * Rotation.from_rotvec(step[3:].T)).as_quat(scalar_first=True).T, V])
 
-        Raises StateError.
-        """
-        tables = build(self.stand).tables({}, 1)
-        block = Block(self.stand, self._made, 1, tables.block)
-        self._begin(block, np.zeros((self.deviations.count, 1)))
-        states, rates = [], []
 
-        def consume(chunk: Chunk) -> None:
-            states.append(chunk.state[:, :, 0].copy())
-            rates.append(chunk.V_dot[:, :, 0].copy())
+def _row(label: str, names: Sequence[str]) -> int:
+    """Place of a channel among the numbers of `points`, then `reaction`."""
+    name, quantity, axis = label.split(".")
+    if quantity == "reaction":
+        return READINGS * len(names) + LETTERS.index(axis)
+    return READINGS * names.index(name) + (TWIST if quantity == "rate" else FORCE) + LETTERS.index(axis)
 
-        observer = Observer(block, {"V_dot", "speeds"}, consume)
-        self._course.run(block, observer)
-        observer.flush()
-        self._require_in_range(block)
-        return np.concatenate(states), np.concatenate(rates)
 
-    def _begin(self, block: Block, deviation: Array, holds: Holds | None = None) -> None:
-        x = self.deviations.states(self._case.start, deviation)
-        block.x[:13] = x if holds is None else holds.states(x)
+def _shift(v: Array, r: Array) -> Array:
+    """Shift (3, n) of the screw motion with the twist (v, r), which turns by r: (E + a <r> + b <r>^2) v."""
+    angle = np.linalg.norm(r, axis=0)
+    small = angle < 1e-3
+    size = np.where(small, 1.0, angle)
+    a = 0.5 * np.sinc(0.5 * angle / np.pi) ** 2  # (1 - cos angle) / angle^2
+    b = np.where(small, 1.0 / 6.0 - angle**2 / 120.0, (size - np.sin(size)) / size**3)
+    across = np.cross(r, v, axis=0)
+    return np.asarray(v + a * across + b * np.cross(r, across, axis=0))
 
-    def _run(self, block: Block, out: Array) -> None:
-        readings = None
-        if block.has("points"):
-            block.call("points")
-            readings = block.found["points"]
-        frames = frames_of(self.stand, block.x, readings)
-        row = 0
 
-        def consume(chunk: Chunk) -> None:
-            nonlocal row
-            own = out[row : row + len(chunk.t)]
-            row += len(own)
-            measured: dict[tuple[str, str], Any] = {}
-            for c, channel in enumerate(self.channels):
-                key = channel.point, channel.kind
-                if key not in measured and channel.kind == REACTION:
-                    measured[key] = chunk.reaction
-                elif key not in measured:
-                    measured[key] = self._sensor_values(channel.kind, frames[channel.point], chunk)
-                own[:, c] = measured[key][:, channel.axis]
+class Samples:
+    """Predicted channels at the times of samples, which sensors tell later than they see them.
 
-        needs = {"V_dot", *(channel.kind for channel in self.channels if channel.kind == REACTION)}
-        observer = Observer(block, needs, consume)
-        self._course.run(block, observer)
-        observer.flush()
-        self._require_in_range(block)
+    times  of the samples (T, s); grid: even times of the prediction (G, s)
+    """
 
-    def _require_in_range(self, block: Block) -> None:
-        for j in np.flatnonzero(block.status < 0).tolist():
-            raise StateError(f"{self.stand.name}: variant {block.first + j}: {block.reason(j)}")
+    def __init__(self, grid: Array, times: Array, channels: Sequence[str]) -> None:
+        self._grid, self._times = grid, times
+        self._names = np.array([label.partition(".")[0] for label in channels])
 
-    def _sensor_values(self, kind: str, frame: Frame, at: Chunk) -> Array:
-        """Specific force (m/s2) or angular velocity (rad/s) in the axes of a point (K, 3, n)."""
-        omega = at.V[:, 3:]
-        if kind == "rate":
-            return turn_back(frame.A, omega)
-        r = frame.r
-        a = at.V_dot[:, :3] + cross(at.V_dot[:, 3:], r) + cross(omega, at.V[:, :3] + cross(omega, r))
-        if self._gravity.any():
-            a = a - turn_back(at.C, np.broadcast_to(self._gravity[:, None], at.V[:, :3].shape))
-        return turn_back(frame.A, a)
+    def at(self, course: Array, delays: dict[str, float], order: int = 0) -> Array:
+        """Channels (T, C, n) of their course (G, C, n) with delays of points (s); or derivatives by time."""
+        seen = np.empty((len(self._times), *course.shape[1:]))
+        for name in np.unique(self._names):
+            own, t = self._names == name, self._times - delays.get(name, 0.0)
+            places = (t - self._grid[0]) / (self._grid[1] - self._grid[0])
+            whole = np.round(places).astype(int)
+            if order == 0 and np.abs(places - whole).max() < ON_GRID:
+                seen[:, own] = course[whole][:, own]
+            else:
+                seen[:, own] = make_interp_spline(self._grid, course[:, own], k=DEGREE)(t, order)
+        return seen

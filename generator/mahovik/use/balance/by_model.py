@@ -5,7 +5,9 @@ A unit static unbalance U at angle a from the flywheel's second axis, in the pla
     w = Re(U exp(i (phi + a)) W),  W = (phi'^2 f, (o + x e1) x phi'^2 f + f x g),  f = e2 - i e3
 
 on the carrier about O1 in E1, with the flywheel's axes e1, e2, e3 at phase zero, its origin o and gravity g there. The
-carrier's linear response to it (`use.vibration.plant`) gives the influence on each channel.
+carrier's linear response to it (`use.vibration.plant`) gives the influence on each channel. What was measured is the
+first order of each flywheel, x = Re(X exp(i phi)), by least squares over a recording; regressors are a constant, a
+drift, and cos, sin of each flywheel's phase and of twice it.
 """
 
 from __future__ import annotations
@@ -15,17 +17,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.stand.balance import grade
 from mahovik.core.stand.frames import pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
-from mahovik.use.balance.choices import Choice
-from mahovik.use.balance.first_order import FirstOrder, first_order
-from mahovik.use.balance.influence import INDEPENDENT, Influence
-from mahovik.use.balance.pieces import Made, choose_pieces
-from mahovik.use.balance.polar import Array, Complex
+from mahovik.use.balance.influence import INDEPENDENT, Array, Complex
+from mahovik.use.balance.pieces import Choice, Made, choose_pieces
 from mahovik.use.measured import Recording
+from mahovik.use.measured.headers import AXES, LETTERS
 from mahovik.use.study.linear.model import places
 from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.scene import Scene
@@ -37,30 +38,109 @@ HALF_WIDTH = 1.959963984540054
 RADIUS = math.sqrt(-2.0 * math.log(0.05))
 """Standard errors of one component in the radius of a circle that has 95 % of a plane's normal distribution."""
 
+WORTH, SECONDS = 1e-3, 10.0
+"""Part of the vibration by which a piece has to lower it; wall-clock limit of the choice for one flywheel, s."""
 
-WORTH = 1e-3
-"""Part of the vibration by which a piece has to lower it."""
+VARIES, PARTS = 0.01, 8
+"""Largest relative change of a speed between the parts of a recording, and how many parts."""
 
-SECONDS = 10.0
-"""Wall-clock limit of the choice of pieces for one flywheel."""
+LEAST = 1.0
+"""rad/s: slower flywheels stand still."""
 
-Change = tuple[tuple[str, float, float], ...]
-"""Quantity, and amplitude before and after."""
+FLOOR = 1e-9
+"""Smallest standard error, as a part of the largest amplitude of a quantity."""
 
 
 @dataclass(frozen=True, eq=False)
-class First:
-    """First order of a flywheel in one recording.
+class FirstOrders:
+    """First orders X (K, N) in the K channels of a recording, at speeds (N, rad/s; 0 where a flywheel has no phase).
 
-    recording  its number; channels  labels (K)
-    measured   (K): x = Re(measured exp(i phi)); influence  (K, P): of 1 kg m in each plane
+    error   (K, N): standard error of each of the two components of X
     """
 
-    recording: int
-    speed: float
+    speeds: Array
     channels: tuple[str, ...]
-    measured: Complex
-    influence: Complex
+    X: Complex
+    error: Array
+
+
+def first_orders(recording: Recording, stand: Stand) -> FirstOrders:
+    """First orders of a recording at constant speeds, none that of another or twice it. Raises BalanceError."""
+    channels = tuple(label for label in recording.frame if quantity_of(label))
+    if not channels:
+        what = "a point" if stand.hold is None else "a point, and no reaction of the hold,"
+        raise BalanceError([f"{recording.source}: no acceleration or rate of {what} of {stand.name}"])
+    names, N = [wheel.name for wheel in stand.flywheels], len(stand.flywheels)
+    phases = [recording.get(f"{name}.phase") for name in names]
+    speeds = np.array([_speed(recording, name, phase) for name, phase in zip(names, phases, strict=True)])
+    turning = np.flatnonzero(speeds).tolist()
+    if not turning:
+        raise BalanceError([f"{recording.source}: no flywheel turns; give phase, count or tacho of those that do"])
+    _require_apart(recording, names, speeds)
+    t = recording.t - recording.t.mean()
+    columns = [np.ones(len(t)), t / (np.abs(t).max() or 1.0)]
+    turned = [np.asarray(phases[s]) for s in turning]
+    columns += [f(order * phase) for order in (1, 2) for phase in turned for f in (np.cos, np.sin)]
+    regressors = np.column_stack(columns)
+    X, error = np.zeros((len(channels), N), dtype=np.complex128), np.full((len(channels), N), np.inf)
+    first = slice(2, 2 + 2 * len(turning), 2), slice(3, 3 + 2 * len(turning), 2)
+    for k, label in enumerate(channels):
+        values = recording.frame[label].to_numpy()
+        there = np.isfinite(values) & np.isfinite(regressors).all(axis=1)
+        R, x = regressors[there], values[there]
+        if len(x) < 2 * R.shape[1]:
+            many = f"{len(x)} samples with every phase, expected at least {2 * R.shape[1]}"
+            raise BalanceError([f"{recording.source}: {label}: {many}; record for longer"])
+        c = np.linalg.lstsq(R, x, rcond=None)[0]
+        variance = float(np.sum((x - R @ c) ** 2)) / (len(x) - R.shape[1])
+        spread = np.sqrt(variance * np.diag(np.linalg.pinv(R.T @ R)))
+        X[k, turning] = c[first[0]] - 1j * c[first[1]]
+        error[k, turning] = np.maximum(spread[first[0]], spread[first[1]])
+    kinds = np.array([quantity_of(label) for label in channels])
+    for kind in np.unique(kinds):
+        rows = kinds == kind
+        error[rows] = np.maximum(error[rows], FLOOR * np.abs(X[rows]).max(initial=0.0) or 1e-300)
+    return FirstOrders(speeds, channels, X, error)
+
+
+def quantity_of(label: str) -> str:
+    """Quantity of a channel: acceleration, rate, force or moment; "" of others."""
+    quantity, _, component = label.partition(".")[2].partition(".")
+    if quantity == "reaction":
+        return "force" if component in AXES else "moment"
+    return quantity if component else ""
+
+
+def _speed(recording: Recording, name: str, phase: Array | None) -> float:
+    """Mean speed, rad/s; 0 if the flywheel stands still. Raises BalanceError: it is not constant."""
+    there = np.flatnonzero(np.isfinite(phase)) if phase is not None else np.zeros(0, dtype=int)
+    if phase is None or len(there) < 2 * PARTS:
+        return 0.0
+    ends = there[np.linspace(0, len(there) - 1, PARTS + 1).astype(int)]
+    parts = np.diff(phase[ends]) / np.diff(recording.t[ends])
+    mean = float((phase[ends[-1]] - phase[ends[0]]) / (recording.t[ends[-1]] - recording.t[ends[0]]))
+    if abs(mean) < LEAST:
+        return 0.0
+    change = float(np.abs(parts / mean - 1.0).max())
+    if change > VARIES:
+        words = f"speed changes by {100 * change:.3g} %, expected at most {100 * VARIES:g} %; record at constant speed"
+        raise BalanceError([f"{recording.source}: {name}: {words}"])
+    return mean
+
+
+def _require_apart(recording: Recording, names: Sequence[str], speeds: Array) -> None:
+    """Raise BalanceError if the recording cannot tell a flywheel from another, or from twice the phase of another."""
+    beat, size = 2.0 * np.pi / float(np.ptp(recording.t)), np.abs(speeds)
+    advice = f"{beat:.3g} rad/s, one beat; let one turn faster, or record longer"
+    turning = np.flatnonzero(speeds).tolist()
+    for s in turning:
+        for r in turning:
+            if s < r and abs(size[s] - size[r]) < beat:
+                found = f"{names[s]} and {names[r]}: speeds differ by less than {advice}"
+                raise BalanceError([f"{recording.source}: {found}"])
+            if abs(2.0 * size[r] - size[s]) < beat:
+                found = f"{names[s]} turns at twice the speed of {names[r]} within {advice}"
+                raise BalanceError([f"{recording.source}: {found}"])
 
 
 @dataclass(frozen=True)
@@ -79,11 +159,9 @@ class WheelBalance:
     w         (P): corrections; their angle is counted from the flywheel's second axis
     covariance  (P, P): of w; a component of w_k has the variance covariance_kk
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
-    vibration   amplitude of the first order of each quantity (root of the sum of squares over its channels) as
-                measured and with the corrections, at the fastest of the recordings
-    firsts      in each recording in which the flywheel turns
+    vibration   by quantity: amplitude of the first order (root of the sum of squares over its channels) as measured and
+                with the corrections, at the fastest of the recordings
     made        pieces that stand for w; None where any correction can be made
-    simulated   as `vibration`, by the full equations with the unbalance found; empty: not simulated
     """
 
     name: str
@@ -93,10 +171,8 @@ class WheelBalance:
     w: Complex
     covariance: Complex
     fit: float
-    vibration: Change = ()
-    firsts: tuple[First, ...] = ()
+    vibration: Mapping[str, tuple[float, float]]
     made: Made | None = None
-    simulated: Change = ()
 
     @property
     def applied(self) -> Complex:
@@ -120,7 +196,7 @@ class WheelBalance:
 
     @property
     def static(self) -> complex:
-        """Static unbalance that was found, kg m."""
+        """Static unbalance of the flywheel as it was measured, kg m."""
         return -complex(self.w.sum())
 
     @property
@@ -142,102 +218,79 @@ def balance_wheels(
 
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
-    found = [first_order(each, stand) for each in recordings]
+    measured = [first_orders(each, stand) for each in recordings]
     scene = Scene.of(stand)
     plant = Plant.of(scene)
-    turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in found], axis=0))
-    return tuple(_wheel(scene, plant, int(s), planes.get(stand.flywheels[s].name, Planes()), found) for s in turning)
+    turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in measured], axis=0)).tolist()
+    return tuple(_wheel(scene, plant, s, planes.get(stand.flywheels[s].name, Planes()), measured) for s in turning)
 
 
-def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, found: Sequence[FirstOrder]) -> WheelBalance:
-    flywheel, positions = scene.stand.flywheels[s], planes.positions
-    firsts = tuple(
-        First(
-            k,
-            float(each.speeds[s]),
-            tuple(channel.label for channel in each.channels),
-            each.X[:, s],
-            influences(scene, plant, s, positions, each),
-        )
-        for k, each in enumerate(found)
-        if each.speeds[s]
-    )
-    alpha, X = np.vstack([each.influence for each in firsts]), np.concatenate([each.measured for each in firsts])
-    error = np.concatenate([found[each.recording].error[:, s] for each in firsts])
-    weighted, M, P = alpha / error[:, None], len(X), len(positions)
+def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, measured: Sequence[FirstOrders]) -> WheelBalance:
+    flywheel, positions, P = scene.stand.flywheels[s], planes.positions, len(planes.positions)
+    seen = sorted((each for each in measured if each.speeds[s]), key=lambda each: -abs(each.speeds[s]))
+    alpha = np.vstack([influences(scene, plant, s, positions, each) for each in seen])
+    X, error = (np.concatenate([getattr(each, key)[:, s] for each in seen]) for key in ("X", "error"))
+    labels = np.array([quantity_of(label) for each in seen for label in each.channels])
+    weighted, M = alpha / error[:, None], len(X)
     size = np.linalg.norm(weighted, axis=0)
-    sizes = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
-    if M < P or not np.all(size) or sizes[-1] < INDEPENDENT * sizes[0]:
+    sigma = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
+    if M < P or not np.all(size) or sigma[-1] < INDEPENDENT * sigma[0]:
         at = ", ".join(f"{1e3 * x:g} mm" for x in positions)
         words = f"planes at {at} act alike on these channels; use fewer planes or more sensors"
         raise BalanceError([f"{flywheel.name}: {words}"])
     w = np.linalg.lstsq(weighted, -X / error, rcond=None)[0]
-    left = (X + alpha @ w) / error
-    fit = math.sqrt(float(np.sum(np.abs(left) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
+    fit = math.sqrt(float(np.sum(np.abs((X + alpha @ w) / error) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
     covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2, dtype=np.complex128)
-    fastest = max(firsts, key=lambda each: abs(each.speed))
-    wheel = WheelBalance(flywheel.name, flywheel.mass, fastest.speed, positions, w, covariance, fit, firsts=firsts)
-    if any(each is not None for each in planes.choices):
-        wheel = replace(wheel, made=choose_pieces(_problem(wheel, planes.choices), WORTH, SECONDS))
-    after = fastest.measured + fastest.influence @ wheel.applied
-    return replace(wheel, vibration=amplitudes(fastest.channels, fastest.measured, after))
+    speed = float(seen[0].speeds[s])
+    wheel = WheelBalance(flywheel.name, flywheel.mass, speed, positions, w, covariance, fit, {})
+    if any(choice is not None for choice in planes.choices):
+        wheel = replace(wheel, made=_best_pieces(alpha, labels, w, planes.choices))
+    fastest = slice(0, len(seen[0].channels))
+    after = (X + alpha @ wheel.applied)[fastest]
+    vibration = {}
+    for kind in dict.fromkeys(labels[fastest].tolist()):
+        own = labels[fastest] == kind
+        vibration[kind] = float(np.linalg.norm(X[fastest][own])), float(np.linalg.norm(after[own]))
+    return replace(wheel, vibration=vibration)
 
 
-def _problem(wheel: WheelBalance, choices: tuple[Choice | None, ...]) -> Influence:
-    """What pieces make least: the modelled vibration in all channels and recordings, by its principal components.
+def _best_pieces(alpha: Complex, labels: NDArray[np.str_], w: Complex, choices: tuple[Choice | None, ...]) -> Made:
+    """The pieces that make the modelled vibration in all channels and recordings least, by its principal components.
 
     Each quantity counts as a part of its largest amplitude. With A = U S V^H of the influences, the vibration that is
     left by corrections c has the components S V^H (c - w), and their root of the sum of squares is that over all rows.
     """
-    alpha = np.vstack([each.influence for each in wheel.firsts])
-    labels = np.array([_quantity(label) for each in wheel.firsts for label in each.channels])
-    before = np.abs(alpha @ wheel.w)
+    before = np.abs(alpha @ w)
     size = np.array([before[labels == label].max() for label in labels])
     size[size == 0.0] = np.inf
-    _, s, Vh = np.linalg.svd(alpha / size[:, None], full_matrices=False)
-    influence = s[:, None] * Vh
-    return Influence(-influence @ wheel.w, influence, None, np.full(len(wheel.w), np.inf), choices)
+    _, sigma, rows = np.linalg.svd(alpha / size[:, None], full_matrices=False)
+    influence = sigma[:, None] * rows
+    return choose_pieces(-influence @ w, influence, choices, WORTH, SECONDS)
 
 
-def amplitudes(channels: Sequence[str], before: Complex, after: Complex) -> Change:
-    """Root of the sum of squares over the channels (K labels) of each quantity, of first orders (K)."""
-    rows = []
-    for quantity in ("acceleration", "rate", "force", "moment"):
-        own = [k for k, label in enumerate(channels) if _quantity(label) == quantity]
-        if own:
-            rows.append((quantity, float(np.linalg.norm(before[own])), float(np.linalg.norm(after[own]))))
-    return tuple(rows)
-
-
-def _quantity(label: str) -> str:
-    """Quantity of a channel by its label; of a reaction force or moment, which differ in their unit."""
-    _, quantity, component = label.rsplit(".", 2)
-    return quantity if quantity != "reaction" else "force" if component in "xyz" else "moment"
-
-
-def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], found: FirstOrder) -> Complex:
+def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], measured: FirstOrders) -> Complex:
     """Influence (K, P) of 1 kg m at angle zero in each plane on the channels, at the speeds of a recording."""
-    speed, omega = float(found.speeds[s]), np.array([[abs(found.speeds[s])]])
+    speeds, speed = measured.speeds[None], float(measured.speeds[s])
+    omega = np.abs(speeds[:, [s]])
     origin, axes = pose(scene.stand, scene.stand.flywheels[s])
     gravity = scene.chart.C.T @ np.array(scene.stand.gravity)
     f = axes[:, 1] - 1j * axes[:, 2]
     force = speed**2 * f
     moments = [np.cross(origin + x * axes[:, 0], force) + np.cross(f, gravity) for x in positions]
-    wrench = np.array([np.concatenate([force, moment]) for moment in moments]).T
+    wrench = np.array([np.concatenate([force, moment]) for moment in moments]).T[None, None]
     if speed < 0.0:
         wrench = wrench.conj()
-    moved = plant.pose(found.speeds[None], omega, wrench[None, None])
+    moved = plant.pose(speeds, omega, wrench)
     motion = moved[0, 0].T  # (P, 6)
     rows = []
-    for channel in found.channels:
-        if channel.quantity == "reaction":
-            reaction = plant.reaction(found.speeds[None], omega, moved, wrench[None, None])[0, 0]
-            rows.append(reaction["xyzkmn".index(channel.component)])
+    for name, quantity, component in (label.split(".") for label in measured.channels):
+        if quantity == "reaction":
+            rows.append(plant.reaction(speeds, omega, moved, wrench)[0, 0][LETTERS.index(component)])
             continue
-        (where,) = places(scene.stand, [channel.name])
-        values = View.of(where, channel.quantity).by_pose(motion, omega[0])
-        if channel.quantity == "acceleration":  # specific force: the point's axes turn against gravity
+        (where,) = places(scene.stand, [name])
+        values = View.of(where, quantity).by_pose(motion, omega[0])
+        if quantity == "acceleration":  # specific force: the point's axes turn against gravity
             values = values + np.cross(View.of(where, "angle").by_pose(motion, omega[0]), where.axes.T @ gravity)
-        rows.append(values[:, "xyz".index(channel.component)])
+        rows.append(values[:, AXES.index(component)])
     influence = np.array(rows)
     return influence.conj() if speed < 0.0 else influence

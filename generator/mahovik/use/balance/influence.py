@@ -1,39 +1,67 @@
-"""Vibration before balancing and influence coefficients of planes: read from JSON, checked.
+"""Correction weights of any rotor by influence coefficients: vibration and trial runs read from JSON, and solved.
 
     r = A + ALPHA w
 
 A (M): vibration, a row for each sensor at each speed. ALPHA (M, N): influence of a unit weight in each plane. w (N):
-correction weights, r (M): what is left. All complex. From trial runs: column k of B is the vibration with trial weight
-U_k in plane k, and
+correction weights, r (M): what is left. All complex, written amplitude@degrees. From trial runs: column k of B is the
+vibration with trial weight U_k in plane k, and
 
     ALPHA_k = (B_k - A) / U_k,  or  (B_k - B_{k-1}) / U_k, B_0 = A,  where earlier trial weights stay on (keep_trial).
 
-In both cases w acts on the rotor without trial weights. T. P. Goodman, A Least-Squares Method for Computing Balance
-Corrections, Journal of Engineering for Industry 86 (1964), 273-277.
+In both cases w acts on the rotor without trial weights. Without phase, of one sensor and one plane, amplitudes a before
+and b_k with trial weights U_k tell ALPHA relative to A = a:
+
+    b_k^2 = a^2 + |ALPHA|^2 |U_k|^2 + 2 a Re(ALPHA U_k).
+
+T. P. Goodman, A Least-Squares Method for Computing Balance Corrections, Journal of Engineering for Industry 86 (1964),
+273-277.
 """
 
 from __future__ import annotations
 
+import cmath
 import json
+import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from decimal import Decimal
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
+from pydantic import StrictBool
+from scipy.optimize import linprog
 
 from mahovik.core.motion.document import parse, text_of
 from mahovik.core.stand.content import TEXT
-from mahovik.errors import BalanceError
-from mahovik.nearest import suggestion
-from mahovik.use.balance.choices import Choice, read_choices
-from mahovik.use.balance.polar import Array, Complex, read_polar
+from mahovik.core.stand.fields import Table
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.units import PLAIN, QuantityError
+from mahovik.errors import BalanceError, CheckError
+from mahovik.use.balance.pieces import Choice, read_choices
 
-KEYS = ("A", "B", "U", "ALPHA", "keep_trial", "most", "pieces")
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Method = Literal["least-squares", "min-max"]
+
+_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_POLAR = re.compile(rf"\s*({_NUMBER})\s*(?:@\s*({_NUMBER})\s*)?")
+
+LARGEST = 1e12
+"""Largest amplitude and angle that are accepted."""
 
 INDEPENDENT = 1e-9
 """Smallest singular value, as a part of the largest, of influences scaled to unit columns."""
+
+DISTINCT = 1e-6
+"""The same of the equations of amplitudes without phase; and difference of two answers that are not one."""
+
+AGREED = 1e-7
+"""Largest vibration above its lower bound, as a part of the largest before, at which min-max is settled."""
+
+ROUNDS, SIDES = 200, 8
+"""Rounds of min-max; tangents of each cone at the start."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,31 +69,68 @@ class Influence:
     """A (M), ALPHA (M, N), and what corrections are allowed.
 
     trial    (N): trial weights that stay on the rotor; None: they were removed, or there were none
-    most     (N): largest amplitude of each correction, infinite where none is given
     choices  corrections that can be made in each plane (N); empty: any
     """
 
     A: Complex
     alpha: Complex
     trial: Complex | None
-    most: Array
     choices: tuple[Choice | None, ...] = ()
 
 
-def read_influence(given: str | Path | Mapping[str, Any]) -> Influence:
-    """The influence of a JSON file, or of an object like it. Raises BalanceError."""
-    where, raw = ("influence", given) if isinstance(given, Mapping) else (str(given), _load(Path(given)))
-    reader = _Reader(where)
-    found = reader.read(raw)
-    if found is None or reader.problems:
-        raise BalanceError(reader.problems)
-    return found
+class InfluenceFile(Table):
+    """Keys of a file of influences."""
+
+    A: Any
+    B: Any = None
+    U: Any = None
+    ALPHA: Any = None
+    keep_trial: StrictBool = False
+    pieces: Any = None
+
+
+def read_polar(text: str) -> complex | None:
+    """The number of "170@112"; None if the text is no such number, its amplitude is negative or it is too large."""
+    match = _POLAR.fullmatch(text)
+    if match is None or match[2] is None:
+        return None
+    amplitude, degrees = float(match[1]), float(match[2])
+    if not (0.0 <= amplitude <= LARGEST and abs(degrees) <= LARGEST):
+        return None
+    return cmath.rect(amplitude, math.radians(degrees))
+
+
+def write_polar(value: complex, zero: float = 0.0) -> str:
+    """The number with four digits and an angle of 0 to 360 deg to a tenth; "0@0" where it is not above `zero`."""
+    if abs(value) <= zero:
+        return "0@0"
+    degrees = round(math.degrees(cmath.phase(value)) % 360.0, 1) % 360.0
+    return f"{float(f'{abs(value):.4g}'):.12g}@{degrees:.10g}"
+
+
+# -- reading ---------------------------------------------------------------------------------------------------------
+
+
+def read_influence(given: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float]:
+    """Influences of a JSON file or of an object like it, and how far amplitudes without phase are off them, at most.
+
+    Two influences: of amplitudes without phase that fit both. Raises BalanceError.
+    """
+    where = "influence" if isinstance(given, Mapping) else str(given)
+    raw = given if isinstance(given, Mapping) else _load(Path(given))
+    problems = Problems(where)
+    table = problems.valid(InfluenceFile, dict(raw))
+    if table is None:
+        raise BalanceError(problems.lines)
+    try:
+        return _influences(table)
+    except QuantityError as error:
+        raise BalanceError([f"{where}: {error}"]) from None
 
 
 def _load(path: Path) -> Mapping[str, Any]:
-    text = text_of(path, TEXT, BalanceError)
     try:
-        raw = _floats(parse(text))
+        raw = parse(text_of(path, TEXT, BalanceError))
     except (ValueError, RecursionError) as error:
         raise BalanceError([f"{path}: not JSON: {error}"]) from None
     if not isinstance(raw, dict):
@@ -73,144 +138,194 @@ def _load(path: Path) -> Mapping[str, Any]:
     return raw
 
 
-def _floats(value: object) -> Any:
-    """A value of JSON with its decimal numbers as floats."""
-    if isinstance(value, dict):
-        return {key: _floats(each) for key, each in value.items()}
-    if isinstance(value, list):
-        return [_floats(each) for each in value]
-    return float(value) if isinstance(value, Decimal) else value
-
-
-class _Reader:
-    """Reads an object and collects its problems."""
-
-    def __init__(self, where: str) -> None:
-        self.where, self.problems = where, list[str]()
-
-    def read(self, raw: Mapping[str, Any]) -> Influence | None:
-        """The influence; None if a problem hides it."""
-        for key in raw:
-            if key not in KEYS:
-                self.say(str(key), f"unknown key{suggestion(str(key), KEYS)}")
-        A = self.vector("A", raw)
-        if "ALPHA" in raw and ("B" in raw or "U" in raw):
-            self.say("ALPHA", 'given beside trial runs; give either "ALPHA", or "B" and "U"')
-            return None
-        keep = raw.get("keep_trial", False)
-        if not isinstance(keep, bool):
-            self.say("keep_trial", f"expected true or false, found {json.dumps(keep)}")
-            return None
-        if "ALPHA" in raw:
-            if keep:
-                self.say("keep_trial", 'true needs trial runs; give "B" and "U", or leave it out')
-            alpha, trial = self.matrix("ALPHA", raw, A), None
-        else:
-            alpha, trial = self.trial_runs(raw, A, keep)
-        if A is None or alpha is None or self.problems:
-            return None
-        self.independent(alpha)
-        if raw.get("most") is not None and raw.get("pieces") is not None:
-            self.say(
-                "most", 'not allowed with "pieces"; limit what a plane may have by "amounts", "each" and "most" there'
-            )
-        N = alpha.shape[1]
-        most, choices = self.most(raw.get("most"), N), self.choices(raw.get("pieces"), N)
-        return Influence(A, alpha, trial if keep else None, most, choices)
-
-    def say(self, key: str, words: str) -> None:
-        """Note a problem."""
-        self.problems.append(f"{self.where}: {key}: {words}")
-
-    def trial_runs(
-        self, raw: Mapping[str, Any], A: Complex | None, keep: bool
-    ) -> tuple[Complex | None, Complex | None]:
-        """ALPHA and U of trial runs."""
-        B, U = self.matrix("B", raw, A), self.vector("U", raw)
-        if A is None or B is None or U is None:
-            return None, None
+def _influences(table: InfluenceFile) -> tuple[list[Influence], float]:
+    """The influences of a file, and how far amplitudes are off them. Raises QuantityError."""
+    A, phases = _numbers("A", table.A)
+    trial, off = None, 0.0
+    if table.ALPHA is not None:
+        if table.B is not None or table.U is not None:
+            raise QuantityError('ALPHA: given beside trial runs; give either "ALPHA", or "B" and "U"')
+        if table.keep_trial:
+            raise QuantityError('keep_trial: true needs trial runs; give "B" and "U", or leave it out')
+        if not phases:
+            raise QuantityError("A: without phase it needs trial runs; give B and U, or amplitude@degrees")
+        alphas = [_matrix("ALPHA", table.ALPHA, len(A), True)]
+    else:
+        flat = (
+            not phases and isinstance(table.B, list | tuple) and not any(isinstance(x, list | tuple) for x in table.B)
+        )
+        B = _matrix("B", [table.B] if flat else table.B, len(A), phases)
+        U, _ = _numbers("U", table.U, True)
         if len(U) != B.shape[1]:
-            self.say("U", f"{_count(len(U), 'trial weight')}, but B has {_count(B.shape[1], 'column')}, one a plane")
-            return None, None
+            many = f"{_count(len(U), 'trial weight')}, but B has {_count(B.shape[1], 'column')}"
+            raise QuantityError(f"U: {many}, one a {'plane' if phases else 'trial run'}")
         if not np.all(U):
-            self.say(f"U[{int(np.argmin(np.abs(U)))}]", "a trial weight of 0 shows no influence")
-            return None, None
-        before = np.column_stack([A, B[:, :-1]]) if keep else A[:, None]
-        return (B - before) / U, U
-
-    def number(self, key: str, value: object) -> complex:
-        """A complex number; 0 with a problem."""
-        found = read_polar(value) if isinstance(value, str) else None
-        if found is None:
-            self.say(key, f'expected "amplitude@degrees", as "1.15@90", found {json.dumps(value, default=str)}')
-        return found or 0j
-
-    def vector(self, key: str, raw: Mapping[str, Any]) -> Complex | None:
-        """A list of complex numbers."""
-        values = raw.get(key)
-        if not isinstance(values, list | tuple) or not values:
-            found = "missing" if key not in raw else f"found {json.dumps(values, default=str)[:60]}"
-            self.say(key, f'expected a list of "amplitude@degrees", {found}')
-            return None
-        return np.array([self.number(f"{key}[{i}]", each) for i, each in enumerate(values)], dtype=np.complex128)
-
-    def matrix(self, key: str, raw: Mapping[str, Any], A: Complex | None) -> Complex | None:
-        """A row for each element of A, a column for each plane."""
-        rows = raw.get(key)
-        if not isinstance(rows, list | tuple) or not rows or not all(isinstance(row, list | tuple) for row in rows):
-            hint = ', or "ALPHA" in place of B and U' if key == "B" and key not in raw else ""
-            found = "missing" if key not in raw else "found no such list"
-            self.say(key, f"expected a list of rows, one for each sensor, {found}{hint}")
-            return None
-        N = len(rows[0])
-        for i, row in enumerate(rows):
-            if len(row) != N or not row:
-                self.say(f"{key}[{i}]", f"{_count(len(row), 'plane')}, but the first row has {N}")
-                return None
-        if A is not None and len(rows) != len(A):
-            self.say(key, f"{_count(len(rows), 'row')}, but A has {_count(len(A), 'sensor')}; one row for each sensor")
-            return None
-        values = [[self.number(f"{key}[{i}][{k}]", x) for k, x in enumerate(row)] for i, row in enumerate(rows)]
-        return np.array(values, dtype=np.complex128)
-
-    def independent(self, alpha: Complex) -> None:
-        """Note planes that no sensor tells apart."""
-        M, N = alpha.shape
-        if M < N:
-            words = f"{_count(N, 'plane')}, but only {_count(M, 'sensor')}; add sensors or speeds, or use fewer planes"
-            self.say("A", words)
-            return
-        size = np.linalg.norm(alpha, axis=0)
-        if not np.all(size):
-            self.say("planes", f"plane {int(np.argmin(size))} has no influence on any sensor")
-            return
-        left, right = np.linalg.svd(alpha / size)[1:]
-        if left[-1] < INDEPENDENT * left[0]:
-            share = np.abs(right[-1])
-            names = " and ".join(str(k) for k in np.flatnonzero(share > 0.1 * share.max()))
-            self.say("planes", f"not independent: {names} act alike on all sensors; use fewer planes or other sensors")
-
-    def most(self, given: object, N: int) -> Array:
-        """Largest amplitudes (N)."""
-        if given is None:
-            return np.full(N, np.inf)
-        values = given if isinstance(given, list | tuple) else [given] * N
-        if len(values) != N:
-            self.say("most", f"{_count(len(values), 'number')}, but there are {_count(N, 'plane')}")
-            return np.full(N, np.inf)
-        for i, each in enumerate(values):
-            if isinstance(each, bool) or not isinstance(each, int | float) or not 0.0 < each < np.inf:
-                self.say(f"most[{i}]", f"expected a number above 0, found {json.dumps(each, default=str)}")
-                return np.full(N, np.inf)
-        return np.array(values, dtype=np.float64)
-
-    def choices(self, given: object, N: int) -> tuple[Choice | None, ...]:
-        """Corrections that can be made."""
-        found, problems = read_choices(given, N)
-        for key, words in problems:
-            self.say(key, words)
-        return found
+            raise QuantityError(f"U[{int(np.argmin(np.abs(U)))}]: a trial weight of 0 shows no influence")
+        if phases:
+            alphas = [(B - (np.column_stack([A, B[:, :-1]]) if table.keep_trial else A[:, None])) / U]
+            trial = U if table.keep_trial else None
+        elif len(A) > 1 or table.keep_trial:
+            raise QuantityError("A: without phase there is one sensor, one plane, and no trial weight stays on")
+        else:
+            amplitudes, off = _without_phase(float(A[0].real), B[0].real, U)
+            alphas = [np.array([[alpha]]) for alpha in amplitudes]
+    _require_independent(alphas[0])
+    choices = read_choices(table.pieces, alphas[0].shape[1], PLAIN, PLAIN)
+    return [Influence(A, alpha, trial, choices) for alpha in alphas], off
 
 
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, bool]:
+    """Complex numbers of a list, and whether they have phases, all or none. Raises QuantityError."""
+    values = raw if isinstance(raw, list | tuple) else [raw]
+    form = 'expected a list of "amplitude@degrees"'
+    if raw is None or not values:
+        raise QuantityError(f"{key}: {form}, {'missing' if raw is None else 'found none'}")
+    found = []
+    for i, value in enumerate(values):
+        text = value if isinstance(value, str) else "" if isinstance(value, bool | list | dict) else str(value)
+        match = _POLAR.fullmatch(text)
+        has_phase = match is not None and match[2] is not None
+        phases = has_phase if phases is None else phases
+        read = read_polar(text if has_phase else f"{text}@0")
+        if read is None or has_phase != phases:
+            expected = '"amplitude@degrees", as "1.15@90"' if phases else "an amplitude, as the others"
+            raise QuantityError(f"{key}[{i}]: expected {expected}, found {json.dumps(value, default=str)[:60]}")
+        found.append(read)
+    return np.array(found, dtype=np.complex128), bool(phases)
+
+
+def _matrix(key: str, raw: Any, rows: int, phases: bool) -> Complex:
+    """A row for each of A, a column for each plane, or without phases for each trial run. Raises QuantityError."""
+    if not isinstance(raw, list | tuple) or not raw or not all(isinstance(row, list | tuple) for row in raw):
+        hint = ', or "ALPHA" in place of B and U' if key == "B" and raw is None else ""
+        raise QuantityError(f"{key}: expected a list of rows, one for each sensor{hint}")
+    if len(raw) != rows:
+        raise QuantityError(f"{key}: {_count(len(raw), 'row')}, but A has {_count(rows, 'sensor')}; one row a sensor")
+    for i, row in enumerate(raw):
+        if len(row) != len(raw[0]):
+            raise QuantityError(f"{key}[{i}]: {_count(len(row), 'plane')}, but the first row has {len(raw[0])}")
+    return np.array([_numbers(f"{key}[{i}]", row, phases)[0] for i, row in enumerate(raw)])
+
+
+def _require_independent(alpha: Complex) -> None:
+    """Raise QuantityError: planes that no sensor tells apart."""
+    M, N = alpha.shape
+    if M < N:
+        words = f"{_count(N, 'plane')}, but only {_count(M, 'sensor')}; add sensors or speeds, or use fewer planes"
+        raise QuantityError(f"A: {words}")
+    size = np.linalg.norm(alpha, axis=0)
+    if not np.all(size):
+        raise QuantityError(f"planes: plane {int(np.argmin(size))} has no influence on any sensor")
+    _, sigma, rows = np.linalg.svd(alpha / size)
+    if sigma[-1] < INDEPENDENT * sigma[0]:
+        share = np.abs(rows[-1])
+        names = " and ".join(str(k) for k in np.flatnonzero(share > 0.1 * share.max()))
+        raise QuantityError(
+            f"planes: not independent: {names} act alike on all sensors; use fewer planes or other sensors"
+        )
+
+
+def _count(number_: int, noun: str) -> str:
+    return f"{number_} {noun}" if number_ == 1 else f"{number_} {noun}s"
+
+
+def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], float]:
+    """ALPHA relative to A = a, the one with the lighter correction first, and how far amplitudes are off it at most.
+
+    Linear in |ALPHA|^2 and the parts of ALPHA. Trial runs of rank 3 tell them all: size and angle come from these, as
+    circles drawn by hand give them. Of rank 2, as with two runs, |ALPHA|^2 that of its parts leaves two answers.
+    Raises QuantityError.
+    """
+    if a == 0.0:
+        raise QuantityError("A: an amplitude of 0 needs no correction")
+    unit = float(np.abs(U).max())
+    u = U / unit
+    rows, right = np.column_stack([np.abs(u) ** 2, 2.0 * u.real, -2.0 * u.imag]), (b / a) ** 2 - 1.0
+    left, sigma, axes = np.linalg.svd(rows, full_matrices=True)
+    rank = int(np.sum(sigma > DISTINCT * sigma[0]))
+    if rank < 2:
+        raise QuantityError("U: without phase expected trial runs with weights at two different places, better three")
+    nearest = axes[:rank].T @ ((left.T @ right)[:rank] / sigma[:rank])
+    if rank == 3:
+        size, x, y = nearest
+        if size <= 0.0 or not (x or y):
+            raise QuantityError(
+                "B: no influence fits these amplitudes; repeat the runs, or take a heavier trial weight"
+            )
+        answers = [math.sqrt(size) * complex(x, y) / abs(complex(x, y))]
+    else:
+        v = axes[2]  # |x + iy|^2 = size along nearest + t v
+        p, q = nearest[1:], v[1:]
+        curve = np.array([q @ q, 2.0 * (p @ q) - v[0], p @ p - nearest[0]])
+        root = cmath.sqrt(complex(curve[1] ** 2 - 4.0 * curve[0] * curve[2]))
+        if abs(root.imag) > 0.5 * DISTINCT**0.5 * (abs(curve[1]) + curve[0]):
+            raise QuantityError("B: no influence fits these amplitudes; repeat the runs, or add one at another place")
+        steps = [(-curve[1] + sign * root.real) / (2.0 * curve[0]) for sign in (1.0, -1.0)]
+        answers = [complex(*(p + t * q)) for t in steps]
+        answers = sorted(answers, key=abs, reverse=True)
+        if abs(answers[0] - answers[1]) < DISTINCT * abs(answers[0]):
+            answers = answers[:1]
+    off = max(float(np.abs(np.abs(1.0 + answer * u) - b / a).max()) * a for answer in answers)
+    return [answer * a / unit for answer in answers], off
+
+
+# -- solving ---------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Corrections w (N) and what they leave, r = A + ALPHA w (M).
+
+    bound           min-max: no weights leave a largest vibration below this; None for least squares
+    standard_error  (N): of each component of w along and across its direction, from what least squares leaves; None
+                    without more sensors than planes, or for min-max
+    """
+
+    w: Complex
+    left: Complex
+    bound: float | None = None
+    standard_error: Array | None = None
+
+
+def solve(problem: Influence, method: Method = "least-squares") -> Solution:
+    """Correction weights of least squares, or with the least largest vibration. Raises CheckError."""
+    A, alpha, (M, N) = problem.A, problem.alpha, problem.alpha.shape
+    if method == "min-max":
+        return _min_max(A, alpha)
+    w = np.asarray(np.linalg.lstsq(alpha, -A, rcond=None)[0])
+    left = A + alpha @ w
+    if M <= N:
+        return Solution(w, left)
+    variance = float(np.sum(np.abs(left) ** 2)) / (2.0 * (M - N))
+    return Solution(w, left, None, np.sqrt(variance * np.diag(np.linalg.inv(alpha.conj().T @ alpha)).real))
+
+
+def _min_max(A: Complex, alpha: Complex) -> Solution:
+    """Least t with |A_m + (ALPHA w)_m| <= t, by linear programmes over tangents of these cones.
+
+    Each is a bound of t from below; tangents where its answer leaves a cone are added until both agree.
+    """
+    (M, N), scale, size = alpha.shape, float(np.abs(A).max()) or 1.0, np.linalg.norm(alpha, axis=0)
+    at, turn = np.repeat(np.arange(M), SIDES), np.tile(np.exp(2j * np.pi * np.arange(SIDES) / SIDES), M)
+    x = np.linalg.lstsq(alpha / size, -A / scale, rcond=None)[0]
+    best, most = x, float(np.abs(A / scale + alpha / size @ x).max())
+    for _ in range(ROUNDS):
+        left = A / scale + alpha / size @ x
+        there = np.flatnonzero(left)
+        at, turn = np.concatenate([at, there]), np.concatenate([turn, left[there] / np.abs(left[there])])
+        rows = turn.conj()[:, None] * (alpha / size)[at]
+        solved = linprog(
+            np.eye(2 * N + 1)[-1],
+            np.column_stack([rows.real, -rows.imag, -np.ones(len(rows))]),
+            -(turn.conj() * A[at]).real / scale,
+            bounds=[(None, None)] * (2 * N) + [(0.0, None)],
+        )
+        if solved.x is None:
+            break
+        x, bound = solved.x[:N] + 1j * solved.x[N : 2 * N], float(solved.fun)
+        largest = float(np.abs(A / scale + alpha / size @ x).max())
+        best, most = (x, largest) if largest < most else (best, most)
+        if most - bound <= AGREED:
+            w = best * scale / size
+            return Solution(w, A + alpha @ w, min(bound, most) * scale)
+    raise CheckError("min-max: the linear programmes do not settle; use least-squares")

@@ -1,153 +1,234 @@
-"""Channels of flywheels as phases and speeds in rad and rad/s: encoders, pulses, wrapped angles."""
+"""Phases of flywheels: encoders, pulses and wrapped angles as angles that go on over whole turns."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
+import pandas as pd
+from scipy.interpolate import PchipInterpolator
 
-from mahovik.core.stand.model import Flywheel, Stand
-from mahovik.use.measured.counters import modulus_of, unwrap
-from mahovik.use.measured.quantities import Name
-from mahovik.use.measured.recording import Array, Channel
-from mahovik.use.measured.tacho import find_pulses, phase_of
-from mahovik.use.measured.times import count
-from mahovik.use.measured.track import Track
+from mahovik.core.stand.model import Flywheel
+from mahovik.use.measured.recording import Array, count
 
 TURN = 2.0 * np.pi
-DIFFERENT = 0.02
-"""Relative difference of counts per turn and those seen between pulses, above which it is reported."""
+
+REGISTERS = (1 << 8, 1 << 16, 1 << 32)
+"""Moduli of counters that hold no whole number of turns."""
+
+UNSURE = 0.4
+"""Part of a modulus between two samples, above which the direction of the step is not sure."""
+
+WHOLE = 0.02
+"""Relative distance from a whole number at which counts between pulses are none a turn."""
+
+DOUBLE = 0.4
+"""Part of the usual interval below which a pulse is a second one of the same turn."""
+
+NEIGHBOURS = 5
+"""Intervals whose median is the usual one."""
+
+RARE = 1e-3
+"""Part of the samples that may be beyond the low or the high level: spikes."""
 
 
-def channels_of(track: Track, stand: Stand, counts: Mapping[str, int]) -> list[Channel]:
-    """The channels of a track in SI, with a phase for each count and tacho; a note on each correction.
+def with_phases(
+    frame: pd.DataFrame, flywheels: tuple[Flywheel, ...], turns: dict[str, int], notes: list[str]
+) -> tuple[pd.DataFrame, frozenset[str]]:
+    """The frame with a phase in place of each count and tacho, and the flywheels whose phase is one of counts.
 
-    `counts`: counts per turn of encoders that neither unit nor stand file states.
+    `frame`: channels by label over the time; `turns`: counts a turn by flywheel, where a header or a file of names
+    says them; those of the stand file have a sign.
     """
-    found: list[Channel] = []
-    wheels = {flywheel.name: flywheel for flywheel in stand.flywheels}
-    for name, raw in track.values.items():
-        values: Array | None = raw
-        if name.quantity == "count":
-            values = _of_counts(track, wheels[name.name], name, raw, counts)
-        elif name.quantity == "tacho":
-            if any(each.name == name.name and each.quantity in ("phase", "count") for each in track.values):
-                _compare(track, name, raw)
-                continue
-            values = _of_pulses(track, name, raw)
-        elif name.quantity == "phase":
-            values = _of_angles(track, name, raw)
-        if values is None:
-            continue
-        quantity, source = ("phase", name.quantity) if name.quantity in ("count", "tacho") else (name.quantity, "")
-        if any((c.name, c.quantity, c.component) == (name.name, quantity, name.component) for c in found):
-            track.notes.append(f"{name.label}: a second {quantity} of {name.name}: left out")
-            continue
-        found.append(Channel(name.kind, name.name, quantity, name.component, name.unit, values, source))
-    return found
+    found, counted = frame.copy(), set[str]()
+    for wheel in flywheels:
+        phase, encoder, tacho, speed = (f"{wheel.name}.{key}" for key in ("phase", "count", "tacho", "speed"))
+        counts, pulses = found.pop(encoder) if encoder in found else None, None
+        if tacho in found:
+            pulses = find_pulses(found.index.to_numpy(), found.pop(tacho).to_numpy())
+            if pulses is None:
+                notes.append(f"{tacho}: fewer than two pulses: left out")
+        omega = found[speed].to_numpy() if speed in found else None
+        expected = None
+        if omega is not None:
+            expected = 0.5 * (omega[1:] + omega[:-1]) * np.diff(found.index.to_numpy())
+        if phase in found:
+            found[phase] = _whole_turns(phase, found[phase].to_numpy(), expected, notes)
+        elif counts is not None:
+            values = _of_counts(wheel, counts, turns.get(wheel.name), expected, pulses, notes)
+            if values is not None:
+                found[phase] = values
+                counted.add(wheel.name)
+        if phase not in found and pulses is not None:
+            direction = 1.0 if omega is None or np.nanmean(omega) >= 0.0 else -1.0
+            found[phase] = phase_of(pulses, found.index.to_numpy(), direction)
+            sense = "turning forwards" if omega is None else "direction of its speed"
+            lost = f", {count(pulses.lost, 'lost pulse')} counted" if pulses.lost else ""
+            double = f", {count(pulses.double, 'double pulse')} left out" if pulses.double else ""
+            many = count(len(pulses.times), "pulse")
+            notes.append(f"{tacho}: {many} as phase, zero at a pulse, {sense}{lost}{double}; missing outside them")
+    return found, frozenset(counted)
 
 
-def _speed(track: Track, wheel: str) -> Array | None:
-    """(T,) Speed channel of a flywheel, rad/s."""
-    return next((x for n, x in track.values.items() if n.name == wheel and n.quantity == "speed"), None)
-
-
-def _expected_steps(track: Track, wheel: str, per_radian: float) -> Array | None:
-    """(T - 1,) Steps that the speed channel lets expect."""
-    speed = _speed(track, wheel)
-    if speed is None:
-        return None
-    return np.asarray(0.5 * (speed[1:] + speed[:-1]) * np.diff(track.t) * per_radian)
-
-
-def _note_wraps(track: Track, name: Name, what: str, wraps: int, unsure: int) -> None:
-    if wraps:
-        track.notes.append(f"{name.label}: wraps at {what}, {count(wraps, 'time')}: unwrapped")
-    if unsure:
-        track.notes.append(
-            f"{name.label}: {count(unsure, 'step')} of nearly half of {what} between samples, direction not sure; "
-            f"add {name.name}.speed or sample faster"
-        )
-
-
-def _of_counts(track: Track, wheel: Flywheel, name: Name, values: Array, counts: Mapping[str, int]) -> Array | None:
-    """Phase of an encoder; None if its counts per turn are not known."""
-    encoder = wheel.encoder
-    turn = name.counts or (encoder.counts if encoder is not None else None) or counts.get(name.name)
-    zero = 0.0 if encoder is None else encoder.zero
-    if name.counts and encoder is not None and abs(encoder.counts) != name.counts:
-        track.notes.append(
-            f"{name.label}: {name.counts} counts per turn in the header, {encoder.counts} in the stand file: "
-            "those of the header are taken"
-        )
-    elif name.counts and encoder is not None:
-        turn = encoder.counts  # with its sign
+def _of_counts(
+    wheel: Flywheel,
+    counts: pd.Series,
+    stated: int | None,
+    expected: Array | None,
+    pulses: Pulses | None,
+    notes: list[str],
+) -> Array | None:
+    """Phase of an encoder; None if its counts a turn are not known."""
+    label, values, encoder = f"{wheel.name}.count", counts.to_numpy(), wheel.encoder
+    turn = stated if encoder is None else encoder.counts
+    if stated and encoder is not None and abs(encoder.counts) != stated:
+        turn = stated
+        many = f"{stated} counts a turn in the header, {encoder.counts} in the stand file"
+        notes.append(f"{label}: {many}: those of the header are taken")
+    if turn is None and pulses is not None:
+        turn = _seen_turn(counts, pulses)
+        if turn is not None:
+            notes.append(f"{label}: {turn} counts a turn, as seen between pulses of its tacho")
     if turn is None:
-        turn = _seen_counts(track, name, values)
-        if turn is None:
-            track.notes.append(
-                f"{name.label}: counts per turn are not known: left out; write the unit [1/4096 turn], or "
-                f"`encoder = {{ counts = 4096 }}` of {name.name} into the stand file"
-            )
-            return None
-        track.notes.append(f"{name.label}: {turn} counts per turn, as seen between pulses of its tacho")
+        words = "write the unit [1/4096 turn], or `encoder = { counts = 4096 }` into the stand file"
+        notes.append(f"{label}: counts a turn are not known: left out; {words}")
+        return None
     modulus = modulus_of(values, turn)
     if modulus is not None:
-        expected = _expected_steps(track, name.name, turn / TURN)
-        values, wraps, unsure = unwrap(values, modulus, expected)
-        _note_wraps(track, name, f"{modulus} counts", wraps, unsure)
-    return np.asarray((values - zero) * (TURN / turn))
+        steps = None if expected is None else expected * turn / TURN
+        values = _unwrap(label, values, modulus, f"{modulus} counts", steps, notes)
+    return np.asarray((values - (0.0 if encoder is None else encoder.zero)) * (TURN / turn))
 
 
-def _seen_counts(track: Track, name: Name, values: Array) -> int | None:
-    """Counts between pulses of the tacho of the same flywheel; None without, or where they are no whole number."""
-    tacho = next((x for n, x in track.values.items() if n.name == name.name and n.quantity == "tacho"), None)
-    if tacho is None:
-        return None
-    pulses = find_pulses(track.t, tacho)
-    if pulses is None:
-        return None
+def _seen_turn(counts: pd.Series, pulses: Pulses) -> int | None:
+    """Counts between the pulses of a tacho; None where they are no whole number."""
+    values = counts.to_numpy()
     modulus = modulus_of(values, None)
     whole = values if modulus is None else unwrap(values, modulus)[0]
-    finite = np.isfinite(whole)
-    at = np.interp(pulses.times, track.t[finite], whole[finite])
+    there = np.isfinite(whole)
+    at = np.interp(pulses.times, counts.index.to_numpy()[there], whole[there])
     ratio = (at[-1] - at[0]) / (pulses.turns[-1] - pulses.turns[0])
     nearest = round(ratio)
-    return nearest if nearest and abs(ratio - nearest) < DIFFERENT * min(abs(ratio), 10.0) else None
+    return nearest if nearest and abs(ratio - nearest) < WHOLE * min(abs(ratio), 10.0) else None
 
 
-def _of_pulses(track: Track, name: Name, values: Array) -> Array | None:
-    """Phase of pulses once a turn; None if there are fewer than two."""
-    pulses = find_pulses(track.t, values)
-    if pulses is None:
-        track.notes.append(f"{name.label}: fewer than two pulses: left out")
-        return None
-    speed = _speed(track, name.name)
-    direction = 1.0 if speed is None or np.nanmean(speed) >= 0.0 else -1.0
-    if pulses.double:
-        track.notes.append(f"{name.label}: {count(pulses.double, 'double pulse')}: left out")
-    if pulses.lost:
-        track.notes.append(f"{name.label}: {count(pulses.lost, 'lost pulse')}: a whole turn each")
-    sense = "direction of its speed" if speed is not None else "turning forwards"
-    track.notes.append(
-        f"{name.label}: {count(len(pulses.times), 'pulse')} as phase, zero at a pulse, {sense}; missing outside them"
-    )
-    return phase_of(pulses, track.t, direction)
-
-
-def _compare(track: Track, name: Name, values: Array) -> None:
-    """A note on the turns that pulses show, where a phase is there as well."""
-    pulses = find_pulses(track.t, values)
-    seen = "no two pulses" if pulses is None else count(round(float(pulses.turns[-1])), "turn")
-    track.notes.append(f"{name.label}: {seen}; not used, the phase of {name.name} is there")
-
-
-def _of_angles(track: Track, name: Name, values: Array) -> Array:
-    """Phase that goes on over whole turns."""
-    finite = values[np.isfinite(values)]
-    inside = len(finite) > 1 and np.ptp(finite) <= TURN * (1.0 + 1e-6)
-    if not inside or np.abs(np.diff(finite)).max() <= 0.5 * TURN:
+def _whole_turns(label: str, values: Array, expected: Array | None, notes: list[str]) -> Array:
+    """A phase that goes on over whole turns."""
+    there = values[np.isfinite(values)]
+    inside = len(there) > 1 and np.ptp(there) <= TURN * (1.0 + 1e-6)
+    if not inside or np.abs(np.diff(there)).max() <= 0.5 * TURN:
         return values
-    found, wraps, unsure = unwrap(values, TURN, _expected_steps(track, name.name, 1.0))
-    _note_wraps(track, name, "a turn", wraps, unsure)
-    return found
+    return _unwrap(label, values, TURN, "a turn", expected, notes)
+
+
+def _unwrap(label: str, values: Array, modulus: float, what: str, expected: Array | None, notes: list[str]) -> Array:
+    whole, wraps, unsure = unwrap(values, modulus, expected)
+    if wraps:
+        notes.append(f"{label}: wraps at {what}, {count(wraps, 'time')}: unwrapped")
+    if unsure:
+        words = f"{count(unsure, 'step')} of nearly half of {what} between samples, direction not sure"
+        notes.append(f"{label}: {words}; add {label.partition('.')[0]}.speed or sample faster")
+    return whole
+
+
+def modulus_of(counts: Array, turn: int | None) -> int | None:
+    """Modulus at which a counter wraps; None if it does not.
+
+    That of a turn where all counts are inside one turn, else that of the smallest register that holds them, signed or
+    not. A counter wraps where it steps by more than half of its modulus. `turn`: counts a turn.
+    """
+    there = counts[np.isfinite(counts)]
+    if len(there) < 2:
+        return None
+    low, high, largest = there.min(), there.max(), np.abs(np.diff(there)).max()
+    for modulus in ((abs(turn),) if turn else ()) + REGISTERS:
+        inside = (low >= 0 and high < modulus) or (low >= -modulus // 2 and high < modulus // 2)
+        if inside and largest > modulus / 2:
+            return modulus
+    return None
+
+
+def unwrap(values: Array, modulus: float, expected: Array | None = None) -> tuple[Array, int, int]:
+    """Numbers that go on, the number of wraps, and of steps whose direction is not sure.
+
+    Each step is the one nearest to `expected` (T - 1,), zero without. NaN stays; a step over it is taken whole.
+    """
+    whole = values.copy()
+    places = np.flatnonzero(np.isfinite(values))
+    steps, guess = np.diff(values[places]), np.zeros(max(len(places) - 1, 0))
+    if expected is not None:
+        guess = np.diff(np.concatenate([[0.0], np.cumsum(np.nan_to_num(expected))])[places])
+    wraps = np.round((guess - steps) / modulus)
+    off = np.abs(steps + wraps * modulus - guess)
+    whole[places[1:]] += modulus * np.cumsum(wraps)
+    return whole, int((wraps != 0).sum()), int((off > UNSURE * modulus).sum())
+
+
+@dataclass(frozen=True, eq=False)
+class Pulses:
+    """Pulses of a tacho.
+
+    times   (P,) s of the pulses that were kept
+    turns   (P,) whole turns since the first one, lost ones counted
+    double  pulses that were left out, `lost` those that were missing
+    """
+
+    times: Array
+    turns: Array
+    double: int
+    lost: int
+
+
+def find_pulses(t: Array, values: Array) -> Pulses | None:
+    """Rising edges of a tacho; None if there are fewer than two.
+
+    The threshold is the middle between low and high, which are quantiles; spikes beyond twice their distance are
+    missing. A signal of two levels rises half a step before the first high sample, which is its mean place; one with
+    more levels is interpolated.
+    """
+    there = np.isfinite(values)
+    t, values = t[there], values[there]
+    if len(t) < 2:
+        return None
+    low, high = (float(level) for level in np.quantile(values, (RARE, 1.0 - RARE)))
+    if not high > low:  # pulses of fewer samples
+        low, high = float(values.min()), float(values.max())
+    if not high > low:
+        return None
+    middle = 0.5 * (low + high)
+    level = np.abs(values - middle) <= 1.5 * (high - low)
+    t, values = t[level], values[level]
+    above = values > middle
+    rises = np.flatnonzero(above[1:] & ~above[:-1])
+    before, after = values[rises], values[rises + 1]
+    times = t[rises] + (middle - before) / (after - before) * (t[rises + 1] - t[rises])
+    if len(times) < 2:
+        return None
+    intervals, kept = np.diff(times), [times[0]]
+    kept += [at for k, at in enumerate(times[1:]) if at - times[k] >= DOUBLE * _usual(intervals, k)]
+    single = np.array(kept)
+    if len(single) < 2:
+        return None
+    intervals = np.diff(single)
+    steps = np.array([_turns(intervals, k) for k in range(len(intervals))])
+    turns = np.concatenate([[0.0], np.cumsum(steps)])
+    return Pulses(single, turns, len(times) - len(single), int((steps - 1).sum()))
+
+
+def _turns(intervals: Array, place: int) -> int:
+    """Whole turns in an interval: more than one only where it is long beside a neighbour, too."""
+    beside = np.delete(intervals[max(0, place - 1) : place + 2], min(place, 1))
+    turns = max(1, round(intervals[place] / _usual(intervals, place)))
+    return turns if beside.size and intervals[place] > 1.5 * beside.min() else 1
+
+
+def _usual(intervals: Array, place: int) -> float:
+    """Median interval near a place."""
+    start = int(np.clip(place - NEIGHBOURS // 2, 0, max(0, len(intervals) - NEIGHBOURS)))
+    return float(np.median(intervals[start : start + NEIGHBOURS]))
+
+
+def phase_of(pulses: Pulses, t: Array, direction: float) -> Array:
+    """(T,) Phase in rad, zero at the first pulse; NaN before the first and after the last pulse."""
+    turns = PchipInterpolator(pulses.times, pulses.turns, extrapolate=False)(t)
+    return np.asarray(direction * TURN * turns, dtype=np.float64)

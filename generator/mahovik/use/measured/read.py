@@ -1,51 +1,47 @@
-"""Files of measured data as recordings of a stand: each format read, each channel matched, each fault reported."""
+"""Files of measured data as recordings of a stand: each channel matched, each fault of the data corrected and noted."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
 
-from mahovik.core.stand.content import TABLE, content
 from mahovik.core.stand.model import Stand
 from mahovik.errors import DataError
 from mahovik.nearest import suggestion
-from mahovik.use.measured.drops import mark_drops
-from mahovik.use.measured.files.csv_file import read_csv
-from mahovik.use.measured.files.parquet_file import read_parquet
-from mahovik.use.measured.files.table import Table
-from mahovik.use.measured.files.tdms_file import read_tdms
-from mahovik.use.measured.files.ulog_file import read_ulog
-from mahovik.use.measured.flywheels import channels_of
-from mahovik.use.measured.join import join
-from mahovik.use.measured.names import Names, read_names
-from mahovik.use.measured.quantities import HeaderError, Name, is_time, name_of, time_scale
-from mahovik.use.measured.recording import Array, Recording
-from mahovik.use.measured.simulated_run import NOTE as RUN
-from mahovik.use.measured.simulated_run import is_run, is_state, run_header
-from mahovik.use.measured.times import order_times, split_runs
-from mahovik.use.measured.track import Track
-
-READERS: Mapping[str, Callable[[Path, bytes], list[Table]]] = {
-    ".csv": read_csv,
-    ".parquet": read_parquet,
-    ".tdms": read_tdms,
-    ".ulg": read_ulog,
-}
-"""Readers of the formats, by the end of the name."""
-
-PARTS = (".ulg",)
-"""Formats of whole vehicles: columns without a name of the stand are counted, not reported one by one."""
+from mahovik.use.measured.clocks import join
+from mahovik.use.measured.files import READERS, file_content, read_frames
+from mahovik.use.measured.flywheels import with_phases
+from mahovik.use.measured.headers import (
+    HeaderError,
+    Names,
+    channel_of,
+    is_run,
+    is_time,
+    known_header,
+    read_names,
+    time_scale,
+)
+from mahovik.use.measured.recording import GAP, Array, Recording, count
 
 FEWEST = 4
 """Samples that a recording has at least."""
 
-IMU = {
-    **{f"sensor_combined.gyro_rad[{k}]": f"rate.{axis} [rad/s]" for k, axis in enumerate("xyz")},
-    **{f"sensor_combined.accelerometer_m_s2[{k}]": f"acceleration.{axis} [m/s2]" for k, axis in enumerate("xyz")},
-}
-"""Fields of PX4 that are known without a file of names, of a stand with one point."""
+SHORTEST_RUN = 16
+"""Samples from which on what follows a step back in time can be a run."""
+
+STUCK = 8
+"""Equal samples in a row of a channel that else changes with nearly every sample."""
+
+CHANGING = 0.95
+"""Share of samples that differ from the one before, above which a channel changes with nearly every one."""
+
+SHOWN = 20
+"""Lines of faults in a message."""
 
 
 def read_recordings(paths: Iterable[Path], stand: Stand) -> tuple[Recording, ...]:
@@ -53,149 +49,166 @@ def read_recordings(paths: Iterable[Path], stand: Stand) -> tuple[Recording, ...
 
     Raises DataError with a line for each file that cannot be used; UsageError: a package of an extra is missing.
     """
-    contents = {Path(path): _content(Path(path)) for path in paths}
-    names = _names(contents)
-    data = {path: content for path, content in contents.items() if path.suffix.lower() != ".toml"}
+    files = [Path(path) for path in paths]
+    named = [read_names(path, file_content(path)) for path in files if path.suffix.lower() == ".toml"]
+    names = Names(
+        names={key: header for each in named for key, header in each.names.items()},
+        counts={key: turn for each in named for key, turn in each.counts.items()},
+    )
+    wheels = [wheel.name for wheel in stand.flywheels]
+    for name in names.counts:
+        if name not in wheels:
+            raise DataError([f"file of names: counts: {stand.name} has no flywheel {name}{suggestion(name, wheels)}"])
+    data = [path for path in files if path.suffix.lower() != ".toml"]
     if not data:
         raise DataError([f"no file of data, expected {', '.join(READERS)}"])
-    unknown = [f"counts.{each}{suggestion(each, [w.name for w in stand.flywheels])}" for each in names.counts
-               if each not in {w.name for w in stand.flywheels}]  # fmt: skip
-    if unknown:
-        raise DataError([f"file of names: the stand has no such flywheel: {unknown[0]}"])
-    found: list[tuple[str, Recording]] = []
-    left: list[str] = []
-    for path, bytes_ in data.items():
-        for table in READERS[path.suffix.lower()](path, bytes_):
-            for track in _tracks(path, table, stand, names):
-                recording = _recording(track, stand, names)
-                if recording.channels:
-                    found.append((str(path), recording))
+    recordings, left = list[tuple[str, Recording]](), list[str]()
+    for path in data:
+        for frame in read_frames(path):
+            for recording in _recordings(path, frame, stand, names):
+                if recording.frame.columns.size:
+                    recordings.append((str(path), recording))
                 else:
                     left += recording.notes
-    if not found:
-        raise DataError([*_some(left), f"{', '.join(map(str, data))}: no channel of the stand {stand.name} is left"])
-    joined = join(found)
-    if left:
-        first = joined[0]
-        joined = (Recording(first.t, first.channels, first.source, (*first.notes, *left)), *joined[1:])
-    return joined
+    if not recordings:
+        more = [f"... and {len(left) - SHOWN} more lines like these"] if len(left) > SHOWN else []
+        channels = f"{', '.join(map(str, data))}: no channel of the stand {stand.name} is left"
+        raise DataError([*left[:SHOWN], *more, channels])
+    file, first = recordings[0]
+    recordings[0] = file, Recording(first.frame, first.source, (*first.notes, *left), first.counted)
+    return join(recordings)
 
 
-def read_tables(path: Path) -> list[Table]:
-    """The tables of one file of data, as it has them. Raises DataError."""
-    return READERS[path.suffix.lower()](path, _content(path))
-
-
-def _some(lines: list[str], most: int = 20) -> list[str]:
-    return lines if len(lines) <= most else [*lines[:most], f"... and {len(lines) - most} more lines like these"]
-
-
-def _content(path: Path) -> bytes:
-    """Read a file as bytes, if the end of its name is that of a known format. Raises DataError."""
-    known = (*READERS, ".toml")
-    if path.suffix.lower() not in known:
-        raise DataError([f'{path}: unknown format "{path.suffix}", expected {", ".join(known)}'])
-    try:
-        return content(path, TABLE)
-    except FileNotFoundError as error:
-        raise DataError([f"{path}: {error.strerror}"]) from None
-    except IsADirectoryError:
-        raise DataError([f"{path}: is a directory, expected a file of data"]) from None
-    except OSError as error:
-        raise DataError([f"{path}: cannot be read: {error.strerror or error}"]) from None
-
-
-def _names(contents: Mapping[Path, bytes]) -> Names:
-    """All names of the files of names among the files."""
-    headers: dict[str, str] = {}
-    counts: dict[str, int] = {}
-    for path, bytes_ in contents.items():
-        if path.suffix.lower() == ".toml":
-            found = read_names(path, bytes_)
-            headers |= found.names
-            counts |= found.counts
-    return Names(headers, counts)
-
-
-def _tracks(path: Path, table: Table, stand: Stand, names: Names) -> list[Track]:
-    """The runs of a table, with what the stand knows of its channels. A table without time has none."""
-    notes = list(table.notes)
-    times = [header for header in table.columns if is_time(names.names.get(header, header))]
-    run = is_run(table.columns)
-    if run:
-        notes.append(RUN)
-    matched, scale, others = _match(table, stand, names, notes, run or path.suffix.lower() in PARTS)
-    if path.suffix.lower() in PARTS and not matched:
-        return []
-    if not times:
-        notes.append("no column of time, expected `time [s]`: left out")
-        return [Track(table.source, np.zeros(0), {}, notes)]
-    if len(times) > 1:
-        notes.append(f'two columns of time: "{times[0]}" is taken, "{times[1]}" is left out')
-    if others and not run:
-        notes.append(f"{others} other columns have no name of the stand: left out")
-    header = names.names.get(times[0], times[0])
-    try:
-        t = table.columns[times[0]] * time_scale(header)
-    except HeaderError as error:
-        notes.append(f"{error}: left out")
-        return [Track(table.source, np.zeros(0), {}, notes)]
-    return split_runs(Track(table.source, t, {n: x * scale[n] for n, x in matched.items()}, notes))
+def _recordings(path: Path, frame: pd.DataFrame, stand: Stand, names: Names) -> Iterator[Recording]:
+    """The runs of a table; without channels where nothing of it is left."""
+    source, notes = frame.attrs["source"], list(frame.attrs["notes"])
+    matched, turns = _match(path, frame, stand, names, notes)
+    if path.suffix.lower() == ".ulg" and matched.empty:
+        return
+    runs = list(_runs(matched))
+    for k, run in enumerate(runs):
+        lines = list(notes)
+        if len(runs) > 1:
+            lines.append(f"run {k + 1} of {len(runs)}: the time begins again in the file")
+        ordered = _with_gaps(_without_drops(_ordered(run, lines), lines), lines)
+        if ordered.columns.size and len(ordered) < FEWEST:
+            lines.append(f"{len(ordered)} samples, expected {FEWEST} or more: left out")
+            ordered = ordered.iloc[:, :0]
+        phased, counted = with_phases(ordered, stand.flywheels, {**names.counts, **turns}, lines)
+        name = f"{source}, run {k + 1}" if len(runs) > 1 else source
+        yield Recording(phased, name, tuple(f"{name}: {line}" for line in lines), counted)
 
 
 def _match(
-    table: Table, stand: Stand, names: Names, notes: list[str], counted: bool
-) -> tuple[dict[Name, Array], dict[Name, float], int]:
-    """Columns of a table by their name on the stand, its unit in SI, and the number of others if they are counted."""
-    matched: dict[Name, Array] = {}
-    scale: dict[Name, float] = {}
-    others = 0
-    for column, values in table.columns.items():
-        header = names.names.get(column, _own_header(column, stand, notes) if counted else column)
+    path: Path, frame: pd.DataFrame, stand: Stand, names: Names, notes: list[str]
+) -> tuple[pd.DataFrame, dict[str, int]]:
+    """Channels of a table in SI over the time, by label; counts a turn that headers state, by flywheel."""
+    run, vehicle = is_run(frame), path.suffix.lower() == ".ulg"
+    if run:
+        notes.append("a run of mahovik simulate: readings and flywheels are taken as measured")
+    t: Array | None = None
+    columns, turns, unnamed = dict[str, Array](), dict[str, int](), 0
+    for column in frame:
+        header = names.names.get(column) or (known_header(column, frame, stand) if run or vehicle else column)
         if header is None:
-            others += 1
-            if RUN in notes and not is_state(column):
-                notes.append(f'"{column}" is no column of a run, and has no name of the stand: left out')
+            unnamed += 1
             continue
-        if is_time(header):
-            continue
+        values = frame[column].to_numpy()
         try:
-            name = name_of(header, stand)
+            if is_time(header):
+                if t is None:
+                    t = values * time_scale(header)
+                else:
+                    notes.append(f'a second column of time, "{column}": left out')
+                continue
+            channel = channel_of(header, stand)
         except HeaderError as error:
             notes.append(f"{error}: left out")
             continue
-        if any(each.label == name.label for each in matched):
-            notes.append(f"{name.label}: stands twice: the first is taken")
+        if channel.label in columns:
+            notes.append(f"{channel.label}: stands twice: the first is taken")
             continue
-        matched[name], scale[name] = values, name.scale
-    return matched, scale, others
+        columns[channel.label] = np.where(np.isfinite(values), channel.scale * values, np.nan)
+        if channel.counts is not None:
+            turns[channel.label.partition(".")[0]] = channel.counts
+    if vehicle and unnamed:
+        notes.append(f"{unnamed} other columns have no name of the stand: left out")
+    if t is None:
+        notes.append("no column of time, expected `time [s]`: left out")
+        return pd.DataFrame(), turns
+    return pd.DataFrame(columns, index=pd.Index(t, name="time")), turns
 
 
-def _own_header(column: str, stand: Stand, notes: list[str]) -> str | None:
-    """Header of a column of a run, or of a field of PX4; None where it is not known."""
-    if RUN in notes:
-        return run_header(column)
-    if column not in IMU and not column.startswith("time"):
-        return None
-    if column.startswith("time"):
-        return column
-    if len(stand.points) != 1:
-        return None
-    name = stand.points[0].name
-    note = f"sensor_combined is taken for the one point {name}"
-    if note not in notes:
-        notes.append(note)
-    return f"{name}.{IMU[column]}"
+def _runs(frame: pd.DataFrame) -> Iterator[pd.DataFrame]:
+    """The runs of a table, for each of which the time begins again; rows without time are left out.
+
+    A step back of time begins a run where all parts between such steps are long and begin near the first one;
+    otherwise rows are out of order.
+    """
+    frame = frame[np.isfinite(frame.index)]
+    t = frame.index.to_numpy()
+    ends = [0, *(np.flatnonzero(np.diff(t) < 0) + 1).tolist(), len(t)]
+    parts = [t[a:b] for a, b in pairwise(ends)]
+    if len(parts) > 1:
+        near = 0.1 * min(np.ptp(part) for part in parts)
+        if min(map(len, parts)) < SHORTEST_RUN or any(abs(part[0] - parts[0][0]) > near for part in parts):
+            ends = [0, len(t)]
+    yield from (frame.iloc[a:b] for a, b in pairwise(ends))
 
 
-def _recording(track: Track, stand: Stand, names: Names) -> Recording:
-    """A track checked and corrected; without channels where nothing is left."""
-    channels = []
-    if track.values and len(track.t) >= FEWEST:
-        track = order_times(track)
-    if track.values and len(track.t) < FEWEST:
-        track.notes.append(f"{len(track.t)} samples, expected {FEWEST} or more: left out")
-    elif track.values:
-        channels = channels_of(mark_drops(track), stand, names.counts)
-    notes = tuple(f"{track.source}: {note}" for note in track.notes)
-    return Recording(track.t, tuple(channels), track.source, notes)
+def _ordered(frame: pd.DataFrame, notes: list[str]) -> pd.DataFrame:
+    """The frame with times that rise strictly."""
+    if late := int((np.diff(frame.index) < 0).sum()):
+        frame = frame.sort_index(kind="stable")
+        notes.append(f"times out of order at {count(late, 'place')}: sorted")
+    if twice := int(frame.index.duplicated().sum()):
+        frame = frame[~frame.index.duplicated()]
+        notes.append(f"{count(twice, 'repeated time')}: the first sample of each is kept")
+    return frame
+
+
+def _with_gaps(frame: pd.DataFrame, notes: list[str]) -> pd.DataFrame:
+    """The frame; notes on gaps and uneven steps of its times."""
+    t = frame.index.to_numpy()
+    steps = np.diff(t)
+    usual = float(np.median(steps)) if len(steps) else 0.0
+    gaps = np.flatnonzero(steps > GAP * usual)
+    if len(gaps):
+        longest = gaps[int(np.argmax(steps[gaps]))]
+        where = f"the longest of {steps[longest]:.4g} s at t = {t[longest]:.6g} s"
+        notes.append(f"{count(len(gaps), 'gap')} in time, {where}: not filled")
+    elif len(steps) and np.ptp(steps) > 0.02 * usual:
+        notes.append(f"steps of time from {steps.min():.4g} to {steps.max():.4g} s: taken as they are")
+    return frame
+
+
+def _without_drops(frame: pd.DataFrame, notes: list[str]) -> pd.DataFrame:
+    """The frame with NaN where a sample of a sensor is stuck; channels without samples are left out."""
+    frame = frame.copy()
+    for label in list(frame):
+        values = frame[label].to_numpy()
+        missing = int(np.isnan(values).sum())
+        if missing == len(values):
+            notes.append(f"{label}: no sample: left out")
+            del frame[label]
+            continue
+        if missing:
+            notes.append(f"{label}: {count(missing, 'sample')} of {len(values)} missing")
+        if label.count(".") == 2 and (stuck := _stuck(values)).any():
+            frame[label] = np.where(stuck, np.nan, values)
+            first = frame.index[int(np.argmax(stuck))]
+            words = f"{int(stuck.sum())} samples repeat the one before, first at t = {first:.6g} s"
+            notes.append(f"{label}: {words}: taken as missing")
+    return frame
+
+
+def _stuck(values: Array) -> NDArray[np.bool_]:
+    """Where a value repeats for STUCK samples and more, its first sample excepted; never if the channel is coarse."""
+    same = np.concatenate([[False], np.diff(values) == 0.0])
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], same.astype(int), [0]])))
+    inside = np.zeros(len(values), dtype=bool)
+    for a, b in zip(edges[::2], edges[1::2], strict=True):
+        inside[a:b] = b - a >= STUCK - 1
+    rest = ~inside
+    changing = rest.sum() > 2 and (~same[rest]).mean() > CHANGING
+    return inside if changing else np.zeros(len(values), dtype=bool)

@@ -1,16 +1,23 @@
-"""Logs of states and accelerations, with the columns of `mahovik simulate`, as states and answers of their rows."""
+"""Logs of states and accelerations, with the columns of `mahovik simulate`, as states and answers of their rows.
+
+Accelerations that are missing beside speeds are derivatives of an interpolating spline of degree 5. Of a held carrier
+speeds and coordinates of its freedoms may stand in place of twist and pose.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
+from scipy.interpolate import make_interp_spline
 
 from mahovik.contract.evaluation import needs_of
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
+from mahovik.core.stand.model import WRENCH_LETTERS, Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import (
     ACCELERATION,
@@ -28,21 +35,16 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import DataError, StateError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.held import depends_on
+from mahovik.proof.verify.held import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
-from mahovik.use.measured.files.table import Table
-from mahovik.use.measured.held_log import HeldColumns, groups_of
-from mahovik.use.measured.quantities import HeaderError, is_time, split_header, time_scale
-from mahovik.use.measured.rates import rates_of
-from mahovik.use.measured.read import read_tables
+from mahovik.use.measured.files import read_frames
+from mahovik.use.measured.headers import HeaderError, is_time, split_header, time_scale
 from mahovik.use.measured.recording import Array
 
 SUFFIXES = (".csv", ".parquet")
 
 MOST_ROWS = 2000
 """Rows of a log that are compared; of more, these are spread evenly."""
-
-AXES = "xyz"
 
 ANSWERS = {"forward": "V_dot", "torque": "tau", "mounts": "mount_wrench", "reaction": "reaction"}
 """Wants that a log may answer, and the quantity that answers each."""
@@ -52,6 +54,17 @@ SPEEDS = {"V_dot": "V", "phi_ddot": "phi_dot"}
 
 ACCELERATIONS = ("V_dot", "u_dot", "phi_ddot")
 """Inputs that not every want needs."""
+
+COORDINATES = ("q", "orientation")
+"""Keys of the coordinates of freedoms."""
+
+RATES = {"slide": (VELOCITY, ACCELERATION), "turn": (SPEED, ANGULAR_ACCELERATION), "twist": (PLAIN, PLAIN)}
+"""Dimensions of u and u_dot of a kind of freedom."""
+
+DEGREE, ENDS = 5, 6
+"""Degree of the spline of speeds, and rows at either end whose derivative is not used: a spline is worst there."""
+
+Columns = list[tuple[str, Dimension]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,190 +88,233 @@ def read_state_log(path: Path, stand: Stand) -> StateLog:
     """The rows of a log of a stand. Raises DataError."""
     if path.suffix.lower() not in SUFFIXES:
         raise DataError([f'{path}: unknown format "{path.suffix}", expected {" or ".join(SUFFIXES)}'])
-    (table,) = read_tables(path)
-    return _Reader(stand, path, table).log()
+    (frame,) = read_frames(path)
+    log = _Log(stand, path, dict(_groups(stand)), list(frame.attrs["notes"]))
+    log.gather(frame)
+    if stand.hold is not None:
+        log.add_twists(stand.hold)
+    log.derive(frame)
+    if stand.hold is not None and stand.hold.freedoms:
+        for key, rate in (("V", "u"), ("V_dot", "u_dot")):
+            if key in log.values:
+                log.values.setdefault(rate, freedom_rates(stand.hold, log.values[key]))
+    return log.read()
 
 
-class _Reader:
-    """Groups of columns of a table, by the keys of `eval`."""
-
-    def __init__(self, stand: Stand, path: Path, table: Table) -> None:
-        self._stand, self._path = stand, path
-        self._groups = dict(_groups(stand))
-        self._notes = list(table.notes)
-        self._values = self._gather(self._scale_columns(table))
-        self._held = None if stand.hold is None else HeldColumns(stand, stand.hold, path, self._values)
-        if self._held is not None:
-            self._held.add_twists(self._rows)
-        self._error = self._derive(table)
-        if self._held is not None:
-            self._held.add_rates()
-
-    def log(self) -> StateLog:
-        """All rows with the numbers of a state. Raises DataError."""
-        wants = [want for want in ANSWERS if self._answers(want)]
-        self._require(wants)
-        inputs = [key for key in self._values if key not in (*ANSWERS.values(), *ACCELERATIONS)]
-        found: list[tuple[str, State]] = []
-        answers: dict[str, dict[str, dict[str, Any]]] = {want: {} for want in wants}
-        missing = dict.fromkeys(("a state", *wants), 0)
-        taken = np.arange(self._rows)
-        if self._rows > MOST_ROWS:
-            taken = np.linspace(0, self._rows - 1, MOST_ROWS).astype(int)
-            self._notes.append(f"{MOST_ROWS} of {self._rows} rows are compared, spread evenly")
-        for k in taken.tolist():
-            name = f"row {k + 1}"
-            given = {key: self._values[key][k] for key in (*inputs, *ACCELERATIONS) if key in self._values}
-            whole = {key for key, value in given.items() if np.isfinite(value).all()}
-            if not set(inputs) <= whole:
-                missing["a state"] += 1
-                continue
-            found.append((name, self._state(name, {key: given[key].tolist() for key in whole})))
-            for want in wants:
-                value = self._values[ANSWERS[want]][k]
-                if np.isfinite(value).all() and {key for key in needs_of(want) if key in self._groups} <= whole:
-                    answers[want][name] = {ANSWERS[want]: value.tolist()}
-                    if want == "forward" and self._held is not None:
-                        answers[want][name]["u_dot"] = self._values["u_dot"][k].tolist()
-                else:
-                    missing[want] += 1
-        self._notes += [
-            f"{number} rows without all numbers of {what}: left out" for what, number in missing.items() if number
-        ]
-        if not any(answers.values()):
-            raise DataError([*self._lines(), f"{self._path}: no row holds all numbers of a state and of an answer"])
-        return StateLog(str(self._path), tuple(found), answers, tuple(self._lines()), self._error)
-
-    def _derive(self, table: Table) -> float:
-        """Accelerations that are missing beside speeds, from these; return their relative error. Raises DataError."""
-        time = next((header for header in table.columns if is_time(header)), None)
-        worst = 0.0
-        for key, speeds in SPEEDS.items():
-            if time is None or key not in self._groups or key in self._values or speeds not in self._values:
-                continue
-            t = table.columns[time] * time_scale(time)
-            parts = np.split(self._values[speeds], [3], axis=1) if speeds == "V" else [self._values[speeds]]
-            derived = [rates_of(str(self._path), t, part) for part in parts]  # m/s and rad/s have sizes of their own
-            self._values[key] = np.hstack([rates for rates, _ in derived])
-            off = max(off for _, off in derived)
-            worst = max(worst, off)
-            self._notes.append(f"{key} is derived from {speeds} by a spline, right to about {off:.0e} of its size")
-        return worst
-
-    def _scale_columns(self, table: Table) -> dict[str, Array]:
-        """Columns in SI by name without unit. Raises DataError."""
-        dimensions = {name: dimension for group in self._groups.values() for name, dimension in group}
-        found: dict[str, Array] = {}
-        self._others: list[str] = []
-        for header, values in table.columns.items():
-            try:
-                name, unit = split_header(header)
-            except HeaderError:
-                name, unit = header, ""
-            if name not in dimensions:
-                if not is_time(header):
-                    self._others.append(name)
-                continue
-            try:
-                scale = float(factor(unit, dimensions[name])) if unit else 1.0
-            except QuantityError as error:
-                raise DataError([f'{self._path}: "{header}": {error}']) from None
-            found[name] = values if scale == 1.0 else scale * values
-        if self._others:
-            self._notes.append(f"{len(self._others)} other columns are not compared")
-        return found
-
-    def _gather(self, columns: Mapping[str, Array]) -> dict[str, Array]:
-        """Groups (rows, ...) of which all columns are there. Raises DataError: of some only a part is."""
-        found, problems = {}, []
-        for key, group in self._groups.items():
-            names = [name for name, _ in group]
-            lacking = [name for name in names if name not in columns]
-            if not lacking:
-                found[key] = np.column_stack([columns[name] for name in names])
-            elif len(lacking) < len(names):
-                problems.append(f"{self._path}: no column {self._quote(lacking[0])}, expected with {names[0]}")
-        if problems:
-            raise DataError(problems)
-        if "mount_wrench" in found:
-            found["mount_wrench"] = found["mount_wrench"].reshape(-1, len(self._stand.flywheels), 6)
-        self._rows = max((len(values) for values in found.values()), default=0)
-        return found
-
-    def _quote(self, name: str) -> str:
-        return f'"{name}"{suggestion(name, self._others) if self._others else ""}'
-
-    def _answers(self, want: str) -> bool:
-        """Whether there are columns of a want and of what it needs."""
-        if want == "forward" and self._held is not None and self._held.clamped:
-            return False  # there is no motion to find
-        keys = (ANSWERS[want], *(key for key in needs_of(want) if key in self._groups))
-        return all(key in self._values for key in keys)
-
-    def _require(self, wants: Sequence[str]) -> None:
-        """Raises DataError where an input of every answer is missing, or there are no answers."""
-        needed = [key for key in ("V", "phi", "phi_dot") if key in self._groups]
-        instead = ", or " + " ".join(name for name, _ in self._groups["u"]) if "u" in self._groups else ""
-        problems = [
-            self._missing(key, f"every state has them{instead if key == 'V' else ''}")
-            for key in needed
-            if key not in self._values
-        ]
-        if not problems and not wants:
-            need = " and ".join(key for key in ("V_dot", "phi_ddot") if key in self._groups and key not in self._values)
-            problems.append(self._missing(need.split(" ")[0], "there is nothing to compare") if need else "")
-        if not problems:
-            attitude = any(key in self._values for key in ("quaternion", "angles"))
-            known = self._held is not None and self._held.has_coordinates
-            if not known and not attitude and depends_on(self._stand, wants, "quaternion"):
-                problems.append(self._missing("quaternion", "this stand depends on its attitude"))
-            if not known and "position" not in self._values and depends_on(self._stand, wants, "position"):
-                problems.append(self._missing("position", "this stand depends on its position"))
-        if "quaternion" in self._values and "angles" in self._values:
-            problems.append(f"{self._path}: columns of a quaternion and of angles, expected one of them")
-        if problems:
-            raise DataError(problems)
-
-    def _missing(self, key: str, reason: str) -> str:
-        names = [name for name, _ in self._groups[key]]
-        return f'{self._path}: no columns {self._quote(names[0])} to "{names[-1]}": {reason}'
-
-    def _state(self, name: str, given: dict[str, Any]) -> State:
-        try:
-            if self._held is not None:
-                return self._held.state(given)
-            return read_request(self._stand, {**given, "want": ["forward"]}).state
-        except StateError as error:
-            raise DataError([f"{self._path}: {name}: {error}"]) from None
-
-    def _lines(self) -> Iterator[str]:
-        return (f"{self._path}: {note}" for note in self._notes)
-
-
-def _groups(stand: Stand) -> Iterator[tuple[str, list[tuple[str, Dimension]]]]:
+def _groups(stand: Stand) -> Iterator[tuple[str, Columns]]:
     """Columns, with their dimensions, of each key of `eval` that a stand has."""
 
-    def twist(linear: str, angular: str, of: tuple[Dimension, Dimension]) -> list[tuple[str, Dimension]]:
-        return [(f"{name}_{a}", each) for name, each in zip((linear, angular), of, strict=True) for a in AXES]
+    def twist(linear: str, angular: str, of: tuple[Dimension, Dimension]) -> Columns:
+        return [(f"{name}_{a}", each) for name, each in zip((linear, angular), of, strict=True) for a in "xyz"]
 
-    yield "position", [(a, LENGTH) for a in AXES]
+    yield "position", [(a, LENGTH) for a in "xyz"]
     yield "quaternion", [(f"q{a}", PLAIN) for a in "wxyz"]
     yield "angles", [(name, ANGLE) for name in ("psi", "theta", "phi")]
     yield "V", twist("v", "omega", (VELOCITY, SPEED))
     yield "V_dot", twist("v_dot", "omega_dot", (ACCELERATION, ANGULAR_ACCELERATION))
     if stand.hold is not None:
-        yield from groups_of(stand.hold)
-    if not stand.flywheels:
-        return
-    for key, dimension in (
-        ("phi", ANGLE),
-        ("phi_dot", SPEED),
-        ("phi_ddot", ANGULAR_ACCELERATION),
-        ("tau", TORQUE),
-    ):
-        yield key, [(f"{key} {s.name}", dimension) for s in stand.flywheels]
-    units = (FORCE,) * 3 + (TORQUE,) * 3
-    yield (
-        "mount_wrench",
-        [(f"mount_{a} {s.name}", u) for s in stand.flywheels for a, u in zip(WRENCH_LETTERS, units, strict=True)],
-    )
+        names, kinds = freedom_names(stand.hold), [each.kind for each in stand.hold.freedoms]
+        numbered = numbered_freedoms(stand.hold) if has_coordinates(stand.hold) else range(len(names))
+        if names:
+            for k, key in enumerate(("u", "u_dot")):
+                yield key, [(f"{key} {name}", RATES[kind][k]) for name, kind in zip(names, kinds, strict=True)]
+        if names and has_coordinates(stand.hold):
+            if numbered:
+                yield "q", [(f"q {names[k]}", LENGTH if kinds[k] == "slide" else ANGLE) for k in numbered]
+            if len(numbered) < len(names):
+                yield "orientation", [(f"orientation_{letter}", PLAIN) for letter in "wxyz"]
+        yield "reaction", [(f"hold.reaction.{a}", FORCE if a in "xyz" else TORQUE) for a in "xyzkmn"]
+    if stand.flywheels:
+        wheels = [wheel.name for wheel in stand.flywheels]
+        for key, unit in (("phi", ANGLE), ("phi_dot", SPEED), ("phi_ddot", ANGULAR_ACCELERATION), ("tau", TORQUE)):
+            yield key, [(f"{key} {name}", unit) for name in wheels]
+        units = zip(WRENCH_LETTERS, (FORCE,) * 3 + (TORQUE,) * 3, strict=True)
+        letters = list(units)
+        yield "mount_wrench", [(f"mount_{letter} {name}", unit) for name in wheels for letter, unit in letters]
+
+
+@dataclass(eq=False)
+class _Log:
+    """Groups of columns of a table by the keys of `eval`: names, and values (rows, ...) of those that are there."""
+
+    stand: Stand
+    path: Path
+    groups: Mapping[str, Columns]
+    notes: list[str]
+    values: dict[str, Array] = field(default_factory=dict)
+    others: list[str] = field(default_factory=list)
+    rows: int = 0
+    error: float = 0.0
+
+    def gather(self, frame: pd.DataFrame) -> None:
+        """Take the groups of which all columns are there, in SI. Raises DataError: of some only a part is."""
+        dimensions = {name: dimension for group in self.groups.values() for name, dimension in group}
+        columns = dict[str, Array]()
+        for header in frame:
+            try:
+                name, unit = split_header(header)
+                if name in dimensions:
+                    columns[name] = frame[header].to_numpy() * (float(factor(unit, dimensions[name])) if unit else 1.0)
+                elif not is_time(header):
+                    self.others.append(name)
+            except HeaderError:
+                self.others.append(header)
+            except QuantityError as error:
+                raise DataError([f'{self.path}: "{header}": {error}']) from None
+        if self.others:
+            self.notes.append(f"{len(self.others)} other columns are not compared")
+        problems = []
+        for key, group in self.groups.items():
+            lacking = [name for name, _ in group if name not in columns]
+            if not lacking:
+                self.values[key] = np.column_stack([columns[name] for name, _ in group])
+            elif len(lacking) < len(group):
+                problems.append(f"{self.path}: no column {self._quote(lacking[0])}, expected with {group[0][0]}")
+        if problems:
+            raise DataError(problems)
+        if "mount_wrench" in self.values:
+            self.values["mount_wrench"] = self.values["mount_wrench"].reshape(-1, len(self.stand.flywheels), 6)
+        self.rows = max((len(values) for values in self.values.values()), default=0)
+
+    def _quote(self, name: str) -> str:
+        return f'"{name}"{suggestion(name, self.others) if self.others else ""}'
+
+    @property
+    def has_coordinates(self) -> bool:
+        """Whether the pose is that of columns of coordinates of freedoms."""
+        keys = {key for key in COORDINATES if key in self.groups}
+        return bool(keys) and keys <= self.values.keys()
+
+    def add_twists(self, hold: Hold) -> None:
+        """V and V_dot (rows, 6) by u and u_dot where they are not there; zeros of a clamped carrier.
+
+        Coordinates are left out where position and attitude are there, as far as the freedoms change them. Raises
+        DataError: V is none that the hold allows, or not that of the u beside it.
+        """
+        S, values, kinds = twists(hold), self.values, {each.kind for each in hold.freedoms}
+        attitude = "turn" not in kinds or bool({"quaternion", "angles"} & values.keys())
+        if attitude and ("slide" not in kinds or "position" in values):
+            for key in COORDINATES:
+                values.pop(key, None)
+        for key, rate in (("V", "u"), ("V_dot", "u_dot")):
+            if not hold.freedoms:
+                values.setdefault(key, np.zeros((self.rows, 6)))
+            elif rate in values:
+                values.setdefault(key, values[rate] @ S.T)
+        for k, V in enumerate(values.get("V", ())):
+            if np.isfinite(V).all() and (reason := blocked_twist(hold, V)):
+                raise DataError([f"{self.path}: row {k + 1}: {reason}"])
+            off = np.abs(V - S @ values["u"][k]).max() if "u" in values else 0.0
+            if off > ALLOWED * max(1.0, np.abs(V).max()):
+                raise DataError([f"{self.path}: row {k + 1}: V is not S u of the u beside it, off by {off:.3g}"])
+
+    def derive(self, frame: pd.DataFrame) -> None:
+        """Accelerations that are missing beside speeds, from these. Raises DataError."""
+        time = next((header for header in frame if is_time(header)), None)
+        for key, speeds in SPEEDS.items():
+            if time is None or key not in self.groups or key in self.values or speeds not in self.values:
+                continue
+            t = frame[time].to_numpy() * time_scale(time)
+            parts = np.split(self.values[speeds], [3], axis=1) if speeds == "V" else [self.values[speeds]]
+            rates, errors = zip(*(self._rates(t, part) for part in parts), strict=True)  # of m/s and rad/s apart
+            self.values[key] = np.hstack(rates)
+            self.error = max(self.error, *errors)
+            self.notes.append(
+                f"{key} is derived from {speeds} by a spline, right to about {max(errors):.0e} of its size"
+            )
+
+    def _rates(self, t: Array, values: Array) -> tuple[Array, float]:
+        """Derivatives (T, n), NaN at the ends, and their error over their size: the difference of a coarser spline."""
+        finite = np.isfinite(t).all() and np.isfinite(values).all()
+        if len(t) < 4 * ENDS or not finite or not (np.diff(t) > 0).all():
+            words = f"expected {4 * ENDS} rows or more, at rising times, without missing numbers"
+            raise DataError([f"{self.path}: accelerations are missing, and cannot be derived: {words}"])
+        fine, coarse = (
+            np.asarray(make_interp_spline(t[::k], values[::k], k=DEGREE).derivative()(t[::k])) for k in (1, 2)
+        )
+        inner = slice(ENDS // 2, -ENDS // 2)
+        off = float(np.abs(coarse - fine[::2])[inner].max()) / (float(np.abs(fine).max()) or 1.0)
+        fine[:ENDS] = fine[-ENDS:] = np.nan
+        return fine, off
+
+    def read(self) -> StateLog:
+        """All rows with the numbers of a state. Raises DataError."""
+        wants = [want for want in ANSWERS if self._answers(want)]
+        self._require(wants)
+        inputs = [key for key in self.values if key not in (*ANSWERS.values(), *ACCELERATIONS)]
+        states: list[tuple[str, State]] = []
+        answers: dict[str, dict[str, dict[str, Any]]] = {want: {} for want in wants}
+        missing = dict.fromkeys(("a state", *wants), 0)
+        taken = np.arange(self.rows)
+        if self.rows > MOST_ROWS:
+            taken = np.linspace(0, self.rows - 1, MOST_ROWS).astype(int)
+            self.notes.append(f"{MOST_ROWS} of {self.rows} rows are compared, spread evenly")
+        for k in taken.tolist():
+            name = f"row {k + 1}"
+            row = {key: self.values[key][k] for key in (*inputs, *ACCELERATIONS) if key in self.values}
+            whole = {key: value.tolist() for key, value in row.items() if np.isfinite(value).all()}
+            if not set(inputs) <= whole.keys():
+                missing["a state"] += 1
+                continue
+            states.append((name, self._state(name, whole)))
+            for want in wants:
+                value = self.values[ANSWERS[want]][k]
+                if np.isfinite(value).all() and {key for key in needs_of(want) if key in self.groups} <= whole.keys():
+                    answers[want][name] = {ANSWERS[want]: value.tolist()}
+                    if want == "forward" and self.stand.hold is not None:
+                        answers[want][name]["u_dot"] = self.values["u_dot"][k].tolist()
+                else:
+                    missing[want] += 1
+        self.notes += [
+            f"{number} rows without all numbers of {what}: left out" for what, number in missing.items() if number
+        ]
+        lines = tuple(f"{self.path}: {note}" for note in self.notes)
+        if not any(answers.values()):
+            raise DataError([*lines, f"{self.path}: no row holds all numbers of a state and of an answer"])
+        return StateLog(str(self.path), tuple(states), answers, lines, self.error)
+
+    def _answers(self, want: str) -> bool:
+        """Whether there are columns of a want and of what it needs."""
+        if want == "forward" and self.stand.hold is not None and not self.stand.hold.freedoms:
+            return False  # there is no motion to find
+        return all(key in self.values for key in (ANSWERS[want], *(k for k in needs_of(want) if k in self.groups)))
+
+    def _require(self, wants: Sequence[str]) -> None:
+        """Raises DataError where an input of every answer is missing, or there are no answers."""
+        instead = f", or {' '.join(name for name, _ in self.groups['u'])}" if "u" in self.groups else ""
+        problems = [
+            self._missing(key, f"every state has them{instead if key == 'V' else ''}")
+            for key in ("V", "phi", "phi_dot")
+            if key in self.groups and key not in self.values
+        ]
+        if not problems and not wants:
+            need = next((key for key in ("V_dot", "phi_ddot") if key in self.groups and key not in self.values), "tau")
+            problems.append(self._missing(need, "there is nothing to compare"))
+        attitude = {"quaternion", "angles"} & self.values.keys()
+        if not problems and not self.has_coordinates:
+            for key, there in (("quaternion", attitude), ("position", self.values.keys() & {"position"})):
+                if not there and depends_on(self.stand, wants, key):
+                    what = "attitude" if key == "quaternion" else key
+                    problems.append(self._missing(key, f"this stand depends on its {what}"))
+        if len(attitude) > 1:
+            problems.append(f"{self.path}: columns of a quaternion and of angles, expected one of them")
+        if problems:
+            raise DataError(problems)
+
+    def _missing(self, key: str, reason: str) -> str:
+        names = [name for name, _ in self.groups[key]] if key in self.groups else [key]
+        return f'{self.path}: no columns {self._quote(names[0])} to "{names[-1]}": {reason}'
+
+    def _state(self, name: str, row: dict[str, Any]) -> State:
+        """The state of a row; of a held carrier in the pose of its coordinates, or of position and attitude."""
+        try:
+            if self.stand.hold is None:
+                return read_request(self.stand, {**row, "want": ["forward"]}).state
+            keys = {key: row[key] for key in row if key not in (*COORDINATES, "V", "V_dot")}
+            state = read_request(self.stand, {**keys, "want": ["forward"]}).state
+            if self.has_coordinates:
+                turned = np.array(row["orientation"]) if "orientation" in row else None
+                return at_coordinates(self.stand, state, np.array(row.get("q", ())), turned)
+            return with_pose(self.stand, state, keys)
+        except StateError as error:
+            raise DataError([f"{self.path}: {name}: {error}"]) from None

@@ -1,0 +1,221 @@
+"""`balance`: correction weights from vibration, by influence coefficients of any rotor or by the model of a stand."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import numpy as np
+
+from mahovik.errors import BalanceError, UsageError
+from mahovik.nearest import suggestion
+from mahovik.out.arguments import FileGiven, Number, StandGiven, quantity
+from mahovik.out.commands.identify import DataGiven, files_of
+from mahovik.out.result import Column, Result, column
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.use.balance.by_model import Planes
+    from mahovik.use.balance.pieces import Made
+
+NOTHING = 1e-12
+"""Part of the largest vibration before that is written as zero."""
+
+CUT = "warning: the search for pieces was cut: a better choice may exist"
+
+
+def balance(
+    stand: StandGiven | None = None,
+    *,
+    data: DataGiven = (),
+    plane: Annotated[Mapping[str, Sequence[Number] | Mapping[str, Any] | Number] | str | Path, "NAME=X,..|FILE"] = "",
+    influence: FileGiven | None = None,
+    method: Literal["least-squares", "min-max"] = "least-squares",
+) -> Result:
+    """Find correction weights of flywheels or of any rotor.
+
+    Of a stand with --data: all its flywheels at once, from data at constant speeds, without trial weights, by the
+    linear model of the stand; least squares weighted by the noise of the channels. Its own unbalances do not count, and
+    residuals hold with 95 % confidence. Of any rotor with --influence: from the vibration at any number of sensors and
+    speeds before balancing and with trial weights in any number of planes, or without phase from the amplitudes of one
+    sensor alone. Angles of corrections are those of the trial weights.
+
+    Args:
+        stand: the stand file, with the sensors as points.
+        data: a file of measured data, with channels of sensors and phases of flywheels; as often as needed.
+        plane: planes of a flywheel, or of "all" others, at these places on its axis, as w1=-10mm,10mm; or a TOML file
+            with a table a flywheel of `positions` and `pieces`. Default one plane, at the flywheel's origin.
+        influence: a JSON file with "A", and "B" and "U" of trial runs, or "ALPHA"; numbers are "amplitude@degrees".
+        method: of --influence, least squares, or the smallest largest vibration.
+
+    Raises:
+        BalanceError: data that cannot be used.
+        DataError: a file of measured data that cannot be read.
+        UsageError: an unknown flywheel, a number out of range.
+        CheckError: the stand has no equilibrium, or a search does not settle.
+    """
+    if (influence is None) == (stand is None):
+        raise UsageError("influence, stand: expected one of them: FILE.json, or STAND.toml with data")
+    if influence is not None:
+        if data or plane:
+            raise UsageError("data, plane: need a stand; a file of influences takes none of them")
+        return _by_influence(influence, method)
+    if not data:
+        raise UsageError("data: missing, expected files of measured data of the stand")
+    assert stand is not None
+    return _by_model(stand, files_of(data), plane)
+
+
+def _by_influence(given: Any, method: Literal["least-squares", "min-max"]) -> Result:
+    from mahovik.use.balance.influence import read_influence, solve, write_polar
+    from mahovik.use.balance.pieces import choose_pieces
+
+    problems, off = read_influence(given)
+    problem, solutions = problems[0], [solve(each, method) for each in problems]
+    w, left = solutions[0].w, solutions[0].left
+    largest = float(np.abs(problem.A).max())
+
+    def polar(values: Any) -> list[str]:
+        return [write_polar(value) for value in values.tolist()]
+
+    columns = [column("plane", "", np.arange(len(w))), column("w", "", polar(w))]
+    if len(problems) > 1:
+        columns.append(column("also", "", polar(solutions[1].w)))
+    if problem.trial is not None:
+        columns.append(column("add", "", polar(w - problem.trial)))
+    if solutions[0].standard_error is not None:
+        columns.append(column("standard_error", "", solutions[0].standard_error))
+    zero = NOTHING * largest
+    meta: dict[str, Any] = {
+        "left": [write_polar(value, zero) for value in left.tolist()],
+        "before": largest,
+        "after": float(np.abs(left).max()),
+        "corrections": w,
+    }
+    messages = []
+    if solutions[0].bound is not None:
+        meta["bound"] = solutions[0].bound
+    if len(problems) > 1:
+        messages.append("two answers fit the amplitudes: try one, or add a trial run with a weight at another place")
+    if off > 0.0:
+        meta["misfit"] = off
+    if problem.choices:
+        made = choose_pieces(problem.A, problem.alpha, problem.choices)
+        columns.append(column("made", "", polar(made.w)))
+        meta["left_by_pieces"] = [write_polar(value, zero) for value in made.left.tolist()]
+        meta |= {"pieces": Result("Pieces", _pieces(made)), "proven": made.proven}
+        messages += [] if made.proven else [CUT]
+    return Result("correction weights", columns, meta=meta, messages=messages, details=("corrections",))
+
+
+def _pieces(made: Made) -> list[Column]:
+    placed = made.placed
+    return [
+        column("plane", "", np.array([each.plane for each in placed], dtype=int)),
+        column("degrees", "", [each.piece.degrees % 360.0 for each in placed]),
+        column("amount", "", [each.piece.amount for each in placed]),
+        column("radius", "", [each.piece.radius for each in placed]),
+        column("count", "", [each.count for each in placed]),
+        column("kind", "", ["hole" if each.piece.value < 0.0 else "weight" for each in placed]),
+    ]
+
+
+def _by_model(given: Any, files: Sequence[Path], plane: Any) -> Result:
+    from mahovik.out.api.stands import Stand
+    from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
+    from mahovik.use.measured import read_recordings
+
+    stand = Stand.of(given)
+    planes = _planes(stand, plane or {})
+    recordings = read_recordings(files, stand)
+    wheels = balance_wheels(stand, recordings, planes)
+    w, made, error, residual = (
+        np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "applied", "error", "residual")
+    )
+    half = HALF_WIDTH * error
+    columns = [
+        column("flywheel", "", [wheel.name for wheel in wheels for _ in wheel.positions]),
+        column("plane", "m", [x for wheel in wheels for x in wheel.positions]),
+        column("correction", "kg m", np.abs(w)),
+        column("at", "rad", np.angle(w) % (2.0 * math.pi)),
+        column("interval", "kg m", half),
+        column("interval_at", "rad", np.arctan2(half, np.abs(w))),
+    ]
+    pieces = {wheel.name: Result(f"Pieces of {wheel.name}", _pieces(wheel.made)) for wheel in wheels if wheel.made}
+    if pieces:
+        columns += [column("made", "kg m", np.abs(made)), column("made_at", "rad", np.angle(made) % (2.0 * math.pi))]
+    change = [(wheel, kind, *sizes) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    cut = any(wheel.made is not None and not wheel.made.proven for wheel in wheels)
+    return Result(
+        f"{stand.name}: corrections",
+        (*columns, column("residual", "kg m", residual)),
+        rows="planes",
+        meta={
+            "stand": stand.name,
+            "flywheels": Result(
+                "Static unbalance",
+                (
+                    column("flywheel", "", [wheel.name for wheel in wheels]),
+                    column("speed", "rad/s", [wheel.speed for wheel in wheels]),
+                    column("static", "kg m", [abs(wheel.static) for wheel in wheels]),
+                    column("residual", "kg m", [wheel.static_residual for wheel in wheels]),
+                    column("grade", "", [wheel.grade(abs(wheel.static)) for wheel in wheels]),
+                    column("residual_grade", "", [wheel.grade(wheel.static_residual) for wheel in wheels]),
+                    column("fit", "", [wheel.fit for wheel in wheels]),
+                ),
+            ),
+            "vibration": Result(
+                "First order, in SI",
+                (
+                    column("flywheel", "", [wheel.name for wheel, *_ in change]),
+                    column("quantity", "", [kind for _, kind, *_ in change]),
+                    column("before", "", [before for *_, before, _ in change]),
+                    column("after", "", [after for *_, after in change]),
+                ),
+            ),
+            **{f"pieces of {name}": table for name, table in pieces.items()},
+        },
+        messages=[*(note for each in recordings for note in each.notes), *([CUT] if cut else [])],
+        details=("stand",),
+    )
+
+
+def _planes(stand: Stand, given: Any) -> dict[str, Planes]:
+    """Planes by flywheel. Raises UsageError: a name or a number; BalanceError: pieces."""
+    tables, names = given, [wheel.name for wheel in stand.flywheels]
+    planes: dict[str, Planes] = {}
+    if not isinstance(given, Mapping):
+        try:
+            tables = tomllib.loads(Path(given).read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise BalanceError([f"{given}: {getattr(error, 'strerror', None) or f'not TOML: {error}'}"]) from None
+    for name, value in tables.items():
+        if name not in (*names, "all"):
+            raise UsageError(f'plane: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}')
+        one = _planes_of(name, value)
+        planes |= {wheel: one for wheel in (names if name == "all" else [name]) if name != "all" or wheel not in tables}
+    return planes
+
+
+def _planes_of(name: str, given: Any) -> Planes:
+    from mahovik.core.stand.units import LENGTH, MASS, QuantityError
+    from mahovik.use.balance.by_model import Planes
+    from mahovik.use.balance.pieces import read_choices
+
+    where = f"plane of {name}"
+    table = given if isinstance(given, Mapping) else {"positions": given}
+    for key in table:
+        if key not in ("positions", "pieces"):
+            raise UsageError(f"{where}: unknown key {key}{suggestion(str(key), ('positions', 'pieces'))}")
+    values = table.get("positions", [0.0])
+    texts = values.split(",") if isinstance(values, str) else values if isinstance(values, list | tuple) else [values]
+    places = tuple(quantity(where, each, LENGTH) for each in texts)
+    if not places or len(set(places)) < len(places):
+        raise UsageError(f"{where}: expected different positions, found {values}")
+    try:
+        return Planes(places, read_choices(table.get("pieces"), len(places), MASS, LENGTH))
+    except QuantityError as error:
+        raise BalanceError([f"{where}: {error}"]) from None

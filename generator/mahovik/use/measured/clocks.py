@@ -1,0 +1,214 @@
+"""Recordings of one run that several loggers made, as one, though their clocks differ in offset and drift.
+
+Sensors are never resampled; phases and speeds of flywheels are smooth and are interpolated at their times. A channel
+that both files have shows the offset by cross-correlation. An offset counts only if one peak is clearly the highest: a
+channel that only hums at one frequency fits again after every period. A drift counts only if the offsets of three parts
+lie on a line that is steeper than they are exact.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+from scipy.signal import correlate, correlation_lags
+
+from mahovik.use.measured.recording import GAP, Array, Recording, count
+
+ALIKE, ALONE = 0.8, 0.9
+"""Least correlation at the best offset, and the most that another peak may have of it."""
+
+FEWEST, MOST = 32, 1 << 18
+"""Samples that are compared."""
+
+PARTS = 3
+"""Parts of a recording whose offsets show a drift."""
+
+STRAIGHT, BLURRED = 0.3, 1.0
+"""Most that the middle offset may be off the line of the others, in steps; while the drift is in the data still."""
+
+STEEP = 1.0
+"""Change of the offset over the recording, in steps of time, below which there is no drift."""
+
+SHARE = 0.5
+"""Part of the time of the sensors that flywheels of another file have to cover."""
+
+LONGEST = 0.5
+"""Largest gap over which a flywheel is interpolated, unless its own step is longer, s."""
+
+
+def join(recordings: Sequence[tuple[str, Recording]]) -> tuple[Recording, ...]:
+    """Recordings of (file, recording): those of flywheels alone are taken into those of sensors, where they fit.
+
+    Several runs of a file take the flywheels of as many runs, in their order.
+    """
+    sensors = [pair for pair in recordings if not pair[1].of_flywheels]
+    donors = [pair for pair in recordings if pair[1].of_flywheels]
+    joined, used = [], list[Recording]()
+    for place, (file, recording) in enumerate(sensors):
+        runs = [run for own, run in sensors if own == file and set(run.frame) == set(recording.frame)]
+        groups: dict[tuple[Any, ...], list[Recording]] = defaultdict(list)
+        for other, donor in donors:
+            if other == file or _covers(donor, recording):
+                groups[other == file, *sorted(donor.frame)].append(donor)
+        whole = recording
+        for (same_file, *labels), group in groups.items():
+            many, at = (len(runs), runs.index(recording)) if same_file else (len(sensors), place)
+            if len(group) == many or (len(group) == 1 and not same_file):
+                donor = group[at if len(group) == many else 0]
+                whole, taken = _take(whole, donor, same_file)
+                used += [donor] * taken
+            elif same_file:
+                words = f"{count(len(group), 'run')} in the file, but {many} of these sensors: not taken"
+                whole = replace(whole, notes=(*whole.notes, f"{recording.source}: {', '.join(labels)}: {words}"))
+        joined.append(whole)
+    return (*joined, *(donor for _, donor in donors if donor not in used))
+
+
+def _covers(donor: Recording, recording: Recording) -> bool:
+    if len(donor.frame) < 2 or len(recording.frame) < 2:
+        return False
+    common = min(donor.t[-1], recording.t[-1]) - max(donor.t[0], recording.t[0])
+    return bool(common > SHARE * np.ptp(recording.t))
+
+
+def _take(recording: Recording, donor: Recording, same_clock: bool) -> tuple[Recording, bool]:
+    """The recording with the channels of a donor that it lacks, and whether there are any."""
+    t, notes = (donor.t, list[str]()) if same_clock else _shift(recording, donor)
+    missing = [label for label in donor.frame if label not in recording.frame]
+    columns = {label: at_times(t, donor.frame[label].to_numpy(), recording.t, label) for label in missing}
+    taken = {label: values for label, values in columns.items() if np.isfinite(values).any()}
+    if absent := ", ".join(label for label in missing if label not in taken):
+        notes.append(
+            f"{recording.source}: {absent} of {donor.source}: no sample at the times of the sensors: not taken"
+        )
+    if not taken:
+        return replace(recording, notes=(*recording.notes, *notes)), False
+    notes.append(
+        f"{recording.source}: {', '.join(taken)} from {donor.source}, interpolated at the times of the sensors"
+    )
+    whole = replace(
+        recording,
+        frame=recording.frame.assign(**taken),
+        source=recording.source if same_clock else f"{recording.source} + {donor.source}",
+        notes=(*recording.notes, *donor.notes, *notes),
+        counted=recording.counted | {name for name in donor.counted if f"{name}.phase" in taken},
+    )
+    return whole, True
+
+
+def _shift(recording: Recording, donor: Recording) -> tuple[Array, list[str]]:
+    """Times of the donor by the clock of the recording, and notes."""
+    where = f"{recording.source}: clock of {donor.source}"
+    for label in (label for label in recording.frame if label in donor.frame):
+        x, other = (_signal(each.t, each.frame[label].to_numpy(), label) for each in (recording, donor))
+        offset = clock_offset(recording.t, x, donor.t, other)
+        if offset is None:
+            continue
+        if not offset.safe:
+            words = f"(correlation {offset.correlation:.2f} at {offset.seconds:.4g} s)"
+            return donor.t, [f"{where}: {label} of both does not fit at one offset alone {words}: taken as equal"]
+        t = donor.t + offset.seconds
+        words = "ahead" if offset.seconds < 0 else "behind"
+        notes = [f"{where}: {abs(offset.seconds):.4g} s {words} by {label}: corrected"]
+        drift = clock_drift(recording.t, x, t, other)
+        if drift is not None:
+            t = drift[0] * t + drift[1]
+            words = "fast" if drift[0] < 1.0 else "slow"
+            notes.append(f"{where}: runs {1e6 * abs(drift[0] - 1.0):.0f} ppm {words} by {label}: corrected")
+        return t, notes
+    return donor.t, [f"{where}: no channel is in both that shows an offset: taken as equal"]
+
+
+def _signal(t: Array, values: Array, label: str) -> Array:
+    """Signal to compare: the rate of a phase, other values as they are."""
+    return np.asarray(np.gradient(values, t)) if label.endswith(".phase") and len(t) > 2 else values
+
+
+def at_times(t: Array, values: Array, times: Array, label: str) -> Array:
+    """A channel of a flywheel at other times; NaN outside its own and in long gaps. Cubic for a phase, else linear."""
+    there = np.isfinite(values)
+    t, values = t[there], values[there]
+    if len(t) < 4:
+        return np.full(len(times), np.nan)
+    inside = make_interp_spline(t, values, k=3)(times) if label.endswith(".phase") else np.interp(times, t, values)
+    after = np.clip(np.searchsorted(t, times), 1, len(t) - 1)
+    far = t[after] - t[after - 1] > max(LONGEST, GAP * float(np.median(np.diff(t))))
+    return np.asarray(np.where(far | (times < t[0]) | (times > t[-1]), np.nan, inside))
+
+
+class Offset(NamedTuple):
+    """Seconds to add to the times of the second clock; `correlation` there, 0 to 1; `safe`: seen once."""
+
+    seconds: float
+    correlation: float
+    safe: bool
+
+
+def clock_offset(t: Array, x: Array, other_t: Array, other_x: Array) -> Offset | None:
+    """Time to add to the second clock, from one signal x (T,) in both files; None if it is too short or constant."""
+    t, x, other_t, other_x = (
+        t[np.isfinite(x)],
+        x[np.isfinite(x)],
+        other_t[np.isfinite(other_x)],
+        other_x[np.isfinite(other_x)],
+    )
+    if min(len(t), len(other_t)) < FEWEST:
+        return None
+    step = min(float(np.median(np.diff(t))), float(np.median(np.diff(other_t))))
+    step = max(step, max(np.ptp(t), np.ptp(other_t)) / MOST)
+    a, b = (np.interp(np.arange(s[0], s[-1], step), s, y) for s, y in ((t, x), (other_t, other_x)))
+    if not (a.std() > 1e-9 * np.abs(x).max() and b.std() > 1e-9 * np.abs(other_x).max()):
+        return None
+    a, b = a - a.mean(), b - b.mean()
+    product, lags = correlate(a, b, method="fft"), correlation_lags(len(a), len(b))
+    energy = correlate(a**2, np.ones(len(b)), method="fft") * correlate(np.ones(len(a)), b**2, method="fft")
+    overlap = np.minimum(len(a) - np.maximum(lags, 0), len(b) + np.minimum(lags, 0))
+    enough = overlap >= max(FEWEST, min(len(a), len(b)) // 3)
+    alike = np.where(enough, product / np.sqrt(np.maximum(energy, 1e-30 * np.abs(energy).max())), -1.0)
+    best = int(np.argmax(alike))
+    peaks = np.flatnonzero((alike[1:-1] >= alike[:-2]) & (alike[1:-1] > alike[2:])) + 1
+    rival = float(alike[peaks[peaks != best]].max(initial=-1.0))
+    inner = 0 < best < len(alike) - 1 and bool(enough[best - 1] and enough[best + 1])
+    bend = alike[best - 1] - 2 * alike[best] + alike[best + 1] if inner else 0.0
+    fraction = 0.5 * (alike[best - 1] - alike[best + 1]) / bend if bend else 0.0
+    seconds = (t[0] - other_t[0]) + (lags[best] + fraction) * step
+    top = float(alike[best])
+    return Offset(float(seconds), min(top, 1.0), inner and top > ALIKE and rival < ALONE * top)
+
+
+def clock_drift(t: Array, x: Array, other_t: Array, other_x: Array) -> tuple[float, float] | None:
+    """Slope a and intercept b (s) of a t + b, the times of the second clock, shifted already, by the first clock.
+
+    Sought twice, since a drift blurs the correlation within a part. None: no drift is seen, or not safely.
+    """
+    first = _line(t, x, other_t, other_x, STEEP, BLURRED)
+    if first is None:
+        return None
+    slope, intercept = first
+    second = _line(t, x, slope * other_t + intercept, other_x, 0.0, STRAIGHT)
+    return None if second is None else (second[0] * slope, second[0] * intercept + second[1])
+
+
+def _line(t: Array, x: Array, other_t: Array, other_x: Array, steep: float, bend: float) -> tuple[float, float] | None:
+    """The line through the offsets of PARTS; None if they are not safe, or it is not as steep, or more bent (steps)."""
+    low, high = max(t[0], other_t[0]), min(t[-1], other_t[-1])
+    edges = np.linspace(low, high, PARTS + 1)
+    step = max(float(np.median(np.diff(t))), float(np.median(np.diff(other_t))))
+    seconds = []
+    for a, b in pairwise(edges):
+        inside, other = (t >= a) & (t <= b), (other_t >= a) & (other_t <= b)
+        part = clock_offset(t[inside], x[inside], other_t[other], other_x[other])
+        if part is None or not part.safe:
+            return None
+        seconds.append(part.seconds)
+    first, middle, last = seconds
+    rate = (last - first) / float(edges[-2] - edges[0])
+    if abs(middle - 0.5 * (first + last)) > bend * step or abs(rate) * (high - low) < steep * step:
+        return None
+    return 1.0 + rate, (first + middle + last) / PARTS - rate * float(0.5 * (low + high))

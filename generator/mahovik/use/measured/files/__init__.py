@@ -1,1 +1,0 @@
-"""Formats of files of measured data, each read into tables of named columns."""

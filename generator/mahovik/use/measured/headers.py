@@ -1,0 +1,191 @@
+"""Headers of measured data, `acc1.acceleration.x [m/s2]`: what they mean on a stand, and their unit in SI.
+
+Columns of a run of `mahovik simulate` and the inertial sensor of a PX4 log are known by the names they have there; a
+file of names says what other columns are:
+
+    [names]
+    "sensor_combined.gyro_rad[0]" = "imu.rate.x [rad/s]"
+    [counts]
+    w1 = 4096
+
+`counts`: counts a turn of encoders that neither a unit nor the stand file states.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+from pydantic import Field, StrictInt, StrictStr
+
+from mahovik.core.stand import toml
+from mahovik.core.stand.fields import Table
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.units import (
+    ACCELERATION,
+    ANGLE,
+    FORCE,
+    PLAIN,
+    SPEED,
+    TIME,
+    TORQUE,
+    Dimension,
+    QuantityError,
+    factor,
+)
+from mahovik.errors import DataError
+from mahovik.nearest import suggestion
+
+AXES, LETTERS = "xyz", "xyzkmn"
+"""Components of a vector, and of a wrench: forces, then moments."""
+
+SENSOR = {
+    **{f"acceleration.{axis}": ACCELERATION for axis in AXES},
+    **{f"rate.{axis}": SPEED for axis in AXES},
+}
+FLYWHEEL = {"phase": ANGLE, "speed": SPEED, "count": PLAIN, "tacho": PLAIN, "torque": TORQUE}
+HOLD = {f"reaction.{letter}": FORCE if letter in AXES else TORQUE for letter in LETTERS}
+
+WITHOUT_UNIT = {"", "1", "count", "counts", "-"}
+GRAVITIES = {"g": Fraction("9.80665"), "mg": Fraction("0.00980665"), "m/s/s": Fraction(1)}
+"""Units of accelerometers that are masses elsewhere."""
+
+RUN_MARKS = ("qw", "v_x [m/s]", "omega_x [rad/s]")
+"""Columns that every run of `mahovik simulate` has, and no measured data."""
+
+RUN_SENSORS = {"force": "acceleration", "gyro": "rate"}
+RUN_FLYWHEELS = {"phi": "phase", "phi_dot": "speed", "tau": "torque"}
+
+PX4 = {
+    **{f"sensor_combined.gyro_rad[{k}]": f"rate.{axis} [rad/s]" for k, axis in enumerate(AXES)},
+    **{f"sensor_combined.accelerometer_m_s2[{k}]": f"acceleration.{axis} [m/s2]" for k, axis in enumerate(AXES)},
+}
+"""Fields of PX4 that are those of the one point of a stand."""
+
+_HEADER = re.compile(r"\s*([^\[\]]*?)\s*(?:\[\s*([^\[\]]*?)\s*\])?\s*")
+_PART_OF_TURN = re.compile(r"1\s*/\s*(\d{1,9})\s*(?:turn|rev|revolution)s?")
+_RUN = re.compile(r"(?:(force|gyro)_([xyz])|(phi|phi_dot|tau)) (.+) (\[.+\])")
+
+
+class HeaderError(ValueError):
+    """A header that is no channel of the stand; the text says what was found and what was expected."""
+
+
+class Channel(NamedTuple):
+    """A channel of a stand by its `label`, such as `acc1.rate.x`.
+
+    scale   SI units of one unit of the file; of a count 1
+    counts  counts a turn that the unit states (`[1/4096 turn]`), None without
+    """
+
+    label: str
+    scale: float = 1.0
+    counts: int | None = None
+
+
+class Names(Table):
+    """Keys of a file of names: headers by the name of a column, counts a turn by flywheel."""
+
+    names: Annotated[dict[str, StrictStr], Field(default_factory=dict)]
+    counts: Annotated[dict[str, Annotated[StrictInt, Field(gt=0)]], Field(default_factory=dict)]
+
+
+def read_names(path: Path, raw: bytes) -> Names:
+    """The names of a file. Raises DataError."""
+    problems = Problems(str(path))
+    try:
+        found = problems.valid(Names, toml.parse(raw.decode("utf-8")))
+    except ValueError as error:
+        raise DataError([f"{path}: not TOML: {error}"]) from None
+    if found is None:
+        raise DataError(problems.lines)
+    return found
+
+
+def sensors(stand: Stand) -> tuple[str, ...]:
+    """Names of what `points` of the C reads, in its order: instruments, then points."""
+    return (*(each.name for each in stand.instruments), *(each.name for each in stand.points))
+
+
+def split_header(header: str) -> tuple[str, str]:
+    """Name and unit of a header; the unit is "" without brackets. Raises HeaderError."""
+    match = _HEADER.fullmatch(header)
+    if match is None or not match[1]:
+        raise HeaderError(f'"{header[:60]}": expected a name and a unit, such as "acc1.rate.x [rad/s]"')
+    return match[1], match[2] or ""
+
+
+def is_time(header: str) -> bool:
+    """Whether a header is that of the time."""
+    match = _HEADER.fullmatch(header)
+    return match is not None and match[1].lower() in ("time", "t")
+
+
+def time_scale(header: str) -> float:
+    """Seconds of one unit of the column of time. Raises HeaderError."""
+    name, unit = split_header(header)
+    return float(_factor(unit, TIME, name)) if unit else 1.0
+
+
+def channel_of(header: str, stand: Stand) -> Channel:
+    """The channel of a stand that a header names. Raises HeaderError."""
+    text, unit = split_header(header)
+    bearer, _, rest = text.partition(".")
+    known = _quantities(bearer, text, stand)
+    if rest not in known:
+        raise HeaderError(f'"{text}": {bearer} has no "{rest}"{suggestion(rest, known)}')
+    dimension = known[rest]
+    if dimension != PLAIN:
+        if not unit:
+            raise HeaderError(f'"{text}" has no unit, expected {dimension.words}, such as [{dimension.si}]')
+        return Channel(text, float(_factor(unit, dimension, text)))
+    turn = _PART_OF_TURN.fullmatch(unit) if rest == "count" else None
+    if turn is None and unit not in WITHOUT_UNIT and not (rest == "tacho" and unit == "V"):
+        raise HeaderError(f'"{text}": unit "{unit}" does not fit, expected [1] or, of a count, [1/4096 turn]')
+    return Channel(text, counts=int(turn[1]) if turn is not None and int(turn[1]) else None)
+
+
+def known_header(column: str, columns: Mapping[str, Any], stand: Stand) -> str | None:
+    """Header of a column of a run of `mahovik simulate` or of a PX4 log; None: it is no measured quantity."""
+    if column in PX4:
+        return f"{stand.points[0].name}.{PX4[column]}" if len(stand.points) == 1 else None
+    run = _RUN.fullmatch(column)
+    if run is not None and run[1]:
+        return f"{run[4]}.{RUN_SENSORS[run[1]]}.{run[2]} {run[5]}"
+    if run is not None:
+        return f"{run[4]}.{RUN_FLYWHEELS[run[3]]} {run[5]}"
+    return column if is_time(column) or (is_run(columns) and "." in column.partition(" [")[0]) else None
+
+
+def is_run(columns: Mapping[str, Any]) -> bool:
+    """Whether a table with these columns is a run of `mahovik simulate`."""
+    return all(mark in columns for mark in RUN_MARKS)
+
+
+def _quantities(bearer: str, text: str, stand: Stand) -> Mapping[str, Dimension]:
+    """Quantities of a point, an instrument, a flywheel or the hold, with their dimensions. Raises HeaderError."""
+    by_name = dict.fromkeys(sensors(stand), SENSOR)
+    by_name |= {wheel.name: FLYWHEEL for wheel in stand.flywheels}
+    if bearer == "hold" and bearer not in by_name:
+        if stand.hold is None:
+            raise HeaderError(f'"{text}": the carrier is free, expected a stand with [hold]; leave this channel out')
+        return HOLD
+    if bearer == "carrier":
+        raise HeaderError(f'"{text}": the carrier has no sensor; name a [[point]] of the stand at its place')
+    if bearer not in by_name:
+        near = suggestion(bearer, by_name)
+        raise HeaderError(f'"{text}": {stand.name} has no point, instrument or flywheel "{bearer}"{near}')
+    return by_name[bearer]
+
+
+def _factor(unit: str, dimension: Dimension, text: str) -> Fraction:
+    if dimension == ACCELERATION and unit in GRAVITIES:
+        return GRAVITIES[unit]
+    try:
+        return factor(unit, dimension)
+    except QuantityError as error:
+        raise HeaderError(f'"{text}": {error}') from None
