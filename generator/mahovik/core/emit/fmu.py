@@ -66,19 +66,32 @@ def compiled_sources(stand: Stand, version: str) -> tuple[str, ...]:
 def fmu_sources(stand: Stand, generated: Generated, form: Form, version: str, token: str) -> Sources:
     """All sources of an FMU; `token` ties the binary to its description."""
     printer = _Printer(stand, generated, form)
-    name, compiled = stand.name, compiled_sources(stand, version)
+    compiled = compiled_sources(stand, version)
+    files = _with_model(stand, generated, printer, {compiled[-1]: printer.interface(version, token)})
+    files |= {header: source_text(f"fmu/{header}") for header in HEADERS[version]}
+    return Sources(files, compiled)
+
+
+def block_sources(stand: Stand, generated: Generated, form: Form, tool: str) -> dict[str, str]:
+    """All sources of a block of "simulink" or "basilisk", text by file name."""
+    printer = _Printer(stand, generated, form)
+    names = {"simulink": ("simulink.c",), "basilisk": ("basilisk.h", "basilisk.i")}[tool]
+    return _with_model(stand, generated, printer, {f"{stand.name}_{name}": printer.block(name) for name in names})
+
+
+def _with_model(stand: Stand, generated: Generated, printer: _Printer, interface: dict[str, str]) -> dict[str, str]:
+    """An interface with the stand as values with references, and the C of what they call."""
+    name = stand.name
     files = {
         f"{name}_pose.h": printer.pose("fmu/pose.h.j2"),
         f"{name}_pose.c": printer.pose("fmu/pose.c.j2"),
         f"{name}_model.h": printer.model("fmu/model.h.j2"),
         f"{name}_model.c": printer.model("fmu/model.c.j2"),
-        compiled[-1]: printer.interface(version, token),
+        **interface,
     }
     text = "".join(files.values())
     called = (f.name for f in generated.program.functions if f.public and f"{name}_{f.name}(" in text)
-    files = generate_all(stand, only=tuple(called)).files | files
-    files |= {header: source_text(f"fmu/{header}") for header in HEADERS[version]}
-    return Sources(files, compiled)
+    return generate_all(stand, only=tuple(called)).files | files
 
 
 class _Printer:
@@ -153,6 +166,19 @@ class _Printer:
             token=token,
             **SPELLING[version],
             nominals=wrap_statement(", ".join(map(self._code.real, nominals)), ""),
+        )
+
+    def block(self, name: str) -> str:
+        """The interface of a block of another simulator."""
+        form, groups = self._form, self._form.groups
+        return self._code.render(
+            f"block/{name}.j2",
+            **self._known,
+            sources=compiled_sources(self._stand, "2.0")[:-1],
+            inputs_=form.variables[groups["DRIVE"].first : groups["STATE"].first],
+            state=form.group("STATE"),
+            calculated=form.variables[groups["RATES"].first :],
+            dt=form.group("STEP")[0].start,
         )
 
     # -- parts ---------------------------------------------------------------------------------------------------------

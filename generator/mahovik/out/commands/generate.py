@@ -29,13 +29,16 @@ from mahovik.out.result import Result, column
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
-Project = Annotated[str, "cmake|fmu|BOARD"]
+Project = Annotated[str, "cmake|fmu|simulink|basilisk|BOARD"]
 Settings = Annotated[str | Mapping[str, Number], "NAME=VALUE"]
 
 FMU = {
     "version": ("2.0", "3.0"), "kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no"),
 }  # fmt: skip
 """Settings of an FMU that are one of some words, the default first."""
+
+BLOCKS = ("simulink", "basilisk")
+"""Simulators for which there is a plant block."""
 
 
 @dataclass
@@ -78,11 +81,11 @@ def generate(
     hash; commands that read the folder, or a log of its C, find the name there.
 
     --project writes a project around the C: cmake, with the target mahovik::NAME and a header for C++17; fmu, the stand
-    behind the Functional Mock-up Interface; a processor or board, such as m7, where `make run` runs the self-test on
-    the emulator and main.c is yours; fuzz, a harness for libFuzzer. --programme adds a programme as const tables with
-    a clock that never drifts, with drive torques if --motion is given, to the C that the folder has, or with it;
-    --servo adds the servos that follow it. --attitude writes an attitude loop with an example that closes it with the
-    exact plant.
+    behind the Functional Mock-up Interface; simulink or basilisk, a plant block; a processor or board, such as m7,
+    where `make run` runs the self-test on the emulator and main.c is yours; fuzz, a harness for libFuzzer. --programme
+    adds a programme as const tables with a clock that never drifts, with drive torques if --motion is given, to the C
+    that the folder has, or with it; --servo adds the servos that follow it. --attitude writes an attitude loop with an
+    example that closes it with the exact plant.
 
     Args:
         stand: the stand file.
@@ -152,9 +155,9 @@ def _refuse_contradictions(
             raise UsageError(f"{what}: needs --programme P.json, which is missing")
     if programme is not None and (project is not None or attitude is not None):
         raise UsageError("programme: not with --project, --attitude; its files lie beside those of `mahovik generate`")
-    if attitude is not None and project in ("cmake", "fmu", "fuzz"):
+    if attitude is not None and project in ("cmake", "fmu", "fuzz", *BLOCKS):
         raise UsageError(f"attitude: needs a board, not --project {project}")
-    if parts and (project in ("fmu", "fuzz") or attitude is not None):
+    if parts and (project in ("fmu", "fuzz", *BLOCKS) or attitude is not None):
         what = "attitude" if attitude is not None else "project"
         raise UsageError(f"{what}: has all functions that it calls; not with --only, --with, --batch")
 
@@ -168,6 +171,12 @@ def _files(
     stand: Stand, project: str | None, attitude: Any, real: str | None, only: tuple[str, ...], added: tuple[str, ...]
 ) -> _Made:
     """The files of the folder. Raises UsageError, StandError."""
+    if attitude is None and project in BLOCKS:
+        from mahovik.out.export.fmu import export_block
+
+        if real == "float":
+            raise UsageError(f"real: the block of {project} computes in double, leave it out")
+        return _Made(export_block(stand, project))
     if attitude is None and project in (None, "cmake", "fuzz"):
         if project == "cmake":
             from mahovik.out.export.cmake import cmake_project
@@ -185,7 +194,9 @@ def _files(
     from mahovik.out.export.target import project as board_project
 
     if project is not None and project not in TARGETS:
-        raise UsageError(f'project: unknown "{project}"{suggestion(project, ("cmake", "fmu", "fuzz", *TARGETS))}')
+        raise UsageError(
+            f'project: unknown "{project}"{suggestion(project, ("cmake", "fmu", "fuzz", *BLOCKS, *TARGETS))}'
+        )
     board = exportable(project or "host")
     if attitude is None:
         if added:

@@ -6,11 +6,12 @@ import io
 import math
 import zipfile
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from mahovik.core.emit.fmu import compiled_sources, fmu_sources
+from mahovik.core.emit.fmu import block_sources, compiled_sources, fmu_sources
 from mahovik.core.emit.fmu_description import fmu_build, fmu_description
 from mahovik.core.emit.generate import Generated, generate_all
+from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.stand.model import Stand
@@ -51,6 +52,7 @@ def export_fmu(
     """
     if not 1e-9 <= dt <= 10.0:
         raise UsageError(f"fmu dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
+    stand = with_wrench(stand)
     generated = generated or generate_all(stand)
     found = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
     description = fmu_description(stand, found, version, compiled_sources(stand, version), max(STEP, dt))
@@ -70,6 +72,21 @@ def export_fmu(
     else:
         lines.append("no binary, only sources")
     return Fmu(archive(files), files, tuple(lines))
+
+
+def with_wrench(stand: Stand) -> Stand:
+    """The stand with a run-time wrench on its carrier: other simulators have forces of their own."""
+    return replace(stand, carrier=replace(stand.carrier, wrench_input=True))
+
+
+def export_block(
+    stand: Stand, tool: str, dt: float = 1e-4, start: State | None = None, generated: Generated | None = None
+) -> dict[str, str]:
+    """A plant block of the simulator "simulink" or "basilisk", text by file name. Options, errors: as `export_fmu`."""
+    stand = with_wrench(stand)
+    generated = generated or generate_all(stand)
+    found = form(stand, generated.layout, generated.values, "cs", "torque", dt, start_of(stand, start, generated))
+    return with_manifest(stand, generated, block_sources(stand, generated, found, tool), tool)
 
 
 _DECIMALS = 12

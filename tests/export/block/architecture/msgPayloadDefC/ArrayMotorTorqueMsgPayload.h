@@ -1,0 +1,2 @@
+#pragma once
+typedef struct { double motorTorque[36]; } ArrayMotorTorqueMsgPayload;

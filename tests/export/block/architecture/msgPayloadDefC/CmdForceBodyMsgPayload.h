@@ -1,0 +1,2 @@
+#pragma once
+typedef struct { double forceRequestBody[3]; } CmdForceBodyMsgPayload;

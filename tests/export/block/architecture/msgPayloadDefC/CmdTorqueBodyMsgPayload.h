@@ -1,0 +1,2 @@
+#pragma once
+typedef struct { double torqueRequestBody[3]; } CmdTorqueBodyMsgPayload;

@@ -1,0 +1,2 @@
+#pragma once
+typedef struct { double wheelSpeeds[36]; double wheelThetas[36]; } RWSpeedMsgPayload;
