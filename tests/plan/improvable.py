@@ -5,17 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
-import numpy as np
-
 from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.model import Motor
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.improve import ImprovedMotion, evaluate, finish, improve
+from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.search import Candidate, Improver, search
-from mahovik.use.plan.starts import StartBatch
+from mahovik.use.plan.search import search
 from mahovik.use.plan.windings import Kind
 from plan.problems import example
 
@@ -41,13 +38,13 @@ class Plain(Improver):
     def __init__(self, improver: Improver) -> None:
         super().__init__(improver.problem, improver.cost)
 
-    def rank(self, batch: StartBatch) -> np.ndarray:
-        """Smallest residual first."""
-        return np.argsort(batch.residuals(), kind="stable")
+    def estimate(self, start: Periodic) -> tuple[float, float]:
+        """No start is better than another."""
+        return 1.0, 0.0
 
     def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
         exact = refine_periodic(self.problem, start, budget)
-        return self.candidate(evaluate(self.problem, self.cost, exact, 0), kind)
+        return self.evaluate(exact, kind)
 
 
 @cache
@@ -58,7 +55,7 @@ def plain(winding: Winding) -> Periodic:
     return search(problem, Plain(own), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
 
 
-def improved(own: Improver, winding: Winding) -> ImprovedMotion:
+def improved(own: Improver, winding: Winding) -> Candidate:
     """The plain programme, improved and finished."""
     budget = Budget(UNTIL)
-    return finish(own.problem, own.cost, improve(own.problem, own.cost, plain(winding), budget), budget)
+    return own.finish(own.improve(plain(winding), "given", budget), budget)

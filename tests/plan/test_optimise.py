@@ -12,12 +12,12 @@ from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
-from mahovik.use.plan.improve import ImprovedMotion, evaluate, exceeded_by, improve, make_stage
+from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.planner import not_found_message
 from mahovik.use.plan.points import Stage
 from mahovik.use.plan.problem import Periodic
-from mahovik.use.plan.search import Candidate, Improver, Search, choose
+from mahovik.use.plan.search import Search
 from plan.improvable import UNTIL, N, improved, plain, setting
 from plan.problems import drawn_problem, wheels
 
@@ -38,7 +38,7 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
     weights = {"acceleration": 1.0, "torque": (0.5, 1.0, 2.0), "speed_variation": 0.7, "power": 0.1}
     found, _ = drawn_problem(14, WHEELS, features, bounds=bounds, free=free, **weights)
     cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
-    return make_stage(found, cost, H, 30.0, 0.8, 1.1), wheels(WHEELS, H)
+    return Improver(found, cost).stage(H, 30.0, objective=0.8, wider=1.1), wheels(WHEELS, H)
 
 
 @pytest.mark.parametrize("free", [(True,) * 6, (True, False, True, False, False, True)])
@@ -72,7 +72,7 @@ def tight() -> Bounds:
 
 
 @cache
-def inside() -> ImprovedMotion:
+def inside() -> Candidate:
     """The plain programme, improved inside these bounds."""
     return improved(setting(tight()), "rock")
 
@@ -80,10 +80,10 @@ def inside() -> ImprovedMotion:
 def test_bounds_that_the_start_breaks_are_kept() -> None:
     """Four kinds at once; the programme stays exact."""
     own = setting(tight())
-    broken = {each.kind for each in exceeded_by(own.problem, own.cost, plain("rock"))}
+    broken = {each.kind for each in own.evaluate(plain("rock"), "rock").exceeded_bounds}
     assert broken == {"acceleration", "torque", "speed", "angle"}
     found = inside()
-    assert exceeded_by(own.problem, own.cost, found.motion) == ()
+    assert found.exceeded_bounds == ()
     assert found.utilisation < 1.0
     assert found.residual < own.problem.tolerance
 
@@ -91,7 +91,7 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
 def test_what_cannot_be_kept_is_told() -> None:
     """A tenth of what is possible: the excess is that of the programme, recomputed on another grid."""
     own = setting(Bounds(acceleration=(60.0,) * N))
-    found = own.rescue(own.candidate(improve(own.problem, own.cost, plain("rock"), Budget(UNTIL)), "rock"), None)
+    found = own.rescue(own.improve(plain("rock"), "rock", Budget(UNTIL)), None)
     assert found is not None and found.exact and not found.is_programme
     worst = found.exceeded_bounds[0]
     peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
@@ -104,14 +104,14 @@ def test_what_cannot_be_kept_is_told() -> None:
 def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search of which the bound has left one attempt that is no programme; its message names the bound as well."""
     own, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
-    attempt = own.candidate(evaluate(own.problem, own.cost, free.with_harmonics(2), 0), "rock", free)
+    attempt = own.evaluate(free.with_harmonics(2), "rock", free)
     search: Search[Candidate] = Search(beyond=[attempt])
     assert not attempt.exact
     words = not_found_message(search)
     assert "the nearest attempt exceeds a bound, torque of w" in words
     assert "bound is 0.03" in words and "try wider bounds" in words and "bound" not in not_found_message(Search())
     monkeypatch.setattr(Improver, "rescue", lambda *_: None)
-    (nearest,) = choose(own, search, seconds=None)  # without the clock: the outcome is the same on a busy machine
+    (nearest,) = own.choose([], [attempt], seconds=None)  # without the clock: the outcome is the same on a busy machine
     assert nearest.exact and not nearest.is_programme
     disregards = own.exact(attempt, free, None)
     assert nearest.utilisation < 0.9 * disregards.utilisation, "it is no nearer than one that disregards the bound"

@@ -14,9 +14,10 @@ from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.laws.suspension.law import Suspension
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.improve import Improver
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
-from mahovik.use.plan.search import Improver, search
+from mahovik.use.plan.search import search
 from mahovik.use.plan.starts import StartBatch
 from plan.improvable import Plain
 from plan.problems import example, problem, required

@@ -1,20 +1,24 @@
-"""From a flywheel motion that nearly solves (12) to one that does, keeps the bounds, and is locally best: (13).
+"""From a start to a programme: exact by (12), inside the bounds, and locally best by the objective, (13).
 
-Bounds come first, with a small weight of the objective: limits start at the motion's own values and are tightened by
-TIGHTER in each round, down to the bounds. Then the objective. Then the finish with more harmonics and a heavy tail, by
-the same steps: anything else would slide along nearly free directions and break the bounds again.
+A start is made nearly exact with few harmonics. Bounds come first, with a small weight of the objective: limits start
+at the motion's own values and are tightened by TIGHTER in each round, down to the bounds. Then the objective. Then the
+finish with more harmonics and a heavy tail, by the same steps: anything else would slide along nearly free directions
+and break the bounds again.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+
+import numpy as np
 
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded_bounds, has_bounds
-from mahovik.use.plan.points import InHarmonics, Stage
-from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.points import InHarmonics, Stage, refine, refine_periodic
+from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.step import SOLVED, Rules, descend, restore, size
+from mahovik.use.plan.windings import Kind
 
 HARMONICS = 16
 TAIL = 300.0
@@ -37,159 +41,221 @@ NEAR, LAST = 1.2, 0.99 / KNEE
 """Use of the bounds below which the aim needs no margin, and how wide the limits are then."""
 SPARE = 0.97
 """Use of the bounds up to which there is a margin to keep."""
+_START_HARMONICS = 5
+"""Harmonics that make a start nearly exact before it is improved, unless the motion has more."""
+_NEARLY, _HOPELESS = 3e-3, 0.3
+"""Relative residual that is nearly exact, and above which a start is given up."""
+_RESERVE = 60
+"""Steps reserved to finish the least bad programme when the budget is spent."""
+_SAME = 1e-2
+"""rad: two programmes of the same winding with all mean angles nearer than this count as one."""
 
 
 @dataclass(frozen=True, eq=False)
-class ImprovedMotion:
-    """Improved motion and its figures.
+class Candidate:
+    """A flywheel motion with its figures on a fine grid.
 
     motion      the flywheel motion with its bias
     objective   J of (13), and the part of each kind
     utilisation largest part of a bound that is used; above 1 one is exceeded
-    residual    relative, on a fine grid
-    steps       number of steps taken
+    exceeded_bounds   those that it exceeds, largest excess first
+    residual    relative; `exact`: it is accepted, which makes the motion a programme
+    free        the motion before the bounds began to push it, where it is known
     """
 
     motion: Periodic
     objective: float
     parts: Mapping[str, float]
     utilisation: float
+    exceeded_bounds: tuple[ExceededBound, ...]
     residual: float
-    steps: int
+    exact: bool
+    kind: Kind
+    free: Periodic | None = None
+
+    @property
+    def is_programme(self) -> bool:
+        """Whether it is a programme inside the bounds."""
+        return self.exact and not self.exceeded_bounds
+
+    def is_same(self, other: Candidate) -> bool:
+        """Whether two searches ended in the same programme."""
+        if not np.array_equal(self.motion.winding, other.motion.winding):
+            return False
+        apart = (self.motion.mean - other.motion.mean + np.pi) % (2.0 * np.pi) - np.pi
+        return bool(np.abs(apart).max(initial=0.0) < _SAME)
 
 
-def improve(problem: Problem, cost: Cost, start: Periodic, budget: Budget) -> ImprovedMotion:
-    """Meet the bounds, then improve the objective; the finish corrects the remaining residual. Ends with the budget."""
-    stage = make_stage(problem, cost, harmonics(problem, start, HARMONICS), TAIL)
-    motion, steps = start.with_harmonics(stage.H), 0
-    point = stage.at(motion)
-    if has_bounds(problem.motion.bounds):
-        point, steps = _tighten(problem, cost, stage, point, budget)
-    if point.utilisation <= 1.0:
-        kept = replace(stage, wider=limit_factor(point.utilisation))
-        run = descend(kept.at(point.motion), Rules(STEPS), budget)
-        point, steps = run.point, steps + run.steps
-    return evaluate(problem, cost, point.motion, steps)
+@dataclass(frozen=True, eq=False)
+class Improver:
+    """Turns starts into programmes. Every run ends with its budget or Ctrl-C, and gives what it has."""
+
+    problem: Problem
+    cost: Cost
+
+    @staticmethod
+    def of(problem: Problem) -> Improver:
+        """Improver for a problem's objective. MotionError: power is weighted without motor constants."""
+        Omega = 2.0 * np.pi / problem.motion.span * min(problem.motion.harmonics, default=1)
+        return Improver(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
+
+    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+        """The programme that a start leads to, inside the bounds or beyond them; None: it leads to none."""
+        order = self._order(start)
+        H = max(start.H, _START_HARMONICS + 2 * (order - 1))
+        grid = self.problem.grid(4 * H + 8 * order + 16, H)
+        near = refine(self.problem, grid, start.with_harmonics(H), 40, _NEARLY, budget).point
+        if near.largest > _HOPELESS:
+            return None
+        found = self.improve(near.motion, kind, budget)
+        if found.utilisation > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
+            return found
+        found = self.finish(found, budget)
+        if found.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
+            return self.evaluate(refine_periodic(self.problem, near.motion, budget), kind, near.motion)
+        return found
+
+    def improve(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate:
+        """Meet the bounds, then improve the objective; the finish corrects the remaining residual."""
+        stage = self.stage(self._harmonics(start, HARMONICS))
+        point = stage.at(start.with_harmonics(stage.H))
+        if has_bounds(self.problem.motion.bounds):
+            point = self._tighten(stage.H, point, budget)
+        if point.utilisation <= 1.0:
+            kept = replace(stage, wider=_limit_factor(point.utilisation))
+            point = descend(kept.at(point.motion), Rules(STEPS), budget).point
+        return self.evaluate(point.motion, kind, start)
+
+    def _tighten(self, H: int, point: InHarmonics, budget: Budget) -> InHarmonics:
+        """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
+        idle = 0
+        for number in range(ROUNDS):
+            before = point.utilisation
+            if before < KNEE + 0.02 and number:
+                break
+            wider = max(1.0, TIGHTER * before)
+            stage = self.stage(H, objective=MEANWHILE, wider=wider)
+            enough = _within((KNEE + 0.01) * wider)
+            point = descend(stage.at(point.motion), Rules(STEPS_A_ROUND), budget, enough).point
+            idle = idle + 1 if point.utilisation > GAIN * before and point.utilisation > 1.0 else 0
+            if idle >= _IDLE_ROUNDS or budget.exhausted:
+                break
+        if 1.0 < point.utilisation < NEAR:  # no margin: the knee stands right at the limit
+            stage = self.stage(H, objective=MEANWHILE, wider=LAST)
+            point = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _within(0.999)).point
+        return point
+
+    def finish(self, found: Candidate, budget: Budget) -> Candidate:
+        """The same motion with an accepted residual, if possible, with bounds and objective kept.
+
+        First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by
+        the same steps as before, with a heavy tail.
+        """
+        wider = _limit_factor(found.utilisation)
+        for smooth, steps, H in FINISHES:
+            motion = found.motion
+            if found.residual < EXACT_ENOUGH * self.problem.tolerance or budget.exhausted:
+                break
+            if smooth:
+                stage = self.stage(self._harmonics(motion, smooth), TAIL_OF_FINISH, wider=wider)
+                motion = descend(stage.at(motion.with_harmonics(stage.H)), Rules(steps), budget).point.motion
+            stage = self.stage(self._harmonics(motion, H))
+            motion = restore(stage.at(motion.with_harmonics(stage.H)), RESTORING, budget).motion
+            again = self.evaluate(motion, found.kind, found.free)
+            if again.residual < found.residual:
+                found = again
+        return found
+
+    def choose(
+        self, inside: Sequence[Candidate], beyond: Sequence[Candidate], seconds: float | None
+    ) -> list[Candidate]:
+        """Programmes inside the bounds, best by the objective first; else the one that exceeds the bounds least."""
+        ordered = sorted(inside, key=lambda each: each.objective)
+        if ordered:
+            return [x for k, x in enumerate(ordered) if not any(x.is_same(better) for better in ordered[:k])]
+        for each in beyond:
+            least = self.rescue(each, seconds)
+            if least is not None:
+                return [least]
+        # bounds far below what the motion needs leave no exact motion near them: then from one that disregards them
+        free = [self.exact(each, each.free, seconds) for each in beyond if each.free is not None]
+        best = sorted((each for each in free if each.exact), key=lambda each: each.utilisation)[:1]
+        return [self._bring_nearer(each, Budget(_RESERVE, seconds)) for each in best]
+
+    def rescue(self, beyond: Candidate, seconds: float | None) -> Candidate | None:
+        """The least bad candidate, finished on a reserve of steps; None: it does not become exact."""
+        if beyond.exact:
+            return beyond
+        again = self.finish(beyond, Budget(_RESERVE, seconds))
+        if not again.exact:
+            again = self.exact(beyond, beyond.motion, seconds)
+        return again if again.exact else None
+
+    def exact(self, beyond: Candidate, motion: Periodic, seconds: float | None) -> Candidate:
+        """A motion made exact without regard to the bounds, as far as a reserve of steps goes."""
+        made = refine_periodic(self.problem, motion, Budget(_RESERVE, seconds))
+        return self.evaluate(made, beyond.kind, beyond.free)
+
+    def _bring_nearer(self, best: Candidate, budget: Budget) -> Candidate:
+        """The programme nearest to the bounds that rounds of tightened limits reach from one that exceeds them.
+
+        Each round ends in a finished programme, so that the last good one is exact where the bounds leave none.
+        """
+        tighter = TIGHTER
+        while best.utilisation > 1.0 and tighter < GAIN and not budget.exhausted:
+            wider = max(1.0, tighter * best.utilisation)
+            stage = self.stage(self._harmonics(best.motion, HARMONICS), objective=MEANWHILE, wider=wider)
+            run = descend(stage.at(best.motion.with_harmonics(stage.H)), Rules(STEPS_A_ROUND), budget)
+            nearer = self.finish(self.evaluate(run.point.motion, best.kind, best.free), budget)
+            if nearer.exact and nearer.utilisation < GAIN * best.utilisation:
+                best = nearer
+            else:
+                tighter = tighter**0.5  # a smaller step, until it would gain nothing
+        return best
+
+    def estimate(self, start: Periodic) -> tuple[float, float]:
+        """Objective and use of the bounds of a start, at few samples."""
+        point = self.stage(start.H).at(start)
+        parts = self.cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
+        return sum(parts.values()), point.utilisation
+
+    def evaluate(self, motion: Periodic, kind: Kind, free: Periodic | None = None) -> Candidate:
+        """Figures of a motion on a fine grid, 20 times finer than its harmonics need."""
+        stage, bounds = self.stage(motion.H, fine=True), self.problem.motion.bounds
+        point = stage.at(motion)
+        parts = self.cost.value(point.angles, stage.Omega * motion.winding, Rows.of(point.tau))
+        at = point.angles, point.swing, point.tau, motion.bias
+        over = exceeded_bounds(bounds, self.problem.stand, stage.grid.t, *at) if point.utilisation > 1.0 else ()
+        residual = self.problem.relative(motion)
+        exact = residual < self.problem.tolerance
+        return Candidate(motion, sum(parts.values()), parts, point.utilisation, over, residual, exact, kind, free)
+
+    def stage(
+        self, H: int, tail: float = TAIL, *, objective: float = 1.0, wider: float = 1.0, fine: bool = False
+    ) -> Stage:
+        """A stage with H harmonics: enough samples to separate 2 H of the residual from what motion and windings add.
+
+        `fine`: for judging.
+        """
+        M = 20 * (2 * H + 2) if fine else max(64, 4 * H + 8 * self.problem.highest + 16)
+        grid = self.problem.grid(M, H, 0.381966 if fine else 0.0)
+        return Stage(self.problem, self.cost, grid, H, tail, objective, wider)
+
+    def _order(self, motion: Periodic) -> int:
+        return max(self.problem.highest, int(np.abs(motion.winding).max(initial=0)))
+
+    def _harmonics(self, motion: Periodic, least: int) -> int:
+        """Number of harmonics to work with: more for motions and windings of high order."""
+        return least + 2 * (self._order(motion) - 1)
 
 
-def _tighten(
-    problem: Problem, cost: Cost, target: Stage, point: InHarmonics, budget: Budget
-) -> tuple[InHarmonics, int]:
-    """Rounds of tightened limits, until the bounds are kept or nothing is gained."""
-    taken, idle = 0, 0
-    for _ in range(ROUNDS):
-        before = point.utilisation
-        if before < KNEE + 0.02 and taken:
-            break
-        wider = max(1.0, TIGHTER * before)
-        stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, wider)
-        run = descend(stage.at(point.motion), Rules(STEPS_A_ROUND), budget, _within((KNEE + 0.01) * wider))
-        point, taken = run.point, taken + run.steps
-        idle = idle + 1 if point.utilisation > GAIN * before and point.utilisation > 1.0 else 0
-        if idle >= _IDLE_ROUNDS or budget.exhausted:
-            break
-    if 1.0 < point.utilisation < NEAR:  # no margin: the knee stands right at the limit
-        stage = make_stage(problem, cost, target.H, target.tail, MEANWHILE, LAST)
-        run = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _within(0.999))
-        point, taken = run.point, taken + run.steps
-    return point, taken
-
-
-def _within(used: float) -> Callable[[InHarmonics], bool]:
-    """Whether a point that solves (12) uses less than this of the bounds."""
-    return lambda point: point.utilisation < used and size(point.c) < SOLVED
-
-
-def approach_bounds(problem: Problem, cost: Cost, start: ImprovedMotion, budget: Budget) -> ImprovedMotion:
-    """The programme nearest to the bounds that rounds of tightened limits reach from one that exceeds them.
-
-    Each round ends in a finished programme, so that the last good one is exact where the bounds themselves leave none.
-    """
-    best, tighter = start, TIGHTER
-    while best.utilisation > 1.0 and tighter < GAIN and not budget.exhausted:
-        wider = max(1.0, tighter * best.utilisation)
-        stage = make_stage(problem, cost, harmonics(problem, best.motion, HARMONICS), TAIL, MEANWHILE, wider)
-        run = descend(stage.at(best.motion.with_harmonics(stage.H)), Rules(STEPS_A_ROUND), budget)
-        nearer = finish(problem, cost, evaluate(problem, cost, run.point.motion, 0), budget)
-        if nearer.residual < problem.tolerance and nearer.utilisation < GAIN * best.utilisation:
-            best = nearer
-        else:
-            tighter = tighter**0.5  # a smaller step, until it would gain nothing
-    return best
-
-
-def limit_factor(used: float) -> float:
+def _limit_factor(used: float) -> float:
     """Factor on the limits for a motion that should keep to this use of the bounds."""
     if used <= SPARE:
         return 1.0
     return LAST if used <= 1.0 else used / KNEE
 
 
-def finish(problem: Problem, cost: Cost, found: ImprovedMotion, budget: Budget) -> ImprovedMotion:
-    """The same motion with an accepted residual, if possible, with bounds and objective kept.
-
-    First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by the
-    optimiser, with a heavy tail, before them.
-    """
-    wider = limit_factor(found.utilisation)
-    for smooth, steps, H in FINISHES:
-        motion, taken = found.motion, budget.steps_taken
-        if found.residual < EXACT_ENOUGH * problem.tolerance or budget.exhausted:
-            break
-        if smooth:
-            stage = make_stage(problem, cost, harmonics(problem, motion, smooth), TAIL_OF_FINISH, wider=wider)
-            motion = descend(stage.at(motion.with_harmonics(stage.H)), Rules(steps), budget).point.motion
-        stage = make_stage(problem, cost, harmonics(problem, motion, H), TAIL)
-        motion = restore(stage.at(motion.with_harmonics(stage.H)), RESTORING, budget).motion
-        again = evaluate(problem, cost, motion, found.steps + budget.steps_taken - taken)
-        if again.residual < found.residual:
-            found = again
-    return found
-
-
-def estimate(problem: Problem, cost: Cost, start: Periodic) -> tuple[float, float]:
-    """Objective and use of the bounds of a start, at few samples."""
-    point = make_stage(problem, cost, start.H, TAIL).at(start)
-    parts = cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
-    return sum(parts.values()), point.utilisation
-
-
-def evaluate(problem: Problem, cost: Cost, motion: Periodic, steps: int) -> ImprovedMotion:
-    """Figures of a motion on a fine grid."""
-    point = make_stage(problem, cost, motion.H, TAIL, fine=True).at(motion)
-    speed = point.stage.Omega * motion.winding
-    parts = cost.value(point.angles, speed, Rows.of(point.tau))
-    return ImprovedMotion(motion, sum(parts.values()), parts, point.utilisation, problem.relative(motion), steps)
-
-
-def exceeded_by(problem: Problem, cost: Cost, motion: Periodic) -> tuple[ExceededBound, ...]:
-    """Bounds that a motion exceeds on a fine grid; largest excess first."""
-    point = make_stage(problem, cost, motion.H, TAIL, fine=True).at(motion)
-    t, stand = point.stage.grid.t, problem.stand
-    return exceeded_bounds(problem.motion.bounds, stand, t, point.angles, point.swing, point.tau, motion.bias)
-
-
-def make_stage(
-    problem: Problem,
-    cost: Cost,
-    H: int,
-    tail: float,
-    objective: float = 1.0,
-    wider: float = 1.0,
-    *,
-    fine: bool = False,
-) -> Stage:
-    """A stage with H harmonics; `fine`: on a grid for judging, 20 times finer than they need."""
-    return Stage(problem, cost, grid_of(problem, H, fine), H, tail, objective, wider)
-
-
-def grid_of(problem: Problem, H: int, fine: bool) -> Grid:
-    """Enough samples to separate 2 H harmonics of the residual from those that motion and windings add."""
-    M = 20 * (2 * H + 2) if fine else max(64, 4 * H + 8 * problem.highest + 16)
-    return problem.grid(M, H, 0.381966 if fine else 0.0)
-
-
-def harmonics(problem: Problem, motion: Periodic, least: int) -> int:
-    """Number of harmonics to work with: more for motions and windings of high order."""
-    order = max(problem.highest, int(abs(motion.winding).max(initial=0)))
-    return least + 2 * (order - 1)
+def _within(used: float) -> Callable[[InHarmonics], bool]:
+    """Whether a point that solves (12) uses less than this of the bounds."""
+    return lambda point: point.utilisation < used and size(point.c) < SOLVED

@@ -26,17 +26,20 @@ from mahovik.use.plan.certificate import (
 )
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, fit, search_finite, table_of
 from mahovik.use.plan.held import refuse_unplannable
+from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.runup import shortcomings, with_runup
-from mahovik.use.plan.search import Candidate, Improver, Search, choose, search
+from mahovik.use.plan.search import Search, search, single
 from mahovik.use.plan.windings import repeat_motion, with_shortest_period
 
 SEARCH = 0.5
 """Share of the given time for the search, if run-up and run-down follow it; they have the rest."""
+RESERVE = 5.0
+"""s: for making exact what exceeds the bounds least, where nothing keeps them."""
 _TIMES = 2000
 """Times at which peaks and bounds of a finite motion are evaluated."""
 
@@ -85,7 +88,7 @@ def _plan_periodic(
     """
     improver, enough = Improver.of(problem), max(options.enough, options.keep)
     if isinstance(options.start, Periodic):
-        found = improver.single(options.start, budget)
+        found = single(improver, options.start, budget)
     else:
         found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
 
@@ -93,7 +96,7 @@ def _plan_periodic(
         found.doing = doing
         tell(found)
 
-    chosen = choose(improver, found)
+    chosen = improver.choose(found.found, found.beyond, RESERVE)
     effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each in chosen]}
 
     def programmes() -> Iterator[Programme]:
