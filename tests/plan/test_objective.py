@@ -17,6 +17,7 @@ from mahovik.use.plan.objective import (
     KINDS,
     Cost,
     Rows,
+    bound_uses,
     exceeded_bounds,
     utilisation,
 )
@@ -121,9 +122,13 @@ def test_utilisation_is_one_at_the_limit() -> None:
     """The largest of all; of a least speed above one where it is missed."""
     flat = np.ones((4, N))
     angles = Angles(flat, 20.0 * flat, 100.0 * flat)
-    none, zero, turns = np.zeros((4, N)), np.zeros(6), np.ones(N)
-    assert utilisation(Bounds(), angles, none, none, zero, turns) == 0.0
-    assert utilisation(Bounds(acceleration=(100.0, 400.0, 400.0)), angles, none, none, zero, turns) == 1.0
-    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, turns) == 1.0
-    assert utilisation(Bounds(speed_min=(20.0, 0.0, 10.0)), angles, none, none, zero, -turns) > 2.0
-    assert utilisation(Bounds(bias=(0.1,) * 6), angles, none, none, zero + 0.25, turns) == 2.5
+    none, turns = np.zeros((4, N)), np.ones(N)
+
+    def used(bounds: Bounds, turns: np.ndarray = turns, bias: float = 0.0) -> float:
+        return utilisation(bounds, bound_uses(bounds, angles, none, Rows.of(none), turns), np.full(6, bias))
+
+    assert used(Bounds()) == 0.0
+    assert used(Bounds(acceleration=(100.0, 400.0, 400.0))) == 1.0
+    assert used(Bounds(speed_min=(20.0, 0.0, 10.0))) == 1.0
+    assert used(Bounds(speed_min=(20.0, 0.0, 10.0)), -turns) > 2.0
+    assert used(Bounds(bias=(0.1,) * 6), bias=0.25) == 2.5

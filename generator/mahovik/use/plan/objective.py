@@ -272,42 +272,44 @@ def has_bounds(bounds: Bounds) -> bool:
     return any(kind is not None for kind in kinds)
 
 
-def bounded_quantities(bounds: Bounds, angles: Angles, swing: Array, torque: Array) -> dict[str, tuple[Array, Array]]:
-    """Quantities with an upper bound: y (M, N) and its limit (N), by kind; `swing` is phi less winding and mean."""
-    of = {"speed": angles.phi_dot, "acceleration": angles.phi_ddot, "torque": torque, "angle": swing}
-    found = {}
-    for kind, y in of.items():
-        limit = getattr(bounds, kind)
-        if limit is not None:
-            found[kind] = (y, np.array(limit, dtype=np.float64))
-    return found
+def _quantities(angles: Angles, swing: Array, torque: Rows) -> dict[str, Rows]:
+    """What bounds are of, by kind; `swing` is phi less winding and mean."""
+    speed = Rows.of(angles.phi_dot, by_phi_dot=1.0)
+    acceleration, angle = Rows.of(angles.phi_ddot, by_phi_ddot=1.0), Rows.of(swing, by_phi=1.0)
+    angle = replace(angle, about_mean=True)
+    return {"speed": speed, "acceleration": acceleration, "torque": torque, "angle": angle, "speed_min": speed}
 
 
-def hinge_rows(
+def bound_uses(
     bounds: Bounds, angles: Angles, swing: Array, torque: Rows, winding: Array, wider: float = 1.0
 ) -> dict[str, Rows]:
-    """Hinge rows by kind, for limits `wider` times the bounds (least speeds: divided by it)."""
-    slopes = {"speed": (0.0, 1.0, 0.0), "acceleration": (0.0, 0.0, 1.0), "angle": (1.0, 0.0, 0.0)}
+    """Use of each bound by kind, with derivatives: |y| / L, and 2 - |phi'| / L of a least speed; 1 is the limit.
+
+    |phi'| is counted along the winding there. Limits are `wider` times the bounds, least speeds divided by it.
+    """
     found = {}
-    for kind, (y, limit) in bounded_quantities(bounds, angles, swing, torque.value).items():
-        over = np.abs(y) / (wider * limit) - KNEE
-        active = over > 0.0
-        factor = np.where(active, np.sign(y) * (RHO / (wider * limit)), 0.0)
-        own = torque if kind == "torque" else Rows.of(y, *slopes[kind])
-        found[kind] = replace(own.scale(factor), value=RHO * np.where(active, over, 0.0), about_mean=kind == "angle")
-    if bounds.speed_min is not None:
-        found["speed_min"] = _least_speed(np.array(bounds.speed_min), angles.phi_dot, winding, wider)
+    for kind, rows in _quantities(angles, swing, torque).items():
+        if getattr(bounds, kind) is None:
+            continue
+        limit = np.array(getattr(bounds, kind), dtype=np.float64)
+        if kind == "speed_min":
+            along = np.where(winding < 0.0, -1.0, 1.0)
+            used = rows.scale(np.where(limit > 0.0, -along * wider / np.where(limit > 0.0, limit, 1.0), 0.0))
+            found[kind] = replace(used, value=np.where(limit > 0.0, 2.0 + used.value, 0.0))
+        else:
+            found[kind] = rows.scale(np.sign(rows.value) / (wider * limit))
     return found
 
 
-def _least_speed(least: Array, phi_dot: Array, winding: Array, wider: float) -> Rows:
-    """RHO max(0, 2 - KNEE - |phi'| / L), |phi'| counted along the winding."""
-    bounded = least > 0.0
-    limit = np.where(bounded, least, 1.0) / wider
-    along = np.where(winding < 0.0, -1.0, 1.0)
-    under = 2.0 - KNEE - along * phi_dot / limit
-    active = (under > 0.0) & bounded
-    return Rows.of(RHO * np.where(active, under, 0.0), by_phi_dot=np.where(active, -RHO * along / limit, 0.0))
+def hinge_rows(uses: dict[str, Rows]) -> list[Rows]:
+    """RHO max(0, use - KNEE) of every use that is above KNEE somewhere."""
+    found = []
+    for rows in uses.values():
+        active = rows.value > KNEE
+        if active.any():
+            value = RHO * np.where(active, rows.value - KNEE, 0.0)
+            found.append(replace(rows.scale(np.where(active, RHO, 0.0)), value=value))
+    return found
 
 
 def bias_hinges(bounds: Bounds, bias: Array) -> tuple[Array, Array]:
@@ -325,16 +327,22 @@ def bias_hinges(bounds: Bounds, bias: Array) -> tuple[Array, Array]:
 def exceeded_bounds(
     bounds: Bounds, stand: Stand, t: Array, angles: Angles, swing: Array, torque: Array, bias: Array
 ) -> tuple[ExceededBound, ...]:
-    """Bounds exceeded at the times t (M, s), each flywheel at its largest excess; largest first."""
-    names, found, coordinates = [s.name for s in stand.flywheels], [], coordinates_of(stand)
-    for kind, (y, limit) in bounded_quantities(bounds, angles, swing, torque).items():
-        worst = np.argmax(np.abs(y), axis=0)
-        for s, m in enumerate(worst):
-            value, most = float(abs(y[m, s])), float(limit[s])
-            if value > most * (1.0 + ROUNDING):
-                found.append(ExceededBound(kind, names[s], value, most, value / most, UNITS[kind], float(t[m])))
-    if bounds.speed_min is not None:
-        found += _below_least_speed(bounds.speed_min, names, t, angles.phi_dot)
+    """Bounds exceeded at the times t (M, s), each flywheel at its largest excess; largest first.
+
+    A flywheel below its least speed that turns back stops on the way: 0.
+    """
+    found, coordinates, along = [], coordinates_of(stand), angles.phi_dot.mean(axis=0)
+    tau = Rows.of(torque)
+    for kind, rows in bound_uses(bounds, angles, swing, tau, along).items():
+        y = _quantities(angles, swing, tau)[kind].value
+        for s, m in enumerate(np.argmax(rows.value, axis=0)):
+            value, limit = float(abs(y[m, s])), float(getattr(bounds, kind)[s])
+            if rows.value[m, s] > 1.0 + ROUNDING:
+                least = kind == "speed_min"
+                value = 0.0 if least and rows.value[m, s] >= 2.0 else value
+                ratio = (limit / value if value else np.inf) if least else value / limit
+                name = stand.flywheels[s].name
+                found.append(ExceededBound(kind, name, value, limit, ratio, UNITS[kind], float(t[m])))
     for i, most in enumerate(bounds.bias or ()):
         value = float(abs(bias[i]))
         if value > most * (1.0 + ROUNDING):
@@ -343,30 +351,9 @@ def exceeded_bounds(
     return tuple(sorted(found, key=lambda each: -each.ratio))
 
 
-def _below_least_speed(least: Sequence[float], names: Sequence[str], t: Array, phi_dot: Array) -> list[ExceededBound]:
-    """Flywheels below their least speed. One that turns back stops on the way, even between samples."""
-    found = []
-    for s, limit in enumerate(least):
-        slowest = int(np.argmin(np.abs(phi_dot[:, s])))
-        value = float(abs(phi_dot[slowest, s]))
-        turns = np.flatnonzero(phi_dot[:-1, s] * phi_dot[1:, s] <= 0.0)
-        if turns.size and limit > 0.0:
-            slowest, value = int(turns[0]), 0.0
-        if value < limit * (1.0 - ROUNDING):
-            ratio = limit / value if value else np.inf
-            found.append(ExceededBound("speed_min", names[s], value, limit, ratio, "rad/s", float(t[slowest])))
-    return found
-
-
-def utilisation(bounds: Bounds, angles: Angles, swing: Array, torque: Array, bias: Array, winding: Array) -> float:
-    """Largest use of any bound: 1 is the limit, 0 means no bounds. Least speeds: 2 - |phi'|/L."""
-    used = [float((np.abs(y) / limit).max()) for y, limit in bounded_quantities(bounds, angles, swing, torque).values()]
-    if bounds.speed_min is not None:
-        bounded = np.array(bounds.speed_min) > 0.0
-        along = np.where(winding < 0.0, -1.0, 1.0) * angles.phi_dot
-        if bounded.any():
-            used.append(float((2.0 - along[:, bounded] / np.array(bounds.speed_min)[bounded]).max()))
-    for i, most in enumerate(bounds.bias or ()):
-        if most > 0.0:
-            used.append(float(abs(bias[i])) / most)
-    return max(used, default=0.0)
+def utilisation(bounds: Bounds, uses: dict[str, Rows], bias: Array) -> float:
+    """Largest use of any bound: 1 is the limit, 0 means no bounds."""
+    used = [float(rows.value.max()) for rows in uses.values()]
+    return max(
+        [*used, *(float(abs(x)) / most for x, most in zip(bias, bounds.bias or (), strict=False) if most > 0.0), 0.0]
+    )

@@ -22,7 +22,7 @@ import numpy as np
 from mahovik.core.motion.functions import Angles
 from mahovik.use.numeric import Array, Complex, Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
 from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.objective import Cost, Rows, bias_hinges, gauss_newton_sums, hinge_rows, utilisation
+from mahovik.use.plan.objective import Cost, Rows, bias_hinges, bound_uses, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.problem import Basis, BiasPerturbations, Grid, Periodic, Problem
 from mahovik.use.plan.step import Model, Rules, Run, descend
 
@@ -250,15 +250,16 @@ class InHarmonics:
         """Residual harmonics H + 1..2H, weighted."""
         return self.stage.tail * harmonic_coefficients(self.relative_residual, self.stage.H + 1, 2 * self.stage.H)
 
+    def _uses(self, torque: Rows, wider: float) -> dict[str, Rows]:
+        bounds = self.stage.problem.motion.bounds
+        return bound_uses(bounds, self.angles, self.swing, torque, self.motion.winding, wider)
+
     def _kinds(self, torque: Rows) -> list[Rows]:
-        stage, winding = self.stage, self.motion.winding
-        wanted = stage.cost.rows(self.angles, stage.Omega * winding, torque) if stage.objective > 0.0 else {}
-        bounds = stage.problem.motion.bounds
-        hinges = hinge_rows(bounds, self.angles, self.swing, torque, winding, stage.wider)
-        return [
-            *(rows.scale(stage.objective) for rows in wanted.values()),
-            *(rows for rows in hinges.values() if rows.value.any()),
-        ]
+        stage = self.stage
+        speed = stage.Omega * self.motion.winding
+        wanted = stage.cost.rows(self.angles, speed, torque) if stage.objective > 0.0 else {}
+        own = (rows.scale(stage.objective) for rows in wanted.values())
+        return [*own, *hinge_rows(self._uses(torque, stage.wider))]
 
     @cached_property
     def value(self) -> float:
@@ -270,9 +271,8 @@ class InHarmonics:
     @cached_property
     def utilisation(self) -> float:
         """Largest use of any bound at the stage's times; 1 is the limit."""
-        bounds = self.stage.problem.motion.bounds
-        motion = self.motion
-        return utilisation(bounds, self.angles, self.swing, self.tau, motion.bias, motion.winding)
+        uses = self._uses(Rows.of(self.tau), 1.0)
+        return utilisation(self.stage.problem.motion.bounds, uses, self.motion.bias)
 
     def model(self) -> Model:
         """Derivatives at this point; those by the bias from differences around a nearby bias."""
