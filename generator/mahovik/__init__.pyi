@@ -23,12 +23,11 @@ from mahovik.out.commands.identify import identify as identify
 from mahovik.out.commands.modes import modes as modes
 from mahovik.out.commands.plan import plan as plan
 from mahovik.out.commands.report import report as report
+from mahovik.out.commands.simulate import simulate as simulate
 from mahovik.out.commands.vibration import vibration as vibration
 from mahovik.out.functions.evidence import verify as verify
-from mahovik.out.functions.following import follow as follow
 from mahovik.out.functions.judging import judge as judge
 from mahovik.out.functions.programmes import verify_programme as verify_programme
-from mahovik.out.functions.simulation import simulate as simulate
 from mahovik.out.notices import MahovikWarning as MahovikWarning
 from mahovik.out.notices import Progress as Progress
 from mahovik.out.result import Result as Result

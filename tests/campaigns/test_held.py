@@ -20,8 +20,9 @@ from mahovik.core.motion.programme import programme_text
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.read import loads
 from mahovik.out.api.stands import Stand
+from mahovik.out.commands.simulate import following_case
+from mahovik.use.control.errors import errors_of
 from mahovik.use.control.loop import close_loop
-from mahovik.use.control.record import following
 from mahovik.use.plan import PlanOptions, plan_motion
 from plan.held_stands import stand, wheel
 from verify.holds import PENDULUM as TEXT
@@ -93,7 +94,7 @@ def test_samples_of_a_pendulum_are_their_own_stands() -> None:
     for j in range(3):
         one = of.replace({path: values[j].tolist() for path, values in PLACES.items()})
         start = {"angles": [0.0, 0.4 + float(PLACES["hold.angles"][j, 1]), 0.0], "u": [0.3]}
-        seen = mahovik.simulate(one, 0.1, regime=regime, start=start, dt=1e-3, every=5e-3)
+        seen = mahovik.simulate(one, until=0.1, regime=regime, start=start, dt=1e-3, every=5e-3)
         force = np.stack([seen[f"hold.reaction.{axis}"] for axis in "xyz"])
         assert found["force"][j] == pytest.approx(np.linalg.norm(force, axis=0).max(), rel=1e-9)
         assert found["moment"][j] == pytest.approx(seen["hold.reaction.m"][-1], rel=1e-9)
@@ -140,7 +141,7 @@ def test_a_heavier_shaker_misses_its_motion_by_the_closed_formula(tmp_path: Path
 
 
 @pytest.mark.slow
-def test_a_pendulum_with_servos_is_that_of_follow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_pendulum_with_servos_is_that_of_follow(tmp_path: Path) -> None:
     """No sample has C of its own. The first is the stand of the programme; the second has more friction; the third is
     held at an angle from which its own is counted, so it hangs as the first does and reads less by that angle.
     """
@@ -160,17 +161,15 @@ def test_a_pendulum_with_servos_is_that_of_follow(tmp_path: Path, monkeypatch: p
     friction = "hold.friction.0.viscous"
     changes = {friction: np.array([FRICTION, 1.2 * FRICTION, FRICTION]), "hold.angles.1": np.array([0.0, 0.0, turned])}
     tables = tables_of(own, changes)
-    with monkeypatch.context() as patched:
-        patched.setattr("mahovik.use.control.plant.compiled_backend", None)
-        values, reasons = own.values(tables)
+    values, reasons = own.values(tables)
     assert reasons == [""] * 3
-    files = (tmp_path / name for name in ("m.json", "p.json", "s.toml"))
-    found = mahovik.follow(of, *files, periods=11, causes=False)
-    assert found.errors is not None
-    assert (values["share"][0], values["pitch"][0]) == (found.errors.share, found.errors.rms[0])
-    assert values["tau"][0] == np.abs(found.record.tau).max()
-    stiff = close_loop(replace(found.case, real=of.replace({friction: 1.2 * FRICTION})))
-    assert values["share"][1] == pytest.approx(following(stiff, 10).share, rel=1e-9)
+    files = [tmp_path / name for name in ("m.json", "p.json", "s.toml")]
+    found = mahovik.simulate(of, motion=files[0], programme=files[1], servo=files[2], periods=11)
+    assert (values["share"][0], values["pitch"][0]) == (found["error"], found["coordinates"]["rms"][0])
+    assert values["tau"][0] == max(found["peak_torque"])
+    case = following_case(of, *files, 0.0, 1, 11, None, 128, "c")
+    stiff = close_loop(replace(case, real=of.replace({friction: 1.2 * FRICTION})))
+    assert values["share"][1] == pytest.approx(errors_of(stiff).share, rel=1e-9)
     assert values["share"][1] > 100 * values["share"][0]
     assert values["mean"][2] - values["mean"][0] == pytest.approx(-turned, rel=1e-6)
     assert values["pitch"][2] == pytest.approx(values["pitch"][0], rel=1e-4)

@@ -33,8 +33,8 @@ WANTED: dict[str, Keys] = {
 
 def columns(stand: mahovik.Stand, until: float, **options: Any) -> dict[str, np.ndarray]:
     """The columns of a simulation by name."""
-    run = mahovik.simulate(stand, until, mounts=True, **options).run
-    return dict(zip(run.names, run.data.T, strict=True))
+    run = mahovik.simulate(stand, until=until, mounts=True, **options)
+    return {f"{one.name} [{one.unit}]" if one.unit else one.name: one.values for one in run.columns}
 
 
 def vector(found: dict[str, np.ndarray], names: str, what: str) -> np.ndarray:
@@ -239,13 +239,11 @@ def test_a_programme_with_servos_is_that_of_follow(tmp_path: Path) -> None:
     mass = stand.carrier.mass
     values, reasons = own.values(tables_of(own, {"carrier.mass": np.array([mass, 1.01 * mass])}))
     assert not any(reasons)
-    found = mahovik.follow(
-        stand, tmp_path / "m.json", tmp_path / "p.json", tmp_path / "servo.toml", periods=12, causes=False
-    )
-    assert found.errors is not None
-    assert values["share"][0] == found.errors.share
-    assert values["z"][0] == found.errors.rms[2]
-    assert values["tau"][0] == np.abs(found.record.tau[:, 0]).max()
+    files = {"motion": "m.json", "programme": "p.json", "servo": "servo.toml"}
+    found = mahovik.simulate(stand, **{name: tmp_path / file for name, file in files.items()}, periods=12)
+    assert values["share"][0] == found["error"]
+    assert values["z"][0] == found["coordinates"]["rms"][2]
+    assert values["tau"][0] == found["peak_torque"][0]
     assert values["share"][1] > 100 * values["share"][0]
 
 

@@ -30,8 +30,8 @@ def columns(name: str) -> dict[str, list[float]]:
 def test_columns_with_units() -> None:
     result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", "run.csv", "--mounts")
     assert result.exit_code == 0, result.output
-    assert result.stdout == "run.csv   11 rows, 100 columns\n"
     found = columns("run.csv")
+    assert (len(found), len(found["t [s]"])) == (100, 11)
     assert list(found)[:8] == ["t [s]", "x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz"]
     assert {"v_x [m/s]", "omega_z [rad/s]", "phi w1 [rad]", "phi_dot w8 [rad/s]", "tau w1 [N m]"} <= set(found)
     assert {"mount_X w1 [N]", "mount_N w8 [N m]"} <= set(found)
@@ -39,16 +39,12 @@ def test_columns_with_units() -> None:
     assert found["mount_K w3 [N m]"] == pytest.approx(found["tau w3 [N m]"], rel=1e-9, abs=1e-12)
 
 
-def test_starts_from_a_state_and_from_what_rest_prints() -> None:
+def test_starts_from_a_state() -> None:
     Path("s.json").write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.5], "phi_dot": [10, 20, 30]}))
     run("simulate", DEMO3, "--until", "0.01", "--start", "s.json", "-o", "run.csv")
     found = columns("run.csv")
     assert found["v_x [m/s]"][0] == 1.0
     assert found["phi_dot w2 [rad/s]"] == [20.0] * 11
-    Path("rest.json").write_text(run("rest", BENCH8, "--json").stdout)
-    result = run("simulate", BENCH8, "--until", "0.01", "--start", "rest.json", "-o", "run.csv")
-    assert result.exit_code == 0, result.output
-    assert max(map(abs, columns("run.csv")["v_z [m/s]"])) < 1e-12
 
 
 def test_times_have_units() -> None:
@@ -90,8 +86,8 @@ def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:
     wild = regime("schema = 1\ndefault = { torque = 1e6 }\n")
     result = run("simulate", DEMO3, "--until", "1", "--regime", wild, "-o", "a.csv")
     assert result.exit_code == 1
-    assert "RANGE" in result.stderr
-    assert "what was computed is kept" in result.stderr
+    assert "RANGE" in result.stdout
+    assert "what was computed is kept" in result.stdout
     assert len(columns("a.csv")["t [s]"]) >= 1
 
 
@@ -103,6 +99,7 @@ def test_parquet_holds_what_csv_does() -> None:
         result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", name, "--mounts")
         assert result.exit_code == 0, result.output
     table = parquet.read_table("run.parquet").to_pydict()
-    assert list(table) == list(columns("run.csv"))
-    assert table == columns("run.csv")
-    assert len(set(table["tau w1 [N m]"])) > 5  # numbers with all their digits, not zeros
+    found = {name.partition(" [")[0]: values for name, values in columns("run.csv").items()}
+    assert sorted(table) == sorted(found)
+    assert table == found
+    assert len(set(table["tau w1"])) > 5  # numbers with all their digits, not zeros

@@ -12,8 +12,6 @@ from cli.run import BENCH8, DEMO3, refused
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (("simulate", DEMO3, "--until", "1", "-o", "a.csv", "--regime"), "a regime file"),
-        (("simulate", DEMO3, "--programme", "p.json", "--motion", "m.json", "--servo"), "a servo file"),
         (("judge", DEMO3, "--fmu", "a.fmu", "--map"), "a map of variables"),
         (("verify", DEMO3, "--against", "c", "--servo"), "a servo file"),
     ],

@@ -5,9 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from mahovik.core.motion.servo import Servo, read_servo
-from mahovik.use.control.loop import Case, close_loop
+from mahovik.use.control.loop import Case, Record, close_loop
 from mahovik.use.control.mismatch import with_mismatch
-from mahovik.use.control.record import Record
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.trim import TrimDesign, design_trim
 from verify.programme.programmes import shaker

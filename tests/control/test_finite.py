@@ -19,7 +19,7 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.write import dumps
 from mahovik.proof.verify.programme.verification import ARCSEC
-from mahovik.use.control.finite import tracking
+from mahovik.use.control.errors import errors_of
 from mahovik.use.control.loop import Case, close_loop
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
@@ -73,21 +73,22 @@ def heavier(share: float) -> Stand:
 @pytest.mark.parametrize("kind", ["attitude", "sight"])
 def test_a_slew_from_rest_ends_where_demanded(kind: str) -> None:
     record = close_loop(case(kind))
-    found = tracking(record)
+    found = errors_of(record)
     assert record.stopped is None
     assert found.amplitude[3:].max() > 0.1
     assert np.abs(record.V[0]).max() == 0.0
     assert found.slew is not None
-    assert found.slew.angle < 0.1 * ARCSEC
-    assert found.slew.rate < ARCSEC
+    assert found.slew["angle"] < 0.1 * ARCSEC
+    assert found.slew["rate"] < ARCSEC
+    assert found.share_end is not None
     assert 0.0 < found.share_end <= found.share < 1e-5
 
 
 @pytest.mark.slow
 def test_a_stand_with_more_inertia_turns_less_by_the_law_of_momentum() -> None:
-    found = tracking(close_loop(case("attitude", heavier(0.02))))
+    found = errors_of(close_loop(case("attitude", heavier(0.02))))
     assert found.slew is not None
-    assert found.slew.angle == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
+    assert found.slew["angle"] == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
     assert found.share_end == pytest.approx(found.share, rel=1e-3)
 
 
@@ -110,9 +111,9 @@ def arguments(files: dict[str, str]) -> list[str]:
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        (["--periods", "12"], "--periods 12: P.json is finite and is followed once"),
-        (["--begin", "settled"], "--begin settled: P.json is finite and begins in the required state"),
-        (["--table", "64"], "--table 64: P.json is finite, a table of its own"),
+        (["--periods", "12"], "--periods 12: P.json is finite, and followed once"),
+        (["--begin", "settled"], "--begin settled: P.json is finite, and followed once"),
+        (["--table", "64"], "--table 64: P.json is finite, and followed once"),
     ],
 )
 def test_options_of_periodic_programmes_are_refused(files: dict[str, str], more: list[str], words: str) -> None:

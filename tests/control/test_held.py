@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+import mahovik
 from mahovik.core.motion.functions import Fourier
 from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
-from mahovik.out.functions.following import Following, follow
 from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import Case, starting_state
 from mahovik.use.control.reference_motion import ReferenceMotion
@@ -55,10 +55,10 @@ def swinging(own: Stand) -> tuple[RequiredMotion, Programme]:
     return required, programme
 
 
-def followed(own: Stand, text: str = SERVO, **options: Any) -> Following:
+def followed(own: Stand, text: str = SERVO, **options: Any) -> Any:
     required, programme = swinging(own)
-    servo = read_servo(text, own)
-    return follow(own, required, programme, servo, **{"periods": 11, "causes": False, **options})
+    servo: Any = read_servo(text, own)
+    return mahovik.simulate(own, motion=required, programme=programme, servo=servo, **{"periods": 11, **options})
 
 
 def test_mismatch_swings_the_pendulum_by_the_linear_formula() -> None:
@@ -107,6 +107,5 @@ def test_a_trim_takes_back_what_the_programme_leaves_out() -> None:
     trim = "[trim]\nharmonics = 1\nsettling = 6\ngain = 1\n"
     plain = followed(own, mismatch=0.02)
     found = followed(own, SERVO + trim, mismatch=0.02, periods=32)
-    assert plain.errors is not None and found.errors is not None
-    assert plain.share > 0.05
-    assert found.errors.rms[0] < 0.02 * plain.errors.rms[0]
+    assert plain["error"] > 0.05
+    assert found["coordinates"]["rms"][0] < 0.02 * plain["coordinates"]["rms"][0]

@@ -20,10 +20,10 @@ from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.use.control.controller import Encoders
+from mahovik.use.control.errors import errors_of
 from mahovik.use.control.loop import Case, close_loop, starting_state
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.control.plant import plant
-from mahovik.use.control.record import following
 from mahovik.use.plan.transient import TransientFamily
 from strategies import stands
 from verify.programme.programmes import shaker
@@ -34,7 +34,7 @@ Z = 2
 @pytest.mark.slow
 def test_without_mismatch_only_sampling_is_left() -> None:
     record = run(0.0, trim=False)
-    found = following(record, 10)
+    found = errors_of(record)
     assert record.stopped is None
     assert found.share < 1e-5
     assert found.apart.max() < 1e-5
@@ -43,7 +43,7 @@ def test_without_mismatch_only_sampling_is_left() -> None:
 
 @pytest.mark.slow
 def test_mismatch_disturbs_and_the_trim_takes_its_harmonics_away() -> None:
-    plain, trimmed = (following(run(0.02, trim), 10) for trim in (False, True))
+    plain, trimmed = (errors_of(run(0.02, trim)) for trim in (False, True))
     assert plain.share > 1e-3
     before, after = (f.harmonics[:2, Z].max() / f.amplitude[Z] for f in (plain, trimmed))
     assert before > 5e-3
@@ -147,7 +147,7 @@ def test_every_number_that_is_measured_is_wrong() -> None:
 
 @pytest.mark.parametrize("share", [-0.01, 0.5, float("nan")])
 def test_a_share_out_of_range_is_refused(share: float) -> None:
-    with pytest.raises(UsageError, match="--mismatch"):
+    with pytest.raises(UsageError, match="mismatch"):
         with_mismatch(BENCH8, share, 1)
 
 

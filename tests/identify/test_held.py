@@ -138,8 +138,8 @@ def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -
     true = Stand.from_dict(STICK)
     braked = {"default": {"hold": True}}
     start = {"angles": [0, 0.5, 0], "u": [0.2]}
-    run = mahovik.simulate(true, 3.0, regime=braked, start=start, every=0.01, backend="scipy")  # the literal reference
-    noise = np.random.default_rng(2).normal(size=(len(run), 3)) * [0.01, 0.02, 0.02]
+    run = mahovik.simulate(true, until=3.0, regime=braked, start=start, every=0.01, backend="scipy")  # the reference
+    noise = np.random.default_rng(2).normal(size=(run.count, 3)) * [0.01, 0.02, 0.02]
     columns = [run["t"], run["gyro_y gyro"], run["hold.reaction.x"], run["hold.reaction.z"]]
     rows = np.column_stack([columns[0], *(np.array(columns[1:]) + noise.T), run["phi wheel"]])
     header = "time [s],gyro.rate.y [rad/s],hold.reaction.x [N],hold.reaction.z [N],wheel.phase [rad]"
@@ -155,8 +155,8 @@ def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -
 @pytest.mark.slow
 def test_the_end_of_a_ramp_is_a_corner_of_the_phases(tmp_path: Path) -> None:
     """The torque about the axis falls to nothing there; without noise all is found to rounding."""
-    run = mahovik.simulate(TRUE, 0.6, regime={"flywheel": {"first": {"ramp": {"to": "600 rpm", "duration": "0.3 s"}},
-                                                          "second": {"speed": "-300 rpm"}}}, every=1e-3)  # fmt: skip
+    laws = {"first": {"ramp": {"to": "600 rpm", "duration": "0.3 s"}}, "second": {"speed": "-300 rpm"}}
+    run = mahovik.simulate(TRUE, until=0.6, regime={"flywheel": laws}, every=1e-3)
     columns = ["t", *(f"hold.reaction.{letter}" for letter in LETTERS), "phi first", "phi second"]
     file = write(tmp_path / "ramp.csv", np.column_stack([run[name] for name in columns]))
     guess = TRUE.replace({"first.unbalance.static": "60 g mm"})

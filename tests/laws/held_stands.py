@@ -114,9 +114,10 @@ def enclosed(stand: Stand, state: State) -> None:
 def moved(document: dict[str, Any], speed: float, until: float, **more: Any) -> Any:
     """A run of a stand of one freedom from the home pose at a speed, in short steps."""
     import mahovik
+    from simulate.runs import columns
 
     stand = mahovik.Stand.from_dict(document)
-    return mahovik.simulate(stand, until, start={"u": [speed]}, **{"dt": 1e-4, "every": 0.01, **more}).run
+    return columns(stand, until, start={"u": [speed]}, **{"dt": 1e-4, "every": 0.01, **more})
 
 
 def rail(mass: float, **hold: Any) -> dict[str, Any]:

@@ -141,9 +141,8 @@ def _follow() -> Answers:
     with tempfile.TemporaryDirectory() as folder:
         servo = Path(folder) / "servo.toml"
         servo.write_text('schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n')
-        return _columns(
-            mahovik.follow(stand, motion, programme, servo, mismatch=0.02, seed=2, periods=12, causes=False)
-        )
+        given: dict[str, Any] = {"motion": motion, "programme": programme, "servo": servo}
+        return _columns(mahovik.simulate(stand, **given, mismatch=0.02, seed=2, periods=12)["coordinates"])
 
 
 def _campaign() -> Answers:
@@ -187,12 +186,12 @@ CASES: dict[str, tuple[Tolerance, Callable[[], Answers]]] = {
     "vibration two": (ROUNDING, lambda: _sums(mahovik.vibration(place("two"), **APART))),
     "simulate two": (
         ROUNDING,
-        lambda: _columns(mahovik.simulate(place("two"), 0.05, regime={"default": {"speed": 150.0}})),
+        lambda: _columns(mahovik.simulate(place("two"), until=0.05, regime={"default": {"speed": 150.0}})),
     ),
     "simulate pendulum": (
         ROUNDING,
         lambda: _columns(
-            mahovik.simulate(place("pendulum"), 0.2, regime={"default": {"speed": 50.0}}, start={"u": [0.3]})
+            mahovik.simulate(place("pendulum"), until=0.2, regime={"default": {"speed": 50.0}}, start={"u": [0.3]})
         ),
     ),
     "plan shaker2 spin": (SEARCH, lambda: _plan("shaker2", "shaker2_spin.motion.json")),

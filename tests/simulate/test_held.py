@@ -27,6 +27,7 @@ from mahovik.errors import UsageError
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import allowed_start, home
 from mahovik.use.simulate.run import simulate
+from simulate.runs import columns
 from simulate.test_agreement import LAWS, MIXED, TORQUES
 from toolchain.quick import quick
 from verify.holds import HOLDS
@@ -64,10 +65,9 @@ def case(stand: Stand, text: str, until: float = 0.03, **more: Any) -> Case:
 def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> None:
     chosen = case(busy(name), text, dt=2e-5)
     found, other = simulate(chosen, "c"), simulate(chosen, "scipy")
-    assert found.names == other.names and found.stopped is None and other.stopped is None
-    for i, column in enumerate(found.names):
-        size = max(1e-3, float(np.abs(other.data[:, i]).max()))
-        assert np.abs(found.data[:, i] - other.data[:, i]).max() <= 1e-5 * size, column
+    assert [*found.columns] == [*other.columns] and found.stopped is None and other.stopped is None
+    for head, column in other.columns.items():
+        assert np.abs(found[head] - column).max() <= 1e-5 * max(1e-3, float(np.abs(column).max())), head
 
 
 def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
@@ -78,7 +78,7 @@ def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
     document = {**PENDULUM, "name": "spring", "gravity": [0, 0, 0], "suspension": suspension,
                 "hold": {"freedoms": ["pitch"], "pivot": [0, 0, pivot]}}  # fmt: skip
     start = {"angles": [0, zero + apart, 0]}
-    found = mahovik.simulate(mahovik.Stand.from_dict(document), 2.0, start=start, dt=1e-3, every=0.1).run
+    found = columns(mahovik.Stand.from_dict(document), 2.0, start=start, dt=1e-3, every=0.1)
     inertia = 0.02 + 2.5 * (0.2 + pivot) ** 2 + 0.001
     decay = friction / (2 * inertia)
     circular = np.sqrt(spring / inertia - decay**2)
@@ -93,12 +93,12 @@ def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
     document["flywheel"] = [{**PENDULUM["flywheel"][0], "unbalance": {"static": "50 g mm"}}]
     speed = 100.0
     start = {"phi_dot": [speed]}
-    found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3).run
+    found = columns(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3)
     letters = {a: found[f"hold.reaction.{a} [{'N' if a in 'xyz' else 'N m'}]"] for a in "xyzkmn"}
     turning = np.hypot(letters["x"], letters["z"] - 2.5 * 9.81)
     assert turning == pytest.approx(np.full(len(turning), 5e-5 * speed**2), rel=1e-9)
     assert np.abs(letters["y"]).max() < 1e-12
-    for column in found.names[1:20]:
+    for column in list(found)[1:20]:
         if column.startswith(("x", "y", "z", "v_", "omega")):
             assert not found[column].any(), column  # it does not move at all
 
@@ -133,8 +133,8 @@ def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> N
     """A carrier that spins on a hinge through several turns: its angle and its speed, and no column of what is held."""
     document = {**PENDULUM, "gravity": [0, 0, 0], "hold": {"freedoms": ["pitch"], "angles": [0, 0.5, 0]}}
     start = {"u": [40.0]}
-    found = mahovik.simulate(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05).run
-    assert [name for name in found.names if name.startswith("q")][4:] == ["q pitch [rad]", "q_dot pitch [rad/s]"]
+    found = columns(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05)
+    assert [name for name in found if name.startswith("q")][4:] == ["q pitch [rad]", "q_dot pitch [rad/s]"]
     error = 500 * 0.04**5 / 120 / 2**4  # of a quaternion, at half the speed, by Runge-Kutta of fourth order
     assert found["q pitch [rad]"] == pytest.approx(40.0 * found["t [s]"], abs=error)
     assert found["q_dot pitch [rad/s]"] == pytest.approx(np.full(11, 40.0), abs=1e-9)
@@ -179,7 +179,8 @@ def test_a_pendulum_with_stribeck_friction_swings_as_its_equation() -> None:
     expected = solve_ivp(equation, (0.0, 4.0), [2.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-12, t_eval=times).y
     keys = {"viscous": viscous, **law}
     keys["stribeck_speed"] = keys.pop("stribeck")
-    run = mahovik.simulate(pendulum(friction=[keys]), 4.0, start={"angles": [0.0, 2.0, 0.0]}, every=0.1, dt=2.5e-4)
+    start = {"angles": [0.0, 2.0, 0.0]}
+    run = mahovik.simulate(pendulum(friction=[keys]), until=4.0, start=start, every=0.1, dt=2.5e-4)
     assert np.abs(angles(run) - expected[0]).max() < 1e-9
     assert np.abs(expected[0][-10:]).max() < 0.85 * 2.0  # the friction matters
 
@@ -199,7 +200,7 @@ def test_a_stop_gives_back_the_speed_of_hunt_and_crossley() -> None:
         return v / damping - stiffness / damping**2 * math.log1p(damping * v / stiffness)
 
     expected = brentq(lambda out: integral(-out) - integral(speed), 1e-9, stiffness / damping * (1 - 1e-12))
-    run = mahovik.simulate(cart, 0.8, start={"u": [speed]}, dt=2e-5, every=0.01)
+    run = mahovik.simulate(cart, until=0.8, start={"u": [speed]}, dt=2e-5, every=0.01)
     assert run["v_x"][-1] == pytest.approx(-expected, rel=1e-7)
     assert expected < 0.8 * speed
 
@@ -221,7 +222,7 @@ def test_a_knife_edge_is_the_sleigh_of_chaplygin() -> None:
     spin = 3.0
     fast = spin * math.sqrt(whole / MASS)
     rate = MASS * ahead * fast / whole
-    run = mahovik.simulate(sleigh, 0.6, start={"u": [0.0, spin]}, dt=2e-4, every=0.02)
+    run = mahovik.simulate(sleigh, until=0.6, start={"u": [0.0, spin]}, dt=2e-4, every=0.02)
     t = run["t"]
     v, omega = fast * np.tanh(rate * t), spin / np.cosh(rate * t)
     assert run["v_x"] == pytest.approx(v, abs=1e-9)

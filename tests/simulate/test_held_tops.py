@@ -11,6 +11,7 @@ import pytest
 from scipy.special import ellipj
 
 import mahovik
+from simulate.runs import columns
 from toolchain.quick import quick
 
 MASS, ARM, ACROSS, ALONG, GRAVITY = 15.0, 1.0, 0.234375, 0.46875, 9.81
@@ -56,9 +57,7 @@ GYROSCOPE: dict[str, Any] = {
 
 @cache
 def swing() -> Any:
-    return mahovik.simulate(
-        mahovik.Stand.from_dict(TOP), 2.0, start={"u": [0.0, SPIN, TURN]}, every=0.02, dt=2.5e-5
-    ).run
+    return columns(mahovik.Stand.from_dict(TOP), 2.0, start={"u": [0.0, SPIN, TURN]}, every=0.02, dt=2.5e-5)
 
 
 def axis(run: Any) -> Any:
@@ -113,7 +112,7 @@ def steady(tilt: float, precession: float) -> tuple[mahovik.Stand, dict[str, Any
 def test_a_gyroscope_on_a_spherical_joint_precesses_by_its_closed_formula(tilt: float, precession: float) -> None:
     """Neither height nor rate of the axis change, and the joint bears weight and centripetal force."""
     stand, start, rate = steady(tilt, precession)
-    run = mahovik.simulate(stand, 1.0, start=start, every=0.05, dt=2e-4).run
+    run = columns(stand, 1.0, start=start, every=0.05, dt=2e-4)
     found, t = axis(run), run["t [s]"]
     assert np.abs(found[2] - math.cos(tilt)).max() < 1e-11
     going_round = math.sin(tilt) * np.exp(1j * (precession * t + math.pi / 2))

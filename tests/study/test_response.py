@@ -208,7 +208,7 @@ def returned(found: Periodic, periods: int) -> float:
     until = periods * found.turning.period
     regime = steady_regime(found.scene.stand, found.turning.speeds)
     run = simulate(Case(found.scene.stand, regime, state_at(found), until, until), "scipy")
-    data = run.data[:, [run.names.index(name) for name in POSE_AND_V]]
+    data = np.column_stack([run[name] for name in POSE_AND_V])
     off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
     parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
     return float(max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts)))

@@ -24,6 +24,7 @@ from mahovik.use.vibration.periodic import periodic_response
 from mahovik.use.vibration.speeds import Asked, read_speeds
 from mahovik.use.vibration.study import Vibration, vibration
 from mahovik.use.vibration.view import find_view
+from simulate.runs import columns as columns_of
 
 HELD = Path(__file__).parents[2] / "docs" / "held"
 ZERO = (0.0, 0.0, 0.0)
@@ -238,10 +239,10 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
     """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""
     stand, speeds, every = stand_of(SWINGING), [20.0, 31.7], 0.02
     found = lines_of(stand, speeds, "hold.reaction").lines
-    done = mahovik.simulate(
+    done = columns_of(
         stand, 50.0, regime={"flywheel": {"w1": {"speed": 20.0}, "w2": {"speed": 31.7}}}, start={"phi_dot": speeds},
         dt=every / 8, every=every, carried=True,
-    ).run  # fmt: skip
+    )  # fmt: skip
     columns = [f"hold.reaction.{axis} [N]" for axis in "xyz"]
     t = np.arange(2001) * every + 10.0
     values = np.column_stack([done[column][-2001:] for column in columns])

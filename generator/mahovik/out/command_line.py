@@ -73,6 +73,7 @@ COMMANDS: dict[str, dict[str, str]] = {
         "eval": "Evaluate states from standard input.",
     },
     "Motion and vibration": {
+        "simulate": "Simulate a stand, or a programme on it.",
         "modes": "Find natural frequencies, damping, shapes.",
         "vibration": "Find steady vibration; meet limits.",
     },

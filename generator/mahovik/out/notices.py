@@ -9,12 +9,13 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from mahovik.contract.quantities import RPM
+from mahovik.contract.quantities import BOUNDS, RPM
 from mahovik.errors import CheckError
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.core.stand.state import State
+    from mahovik.use.simulate.case import Case
 
 
 class MahovikWarning(UserWarning):
@@ -118,3 +119,21 @@ def warn_of_turn(stand: Stand, found: State | None = None) -> None:
     if turn > TURNED:
         of = "E0" if stand.hold is None else "the home pose"
         warn(f"starts from rest, turned by {math.degrees(turn):.3g} deg from {of}: see mahovik check")
+
+
+def warn_of_steps(case: Case) -> None:
+    """Warn of steps in which a flywheel turns far, and of steps in float that lose increments without a carry."""
+    import numpy as np
+
+    from mahovik.use.study.increments import lost_increments, lost_increments_line
+
+    _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
+    largest = np.abs(np.vstack([speeds, case.phi_dot0])).max(axis=0)
+    fastest = float(largest.max(initial=0.0))
+    if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
+        warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
+    if case.real == "float" and not case.carried:
+        free = [0.0 if held else float(speed) for held, speed in zip(case.regime.has_speed_law, largest, strict=True)]
+        line = lost_increments_line(lost_increments(case.stand, free, case.dt))
+        if line:
+            warn(f"{line.partition(': give step')[0]}: use --carried, or --real double")

@@ -11,7 +11,7 @@ mahovik plan shaker2.toml $spin -o q.json --method guess
 mahovik plot --programme p.json -o p.svg
 printf 'schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n' > servo.toml
 follow="mahovik simulate shaker2.toml $spin --programme p.json"
-$follow --servo servo.toml --periods 11 --no-causes --mismatch 2% -o run.csv
+$follow --servo servo.toml --periods 11 --mismatch 2% -o run.csv
 $follow --servo servo.toml --mismatch 2
 $follow --servo servo.toml --periods 3
 $follow

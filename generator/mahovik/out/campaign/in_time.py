@@ -163,7 +163,7 @@ def _part(value: Any, own: slice) -> Any:
 
 def regime_runner(stand: Stand, over: OverTable, quantities: Sequence[Quantity], folder: Path) -> TimeRunner:
     """Over a regime, as `simulate` runs it. Raises UsageError and what the files raise."""
-    from mahovik.out.functions.simulation import warn_of_steps
+    from mahovik.out.notices import warn_of_steps
 
     assert over.until is not None
     regime = regime_of(_path_or_table(over.regime, folder), stand, over.until)

@@ -20,11 +20,10 @@ from mahovik.out.campaign.pose import Array
 from mahovik.out.campaign.quantities import Quantity
 from mahovik.out.campaign.signals import sensors
 from mahovik.out.campaign.values import Frame, Scene
-from mahovik.out.functions.following import MEASURED_PERIODS, TABLE, following_case
-from mahovik.use.control.finite import Tracking, errors_of
-from mahovik.use.control.loop import close_loop
+from mahovik.out.commands.simulate import following_case
+from mahovik.use.control.errors import Errors, errors_of
+from mahovik.use.control.loop import TABLE, Record, close_loop
 from mahovik.use.control.plant import SteppedPlant
-from mahovik.use.control.record import Following, Record
 from mahovik.use.study.linear.model import places
 
 
@@ -60,11 +59,7 @@ class ServoRunner:
         record = close_loop(case, make=lambda stand, state, _: SteppedPlant(stand, state, block, j - first))
         if record.stopped is not None:
             return record.stopped
-        errors = (
-            errors_of(record, MEASURED_PERIODS)
-            if any(q.signal and q.signal.name == "error" for q in self._quantities)
-            else None
-        )
+        errors = errors_of(record) if any(q.signal and q.signal.name == "error" for q in self._quantities) else None
         for q in self._quantities:
             assert q.signal is not None
             if errors is not None and q.signal.name == "error":
@@ -74,7 +69,7 @@ class ServoRunner:
         return ""
 
 
-def error_value(errors: Following | Tracking, statistic: str, axis: str) -> float:
+def error_value(errors: Errors, statistic: str, axis: str) -> float:
     """A figure of `follow`: of one coordinate, or the share of all."""
     if axis:
         return float(getattr(errors, statistic)[errors.coordinates.names.index(axis)])

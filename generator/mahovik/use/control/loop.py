@@ -14,23 +14,34 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
-from mahovik.errors import StateError
+from mahovik.errors import StateError, UsageError
 from mahovik.use.control.controller import Controller, Encoders
 from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.plant import Plant, plant, plant_state
-from mahovik.use.control.record import Record
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
-from mahovik.use.control.trim import TrimDesign
+from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.numeric import Array, Chart, Mechanics, equilibrium
 from mahovik.use.plan.unbalance import twist_at_rest
 
-STARTS = ("settled", "programme", "rest")
+_AXES, _ANGLES = "xyz", ("psi", "theta", "phi")
 
 LOST_ANGLE = math.pi
 """rad: a flywheel this far from its programme is lost: another turn is nearer."""
+
+MEASURED, SETTLING = 10, 30
+"""Periods of a periodic programme whose errors are measured, at the end; periods before them, without a trim."""
+
+TABLE = 128
+"""Nodes per period of the table in firmware, by default."""
+
+LEFT, MOST_ROUNDS = 1e-2, 60
+"""A trim runs until this part of the error is left, or for this many rounds."""
 
 _CHUNK = 1000
 """Samples for which the programme is evaluated in one call."""
@@ -74,6 +85,130 @@ class Case:
         late = self.servo.latency / self.servo.period
         whole = math.floor(late + 1e-9)
         return whole, max(0.0, late - whole) * self.servo.period
+
+
+@dataclass(eq=False)
+class Record:
+    """Rows at the samples; fewer if the run ended early. `stopped`: why it did, or None.
+
+    t (M, s), position (M, 3), attitude (M, 4), V (M, 6), phi, phi_dot (M, N each): the true state
+    tau           (M, N; N m): of motors and friction, during the step that ends there
+    q, required   (M, 6; held M, m): the carrier's coordinates, actual and required; m, rad
+    apart         (M, N; rad): of the flywheels from the programme with its corrections
+    command       (M, N; N m): of the servos
+    corrections   (M, N, T; rad): of the trim
+    rounds, limited   corrections made; samples in which a torque was cut
+    """
+
+    reference: ReferenceMotion
+    start: State
+    t: Array
+    position: Array
+    attitude: Array
+    V: Array
+    phi: Array
+    phi_dot: Array
+    tau: Array
+    q: Array
+    required: Array
+    apart: Array
+    command: Array
+    corrections: Array
+    stopped: str | None = None
+    interrupted: bool = False
+    rounds: int = 0
+    limited: int = 0
+
+    @staticmethod
+    def empty(wanted: ReferenceMotion, first: int, last: int, period: float, start: State) -> Record:
+        """An empty record for samples with these numbers."""
+        t: Array = period * np.arange(first, last + 1, dtype=np.float64)
+        M, N, count = len(t), len(wanted.stand.flywheels), coordinates_of(wanted.stand).count
+
+        def rows(width: int) -> Array:
+            return np.zeros((M, width))
+
+        return Record(
+            wanted, start, t, rows(3), rows(4), rows(6), rows(N), rows(N), rows(N), rows(count), rows(count), rows(N),
+            rows(N), np.zeros((M, N, 1)),
+        )  # fmt: skip
+
+    def write_row(
+        self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
+    ) -> None:
+        """Keep the plant and its firmware at t (s) as row n; the first row tells how many corrections there are."""
+        if n == 0 and corrections.shape != self.corrections.shape[1:]:
+            self.corrections = np.zeros((len(self.t), *corrections.shape))
+        self.t[n] = t
+        self.position[n], self.attitude[n], self.V[n] = own.position, own.attitude, own.V
+        self.phi[n], self.phi_dot[n], self.tau[n] = own.phi, own.phi_dot, own.tau
+        self.q[n], self.required[n], self.apart[n], self.command[n] = q, required, apart, command
+        self.corrections[n] = corrections
+
+    def end(self, rows: int, why: str) -> None:
+        """Keep only the first rows."""
+        for name, value in vars(self).items():
+            if isinstance(value, np.ndarray):
+                setattr(self, name, value[:rows])
+        self.stopped = why
+
+    def columns(self) -> dict[str, Array]:
+        """The record as columns by name and unit: those of `mahovik simulate` and the required motion."""
+        stand = self.reference.stand
+        names = ["t [s]", *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"]
+        names += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
+        q = self.q
+        if stand.hold is None:
+            q = q[:, 3:]
+            names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required_{a} [m]" for a in _AXES)]
+            names += [f"required_{a} [rad]" for a in _ANGLES]
+        else:
+            held = coordinates_of(stand)
+            heads = [f"{a} [{unit}]" if unit else a for a, unit in zip(held.names, held.unit_names, strict=True)]
+            names += [f"{kind} {head}" for kind in ("q", "required") for head in heads]
+        kinds = {"phi": "rad", "phi_dot": "rad/s", "tau": "N m", "apart": "rad", "command": "N m"}
+        names += [f"{kind} {s.name} [{unit}]" for kind, unit in kinds.items() for s in stand.flywheels]
+        parts = [self.t[:, None], self.position, self.attitude, self.V, q, self.required]
+        data = np.hstack([*parts, *(getattr(self, kind) for kind in kinds)])
+        return dict(zip(names, data.T, strict=True))
+
+
+def make_case(
+    stand: Stand, real: Stand, motion: RequiredMotion, programme: Programme, servo: Servo, periods: int | None,
+    begin: str | None, table: int, backend: str, source: str = "the programme", servos: str = "the servos",
+) -> Case:  # fmt: skip
+    """The case of a stand, one that differs from it, and a programme, with what is not given as it usually is.
+
+    periods   None: until it has settled; begin: None: "settled", of a finite programme "programme"
+    table     nodes per period; 0: the exact programme. A finite programme is a table of its own
+    source, servos   what messages call programme and servos
+
+    Raises UsageError.
+    """
+    if not programme.periodic:
+        for name, value, usual in (("periods", periods, None), ("begin", begin, None), ("table", table, TABLE)):
+            if value not in (usual, "programme"):
+                raise UsageError(f"{name} {value}: {source} is finite, and followed once; leave --{name} out")
+        begin, table, periods = "programme", 0, 1
+    begin = begin or "settled"
+    if begin == "rest" and programme.runup is None:
+        raise UsageError(f"begin rest: {source} has no run-up; plan with `runup` in the motion file")
+    if motion.span < 4.0 * servo.period:
+        raise UsageError(
+            f"{servos}: sample_period {servo.period:g} s: fewer than 4 samples in "
+            f"{'a period' if programme.periodic else 'the duration'} of the programme, {motion.span:g} s"
+        )
+    reference = ReferenceMotion.of(stand, motion, programme, table or None)
+    design = None if servo.trim is None else design_trim(stand, motion, programme, servo.trim)
+    if periods is None:
+        periods = SETTLING + MEASURED
+        if design is not None:
+            rounds = math.ceil(math.log(LEFT) / math.log(design.radius)) if design.radius > 0.0 else 1
+            window = design.trim.settling + design.trim.averaging + 1
+            periods = min(max(rounds, 1), MOST_ROUNDS) * window + MEASURED
+    elif programme.periodic and periods < MEASURED + 1:
+        raise UsageError(f"periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
+    return Case(reference, real, servo, periods, design, begin, backend)
 
 
 def close_loop(

@@ -40,7 +40,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     Raises UsageError if share is outside 0..MOST, or the random stand is not valid.
     """
     if not (math.isfinite(share) and 0.0 <= share <= MOST):
-        raise UsageError(f"--mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
+        raise UsageError(f"mismatch {100 * share:g}%: expected 0% to {100 * MOST:g}%")
     if share == 0.0:
         return stand
     whole_number("seed", seed, 0)
@@ -59,7 +59,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     if not problems.lines:
         check_stand(found, problems)
     if problems.lines:
-        raise UsageError(f"{problems.lines[0]}; use another --seed or a smaller --mismatch")
+        raise UsageError(f"{problems.lines[0]}; use another seed or a smaller mismatch")
     return found
 
 

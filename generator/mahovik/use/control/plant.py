@@ -127,7 +127,7 @@ def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Pla
         return SteppedPlant(stand, state, Block(stand, compile_library(stand, kind="states"), 1), finer=finer)
     if backend == "scipy":
         return PlantByReference(stand, state)
-    raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
+    raise UsageError(f"backend {backend}: expected one of {', '.join(BACKENDS)}")
 
 
 def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:

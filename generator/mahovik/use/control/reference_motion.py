@@ -140,9 +140,9 @@ class ReferenceMotion:
 def tabulate(programme: Programme, rows: int) -> Programme:
     """The programme as a table of `rows` uniform nodes per period."""
     if rows < 4:
-        raise UsageError(f"--table {rows}: expected at least 4 nodes")
+        raise UsageError(f"table {rows}: expected at least 4 nodes")
     if not programme.periodic:
-        raise UsageError(f"--table {rows}: the programme is finite, a table of its own")
+        raise UsageError(f"table {rows}: the programme is finite, a table of its own")
     t = programme.span * np.arange(rows) / rows
     return replace(programme, course=Samples(t, *programme.at(t)))
 

@@ -55,15 +55,15 @@ class Case:
         for name in ("until", "every", "dt"):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
-                raise UsageError(f"--{name} {value:g}: expected a time above 0, in s")
+                raise UsageError(f"{name} {value:g}: expected a time above 0, in s")
         if self.dt > MAX_STEP:
-            raise UsageError(f"--dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
+            raise UsageError(f"dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
-            raise UsageError(f"--order {self.order}: expected 4 or 2")
+            raise UsageError(f"order {self.order}: expected 4 or 2")
         if self.real not in ("double", "float"):
-            raise UsageError(f"--real {self.real}: expected double or float")
+            raise UsageError(f"real {self.real}: expected double or float")
         if self.until / self.every > MAX_ROWS:
-            raise UsageError(f"--every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
+            raise UsageError(f"every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 
     @cached_property
     def times(self) -> Array:

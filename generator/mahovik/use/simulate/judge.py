@@ -76,15 +76,21 @@ def motion(case: Case, y: Array, needs: Collection[str] = NEEDS) -> Iterator[Mom
 
     y = np.concatenate([y, case.phi0, case.phi_dot0])
     rows = [(0.0, y)]
-    now = 0.0
+    now, many = 0.0, ROWS
     for end in (*case.regime.breaks(case.until), case.until):
         inside = case.times[(case.times > now) & (case.times <= end)].tolist()
         while now < end:
-            piece, inside = inside[:ROWS], inside[ROWS:]
-            stop = piece[-1] if inside else end
-            y, found = integrate(slope, y, now, stop, piece)
+            piece, rest = inside[:many], inside[many:]
+            stop = piece[-1] if rest else end
+            try:
+                y, found = integrate(slope, y, now, stop, piece)
+            except StateError:
+                if len(piece) < 2:
+                    raise
+                many = len(piece) // 2  # the moments before it are kept
+                continue
             rows += zip(piece, found, strict=True)
-            now = stop
+            now, inside = stop, rest
             yield _moments(case, [(t, at(t, y)) for t, y in rows], [y[13 : 13 + N] for _, y in rows], held, needs)
             rows = []
 

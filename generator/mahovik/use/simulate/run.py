@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import io
-import json
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from importlib import import_module
-from pathlib import Path
+from dataclasses import dataclass
 
 import numpy as np
 
 from mahovik.core.motion.laws import available_torque, required_torque
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
@@ -21,7 +16,6 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_of
 from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused
-from mahovik.writing import format_of, probe, write
 
 BACKENDS = ("c", "scipy")
 _AXES = "xyz"
@@ -30,31 +24,23 @@ _UNITS = ("N",) * 3 + ("N m",) * 3
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """Columns by name. `stopped`: why it ended early, or None; `interrupted`: whether the user stopped it.
+    """Columns by name, unit and all. `stopped`: why it ended early, or None; `interrupted`: by the user."""
 
-    `identity`: name and identities of the stand, as `identity_of` gives them; a file of columns may carry them.
-    """
-
-    names: tuple[str, ...]
-    data: Array
+    columns: Mapping[str, Array]
     stopped: str | None = None
     interrupted: bool = False
-    identity: Mapping[str, str] = field(default_factory=dict)
 
     def __getitem__(self, name: str) -> Array:
         """A column by its full name, including the unit."""
-        return np.asarray(self.data[:, self.names.index(name)])
+        return self.columns[name]
 
     @property
     def weak_motors(self) -> dict[str, tuple[float, float]]:
         """Flywheels with too weak a motor: time of the worst moment (s), missing torque (N m)."""
         found = {}
-        for name in self.names:
-            if name.startswith("margin ") and len(self.data):
-                worst = int(np.argmin(self[name]))
-                missing = -float(self[name][worst])
-                if missing > 1e-12:
-                    found[name.split()[1]] = (float(self.data[worst, 0]), missing)
+        for name, margin in self.columns.items():
+            if name.startswith("margin ") and (missing := -float(margin.min())) > 1e-12:
+                found[name.split()[1]] = (float(self["t [s]"][np.argmin(margin)]), missing)
         return found
 
 
@@ -85,8 +71,7 @@ def simulate(
         if not pieces:
             raise
         stopped, interrupted = f"stopped at t = {pieces[-1].t[-1]:.6g} s of {case.until:g} s", True
-    columns = columns_of(case.stand, pieces)
-    return Run(tuple(columns), np.column_stack([*columns.values()]), stopped, interrupted, identity_of(case.stand))
+    return Run(columns_of(case.stand, pieces), stopped, interrupted)
 
 
 def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | None, Iterator[Moments]]:
@@ -95,13 +80,13 @@ def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | 
     y = np.array([*start.position, *(start.quaternion or quaternion_of(C)), *start.V])
     if backend == "scipy":
         if case.real == "float" or case.carried:
-            given = "--real float" if case.real == "float" else "--carried"
-            raise UsageError(f"--backend scipy: not allowed with {given}")
+            given = "real float" if case.real == "float" else "carried"
+            raise UsageError(f"backend scipy: not allowed with {given}")
         from mahovik.use.simulate import judge
 
         return None, judge.motion(case, y, needs)
     if backend != "c":
-        raise UsageError(f"--backend {backend}: expected one of {', '.join(BACKENDS)}")
+        raise UsageError(f"backend {backend}: expected one of {', '.join(BACKENDS)}")
     stand = stand_for(case.stand, case.regime)
     made = compile_library(stand, case.real, kind="states")
     x = np.array([*y, *wrap_phases(case.phi0), *case.phi_dot0])
@@ -179,52 +164,3 @@ def _count_turns(names: Sequence[str], columns: Array, t: Array) -> Array:
             off = (speed[1:] + speed[:-1]) / 2 * np.diff(t) - np.diff(angle)
             angle[1:] += 2.0 * np.pi * np.cumsum(np.round(off / (2.0 * np.pi)))
     return columns
-
-
-def identity_of(stand: Stand) -> dict[str, str]:
-    """Stand name and hashes of the run: `stand`, `structure`, `physics`."""
-    found = identities(stand)
-    return {"stand": stand.name, "structure": found.structure, "physics": found.physics}
-
-
-RUN_SUFFIXES = (".csv", ".parquet", ".svg", ".png")
-
-IDENTITY = "mahovik"
-"""Metadata key in a Parquet file: an object with the stand's name, structure and physics. CSV has no metadata."""
-
-
-def check_output(path: Path) -> str:
-    """Check, before anything is computed, that the file can be written; return its format. Raises UsageError."""
-    suffix = format_of(path, RUN_SUFFIXES)
-    if suffix is None:
-        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(RUN_SUFFIXES)}")
-    if suffix == ".parquet":
-        try:
-            import_module("pyarrow.parquet")
-        except ImportError:
-            raise UsageError(f'-o {path}: Parquet needs pyarrow: pip install "mahovik[campaign]"') from None
-    probe(path)
-    return suffix
-
-
-def save_run(run: Run, path: Path) -> None:
-    """Write a run. Raises UsageError."""
-    suffix = check_output(path)
-    write(path, csv_text(run) if suffix == ".csv" else parquet_bytes(run))
-
-
-def csv_text(run: Run) -> str:
-    """A header of names, then a line per moment; the numbers read back to the same bits."""
-    lines = [",".join(run.names), *(",".join(map(repr, row)) for row in run.data.tolist())]
-    return "\n".join(lines) + "\n"
-
-
-def parquet_bytes(run: Run) -> bytes:
-    """A table of doubles, with the stand's identity as metadata under IDENTITY."""
-    arrow, parquet = import_module("pyarrow"), import_module("pyarrow.parquet")
-    table = arrow.table({name: run.data[:, i].copy() for i, name in enumerate(run.names)})
-    if run.identity:
-        table = table.replace_schema_metadata({IDENTITY: json.dumps(dict(run.identity))})
-    buffer = io.BytesIO()
-    parquet.write_table(table, buffer)
-    return buffer.getvalue()
