@@ -14,7 +14,6 @@ its type stands in `__init__.pyi`.
 __version__ = "0.1.0"
 
 __all__ = [
-    "Campaign",
     "InputError",
     "MahovikError",
     "MahovikWarning",
@@ -31,6 +30,7 @@ __all__ = [
     "__version__",
     "balance",
     "build",
+    "campaign",
     "check",
     "eval",
     "example",
@@ -49,7 +49,6 @@ __all__ = [
 ]
 
 _PLACES = {
-    "Campaign": "out.campaign.face",
     "MahovikWarning": "out.notices",
     "Model": "out.api.model",
     "Progress": "out.notices",
@@ -58,6 +57,7 @@ _PLACES = {
     "States": "out.api.states",
     "balance": "out.commands.balance",
     "build": "out.api.model",
+    "campaign": "out.commands.campaign",
     "check": "out.commands.check",
     "eval": "out.commands.eval",
     "example": "out.api.stands",

@@ -14,8 +14,8 @@ from mahovik.out.api.stands import example as example
 from mahovik.out.api.stands import examples as examples
 from mahovik.out.api.stands import load as load
 from mahovik.out.api.states import States as States
-from mahovik.out.campaign.face import Campaign as Campaign
 from mahovik.out.commands.balance import balance as balance
+from mahovik.out.commands.campaign import campaign as campaign
 from mahovik.out.commands.check import check as check
 from mahovik.out.commands.eval import eval as eval
 from mahovik.out.commands.generate import generate as generate

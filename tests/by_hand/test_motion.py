@@ -20,6 +20,7 @@ import pytest
 import mahovik
 from by_hand.stands import ALONG, SPIN, stand, wheel
 from mahovik.core.stand import rest_state
+from mahovik.out.campaign.file import load_campaign
 from mahovik.use.study.linear import linear_model
 
 PUSHED = stand(carrier={"mass": 20, "wrench_input": True})
@@ -62,20 +63,18 @@ axis = "x"
 """
 
 
-def test_quantities_after_a_time_and_until_they_settle(tmp_path: Path) -> None:
+def test_quantities_after_a_time(tmp_path: Path) -> None:
     wanted = {
         "mean": ("mean", "", 0.5),
         "late": ("mean", 'after = "0.5 s"', 0.75),
         "least": ("least", 'after = "0.5 s"', 0.5),
-        "settled": ("settling", "within = 0.2005", 0.76),
     }
     tables = [QUANTITY.format(name=name, what=what, more=more) for name, (what, more, _) in wanted.items()]
     PUSHED.save(tmp_path / "hand.toml")
     (tmp_path / "C.toml").write_text(CAMPAIGN + "".join(tables))
-    quantities = mahovik.Campaign(tmp_path / "C.toml").rows(0, 1).quantities
-    assert {name: float(values[0]) for name, values in quantities.items()} == {
-        name: pytest.approx(value) for name, (*_, value) in wanted.items()
-    }
+    rows = load_campaign(tmp_path / "C.toml").rows(0, 1)
+    for name, (*_, value) in wanted.items():
+        assert float(rows[name][0]) == pytest.approx(value)
 
 
 def test_the_nominal_torque_bears_a_run_time_wrench() -> None:

@@ -23,11 +23,10 @@ BAND = ("30..40Hz", "--momentum", "1 0 0")
 
 WITHOUT = {
     *("eval", "import urdf", "import mjcf"),
-    *("campaign shard", "campaign merge", "campaign report"),
 }
 """Commands without a table: they print lines of JSON, a script, or the files that they wrote."""
 
-ELSEWHERE = {"campaign run", "campaign status", "campaign resume", "cost", "identify", "judge-log", "replay", "report"}
+ELSEWHERE = {"campaign", "cost", "identify", "judge-log", "replay", "report"}
 """Commands whose cases need much that their own test has."""
 
 CASES: dict[str, tuple[int, tuple[str, ...]]] = {

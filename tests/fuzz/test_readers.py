@@ -58,7 +58,7 @@ def examples(pattern: str) -> list[bytes]:
 CAMPAIGNS, SERVOS, REGIMES = (
     [data.decode() for data in examples(f"{kind}-*.toml")] for kind in ("campaign", "servo", "regime")
 )
-COURSES, MEASURED = examples("course-*.csv"), examples("measured.csv")
+COURSES = examples("course-*.csv")
 SHIPPED = [path.read_bytes() for path in stands.motions("demo3")]
 MOTIONS, PROGRAMMES = (
     [json.loads(data) for data in files] for files in ([*SHIPPED, *examples("motion-*")], examples("programme-*"))
@@ -134,9 +134,6 @@ FILES = {
     "stand": Reader(load, "stand.toml", encoded(STANDS), spoiled_toml(STANDS)),
     "servo": Reader(read_servo_file, "S.toml", encoded(SERVOS), spoiled_toml(SERVOS)),
     "campaign": Reader(load_campaign, "C.toml", encoded(CAMPAIGNS), spoiled_toml(CAMPAIGNS)),
-    "measured parts": Reader(
-        partial(read_with, CAMPAIGNS[0], "C.toml", load_campaign), "w.csv", MEASURED, spoiled_csv(MEASURED, CELLS)
-    ),
     "regime": Reader(regime, "regime.toml", encoded(REGIMES), spoiled_toml(REGIMES)),
     "regime in JSON": Reader(regime, "regime.json", as_json(regime_documents), spoiled_json(regime_documents)),
     "table of a regime": Reader(read_course, "any.csv", COURSES, spoiled_csv(COURSES, CELLS)),
@@ -157,8 +154,6 @@ def place(folder: Path) -> None:
 def test_the_examples_are_taken(kind: str, tmp_path: Path) -> None:
     reader = FILES[kind]
     place(tmp_path)
-    if kind == "campaign":
-        (tmp_path / "w.csv").write_bytes(MEASURED[0])
     for example in reader.examples:
         (tmp_path / reader.name).write_bytes(example)
         reader.read(tmp_path / reader.name)

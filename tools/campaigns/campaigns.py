@@ -1,10 +1,8 @@
-"""Campaigns of sat4 measured: workers side by side, memory of one, load of a scheduler, a million samples."""
+"""Campaigns of sat4 measured: workers side by side, memory of one, a million samples."""
 
 from __future__ import annotations
 
 import json
-import os
-import socket
 import subprocess
 import sys
 import tempfile
@@ -14,14 +12,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from campaigns import Rows, Table, cores
-from mahovik.out.campaign.campaign import Campaign
-from mahovik.out.campaign.cluster import connect
-from mahovik.out.campaign.engine import run_shards
-from mahovik.out.campaign.folder import begin
-from mahovik.out.campaign.rows import Rows as Samples
+from mahovik.out.campaign.file import load_campaign
+from mahovik.out.campaign.workers import compute
 
 OPTIONS = {"samples": 10**6}
 
@@ -30,6 +23,7 @@ schema = 1
 name = "sat4-tolerances"
 stand = "sat4"
 samples = {samples}
+chunk = 2000
 [vary]
 "rw*.unbalance.static" = {{ normal = ["1 g mm", "0.3 g mm"] }}
 "rw*.unbalance.static_at" = {{ uniform = ["0 deg", "360 deg"] }}
@@ -49,94 +43,31 @@ what = "peak rotation"
 at = "acc1"
 """
 
-EMPTY = 600
-"""Shards without work, of which the load of a scheduler is measured."""
-
 MEMORY = """
 import resource, sys
 from pathlib import Path
-from mahovik.out.campaign.folder import make_shard
+from mahovik.out.campaign.chunks import write_chunk
+from mahovik.out.campaign.file import load_campaign
+campaign = load_campaign(sys.argv[1])
 for number in range(16):
-    make_shard(Path(sys.argv[1]), number)
+    write_chunk(campaign, Path(sys.argv[2]), number)
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 """
 
 
-class Empty:
-    """A campaign whose rows cost nothing."""
-
-    def __init__(self, path: Path, shard_size: int | None, computing: bool) -> None:
-        made = Campaign.load(path, shard=1, computing=computing)
-        self.name, self.identity, self.samples, self.shard_size = "empty", made.identity, EMPTY, 1
-        self.parameters, self.quantities = made.parameters, made.quantities
-        self.stand, self.goal, self.stand_of, self.sensitivity = made.stand, None, made.stand_of, made.sensitivity
-        self.has_quantiles = made.has_quantiles
-
-    def rows(self, first: int, count: int) -> Samples:
-        """Zeros."""
-        zero = np.zeros(count)
-        drawn, computed = dict.fromkeys(self.parameters, zero), dict.fromkeys(self.quantities, zero)
-        return Samples(np.arange(first, first + count), drawn, computed, [""] * count)
-
-
 def rate(folder: Path, file: Path, workers: int) -> float:
     """Samples a second of some workers, without their start."""
-    out = folder / f"workers-{workers}"
-    begin(out, file, Campaign.load(file, shard=1000))
-    marks: list[tuple[float, float]] = []
-
-    def note(now: Any) -> None:
-        if now.done and (not marks or now.done > marks[-1][1]):
-            marks.append((time.monotonic(), now.done))
-
-    run_shards(out, workers=workers, progress=note)
-    steady = [mark for mark in marks if mark[1] >= 2000 * workers]
-    return (steady[-1][1] - steady[0][1]) / (steady[-1][0] - steady[0][0])
+    campaign = load_campaign(file)
+    campaign.rows(0, 0)
+    marks = [time.monotonic() for _ in compute(campaign, folder / f"{workers}", range(campaign.chunks), workers, None)]
+    steady = marks[2 * workers :]
+    return campaign.chunk * (len(steady) - 1) / (steady[-1] - steady[0])
 
 
 def memory(folder: Path, file: Path) -> float:
-    """Largest memory of a process after sixteen shards, MB."""
-    out = folder / "memory"
-    begin(out, file, Campaign.load(file, shard=1000))
-    command = [sys.executable, "-c", MEMORY, str(out)]
+    """Largest memory of a process after sixteen chunks, MB."""
+    command = [sys.executable, "-c", MEMORY, str(file), str(folder / "memory")]
     return int(subprocess.run(command, check=True, capture_output=True, text=True).stdout) / 1024.0
-
-
-def scheduler_load(folder: Path, file: Path) -> tuple[float, float]:
-    """Processor time of a scheduler and of its client for a shard that costs nothing, ms."""
-    out = folder / "empty"
-    begin(out, file, Empty(file, None, True))
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = str(free.getsockname()[1])
-    code = "import sys; from distributed.cli.dask_{} import main; main(sys.argv[1:])"
-    tools = str(Path(__file__).parents[1])  # workers load Empty from here
-    env = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "critical", "PYTHONPATH": tools}
-    address = f"tcp://127.0.0.1:{port}"
-    commands = [("scheduler", ["--host", "127.0.0.1", "--port", port, "--no-dashboard"])]
-    commands += [("worker", [address, "--nthreads", "1", "--no-nanny", "--no-dashboard"])] * 2
-    started = []
-    try:
-        for name, arguments in commands:
-            started.append(subprocess.Popen([sys.executable, "-c", code.format(name), *arguments], env=env))
-            time.sleep(3.0)
-        with connect(None, address) as client:
-            client.wait_for_workers(2, timeout=60)
-        before, begun = processor_seconds(started[0].pid), time.process_time()
-        result = run_shards(out, scheduler=address, load=Empty)
-        assert result.status.complete, result.given_up
-        scheduler, client_seconds = processor_seconds(started[0].pid) - before, time.process_time() - begun
-        return 1e3 * scheduler / EMPTY, 1e3 * client_seconds / EMPTY
-    finally:
-        for process in started:
-            process.kill()
-            process.wait()
-
-
-def processor_seconds(pid: int) -> float:
-    """Processor time that a process has taken, s."""
-    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def measure(options: Namespace) -> Iterator[tuple[str, float, float | None, float | None]]:
@@ -144,28 +75,22 @@ def measure(options: Namespace) -> Iterator[tuple[str, float, float | None, floa
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         file, many = folder / "sat4.toml", folder / "many.toml"
-        file.write_text(SAT4.format(samples=32_000))
+        file.write_text(SAT4.format(samples=64_000))
         one, two = rate(folder, file, 1), rate(folder, file, 2)
         yield "samples a second, one worker", one, None, None
         yield "samples a second, two workers", two, None, None
         yield "two workers, % of twice one", 100.0 * two / (2.0 * one), 85.0, None
-        yield "memory of a process after sixteen shards, MB", memory(folder, file), None, 400.0
-        scheduler, client = scheduler_load(folder, file)
-        yield "scheduler, ms of its processor for a shard", scheduler, None, None
-        yield "client, ms of its processor for a shard", client, None, None
-        many.write_text(SAT4.format(samples=options.samples))
-        mahovik, out = [sys.executable, "-m", "mahovik", "campaign"], folder / "many"
+        yield "memory of a process after sixteen chunks, MB", memory(folder, file), None, 400.0
+        many.write_text(SAT4.format(samples=options.samples).replace("chunk = 2000\n", ""))
+        out, begun = folder / "many", time.monotonic()
+        command = [sys.executable, "-m", "mahovik", "campaign", str(many), "-o", str(out), "--json"]
+        found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        yield f"samples of `campaign` on {cores()} cores", found["samples"], options.samples, options.samples
+        yield "seconds of the run", time.monotonic() - begun, None, None
+        yield "samples without quantities", found["without_quantities"], None, 0
+        yield "rows, MB", sum(path.stat().st_size for path in out.glob("rows/*")) / 1e6, None, None
         begun = time.monotonic()
-        done = subprocess.run(
-            [*mahovik, "run", str(many), "-o", str(out), "--json"], check=True, capture_output=True, text=True
-        )
-        seconds, begun = time.monotonic() - begun, time.monotonic()
-        status = json.loads(done.stdout)
-        subprocess.run([*mahovik, "report", str(out), "-o", str(folder / "many.html")], check=True, capture_output=True)
-        yield f"samples of `campaign run` on {cores()} cores", status["rows"], options.samples, options.samples
-        yield "seconds of the run", seconds, None, None
-        yield "samples without quantities", status["failed"], None, 0
-        yield "rows, MB", sum(path.stat().st_size for path in out.glob("rows/*/*")) / 1e6, None, None
+        subprocess.run([*command, "--report", str(folder / "many.html")], check=True, capture_output=True)
         yield "seconds of the report", time.monotonic() - begun, None, None
 
 
@@ -175,14 +100,18 @@ def is_promised(row: Any) -> bool:
     return (least is None or row["figure"] >= least) and (most is None or row["figure"] <= most)
 
 
+WORDS = ("samples", "memory")
+"""How the names of figures begin that say of what they are."""
+
+
 def claim(rows: Rows) -> str:
     """The large run."""
     figures = {row["what"]: row["figure"] for row in rows}
-    (samples,) = (figures[what] for what in figures if what.startswith("samples of"))
+    samples, megabytes = (next(figures[what] for what in figures if what.startswith(f"{word} of")) for word in WORDS)
     return (
         f"{samples:,} samples of `sat4`, 0.1 s in 200 steps of order 4, take {figures['seconds of the run']:.0f} s on "
         f"two cores; two workers have {figures['two workers, % of twice one']:.0f} % of twice the speed of one, and a "
-        f"process takes {figures['memory of a process after sixteen shards, MB']:.0f} MB"
+        f"process takes {megabytes:.0f} MB"
     )
 
 
@@ -192,8 +121,6 @@ TABLES = {
         {"what": "{}", "figure": "{:,.5g}", "at least": "{:,.5g}", "at most": "{:,.5g}"},
         claim,
         is_promised,
-        "A campaign over tolerances of `sat4`; the load of a scheduler by shards without work. The scheduler and the "
-        "client are the limit of a large cluster: where they are busy for more than half of a core, take longer shards "
-        "(`shard` in the [campaign file](campaign-file.md)), or arrays without an engine, which have no scheduler.",
+        "A [campaign](campaigns.md) over tolerances of `sat4`.",
     )
 }

@@ -80,6 +80,9 @@ COMMANDS: dict[str, dict[str, str]] = {
     "Programmes of the flywheels": {
         "plan": "Find a programme that moves the carrier as required.",
     },
+    "Many samples": {
+        "campaign": "Compute many samples whose numbers vary.",
+    },
     "Pages": {
         "report": "Write one page on a stand and its proof, or its derivation.",
     },

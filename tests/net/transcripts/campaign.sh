@@ -2,7 +2,7 @@ cat > c.toml <<END
 schema = 1
 stand = "shaker2"
 samples = 6
-shard = 4
+chunk = 4
 [vary]
 "carrier.mass" = { tolerance = "1 kg" }
 [over]
@@ -14,15 +14,12 @@ name = "shake"
 what = "rms acceleration"
 at = "carrier"
 END
-mahovik campaign run c.toml -o out --prepare
-mahovik campaign shard out 0
-mahovik campaign status out
-mahovik campaign merge out -o all.parquet
-mahovik campaign shard out 1
-mahovik campaign merge out -o all.parquet
-mahovik campaign shard out 3
-mahovik campaign status nowhere
-sed 's/samples/sampels/; s/10 ms/10 mm/' c.toml > bad.toml
-mahovik campaign run bad.toml -o other
+mahovik campaign c.toml -o out --chunk 0
+mahovik campaign c.toml -o out --workers 1 --merge all.parquet
+mahovik campaign c.toml -o out --chunk 2
+sed 's/1 kg/2 kg/' c.toml > other.toml
+mahovik campaign other.toml -o out
+sed 's/samples/sampels/; s/4/"4"/' c.toml > bad.toml
+mahovik campaign bad.toml -o other
 sed 's/carrier.mass/carrier.mas/' c.toml > path.toml
-mahovik campaign run path.toml -o other
+mahovik campaign path.toml -o other

@@ -1,182 +1,147 @@
-"""Designs: where the samples of a campaign are in the unit cube of all factors; any range can be asked for."""
+"""Designs: where the samples of a campaign are in the unit cube of all factors, and what a design tells of them."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any, Protocol
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from hashlib import blake2b
+from typing import Any
 
 import numpy as np
+from numpy.random import Generator, Philox
 from numpy.typing import NDArray
-
-from mahovik.out.campaign.factors import generator, key_of, uniform
+from scipy.stats import qmc, sobol_indices
 
 Array = NDArray[np.float64]
+
+DESIGNS = ("random", "latin", "sobol", "morris", "saltelli")
+IN_BLOCKS = ("morris", "saltelli")
+"""Designs whose samples change one factor after the other."""
 
 LEVELS = 4
 """Levels of a factor in Morris' design."""
 
-MOST_HELD = 5_000_000
-"""Samples of a Latin hypercube, and numbers of Morris' design, at most: every process makes them whole."""
+MOST_HELD = 100_000_000
+"""Numbers of a Latin hypercube or of Morris' design, at most: every process makes them whole."""
 
-_HELD = 8_000_000
-"""Numbers of a Latin hypercube that are kept, 64 MB; other columns are made again when they are asked for."""
-
-
-class Design(Protocol):
-    """Samples in the unit cube."""
-
-    @property
-    def samples(self) -> int:
-        """How many there are."""
-
-    def unit(self, first: int, count: int) -> Array:
-        """Samples from `first` on, (count, factors), in 0..1. They depend on nothing but their numbers."""
+_PER_COUNT = 4
+"""Numbers of 64 bits that Philox makes of one count."""
 
 
 @dataclass(frozen=True)
-class Random:
-    """Monte Carlo: independent samples."""
+class Design:
+    """Samples in the unit cube of the factors; any range can be asked for, in any process, with the same bits.
 
-    factors: tuple[str, ...]
-    samples: int
-    seed: int
+    wanted  samples; those of designs in blocks are rounded up to whole blocks
+    """
 
-    def unit(self, first: int, count: int) -> Array:
-        columns = [uniform(self.seed, name, first, count) for name in self.factors]
-        return np.column_stack(columns) if columns else np.zeros((count, 0))
-
-
-@dataclass(frozen=True)
-class Latin:
-    """Latin hypercube: each of n equal intervals of every factor has one sample."""
-
-    factors: tuple[str, ...]
-    samples: int
-    seed: int
-    _kept: dict[str, Array] = field(default_factory=dict, compare=False, repr=False)
-
-    def unit(self, first: int, count: int) -> Array:
-        columns = [self._column(name)[first : first + count] for name in self.factors]
-        return np.column_stack(columns) if columns else np.zeros((count, 0))
-
-    def _column(self, name: str) -> Array:
-        """One factor of all samples: by SciPy factor by factor, so that one fits in memory."""
-        if name in self._kept:
-            return self._kept[name]
-        from scipy.stats import qmc
-
-        found: Array = qmc.LatinHypercube(d=1, seed=generator(self.seed, f"latin {name}")).random(self.samples)[:, 0]
-        if (len(self._kept) + 1) * self.samples <= _HELD:
-            self._kept[name] = found
-        return found
-
-
-@dataclass(frozen=True)
-class Sobol:
-    """Scrambled Sobol' sequence, which fills the cube evenly however many samples are taken."""
-
-    factors: tuple[str, ...]
-    samples: int
-    seed: int
-
-    def unit(self, first: int, count: int) -> Array:
-        return sequence(len(self.factors), self.seed, first, count)
-
-
-@dataclass(frozen=True)
-class InBlocks(ABC):
-    """A design whose samples come in blocks that belong together; `wanted` is rounded up to whole blocks."""
-
+    kind: str
     factors: tuple[str, ...]
     wanted: int
     seed: int
 
     @property
-    @abstractmethod
     def block(self) -> int:
-        """Samples of a block."""
+        """Samples that belong together: a trajectory of Morris, or a pair of points that exchange their factors."""
+        return {"morris": len(self.factors) + 1, "saltelli": len(self.factors) + 2}.get(self.kind, 1)
 
     @property
     def samples(self) -> int:
         """Number of samples."""
         return -(-self.wanted // self.block) * self.block
 
-
-@dataclass(frozen=True)
-class Saltelli(InBlocks):
-    """Pairs of points of a Sobol' sequence that exchange one factor after the other: for Sobol' indices.
-
-    The order of the samples is that of SALib without second order: the first point, then it with each factor in
-    turn of the second point, then the second point.
-    """
-
-    @property
-    def block(self) -> int:
-        """Samples of one pair of points."""
-        return len(self.factors) + 2
-
     def unit(self, first: int, count: int) -> Array:
-        d, block = len(self.factors), self.block
-        pair, place = np.divmod(np.arange(first, first + count), block)
-        if not count:
-            return np.zeros((0, d))
-        points = sequence(2 * d, self.seed, int(pair[0]), int(pair[-1] - pair[0]) + 1)[pair - pair[0]]
-        a, b = points[:, :d], points[:, d:]
+        """Samples from `first` on (count, factors), in 0..1."""
+        d = len(self.factors)
+        if not d or not count:
+            return np.zeros((count, d))
+        if self.kind == "random":
+            return np.column_stack([self._uniform(name, first, count) for name in self.factors])
+        if self.kind == "latin":
+            columns = [_latin_column(self.seed, name, self.samples) for name in self.factors]
+            return np.column_stack([column[first : first + count] for column in columns])
+        if self.kind == "sobol":
+            return self._sequence(d, first, count)
+        if self.kind == "morris":  # levels are the medians of equal parts: no sample is at an infinite end
+            return (0.5 + self._morris_levels[first : first + count] * (LEVELS - 1)) / LEVELS
+        pair, place = np.divmod(np.arange(first, first + count), self.block)
+        points = self._sequence(2 * d, int(pair[0]), int(pair[-1] - pair[0]) + 1)[pair - pair[0]]
         from_b = (place[:, None] == np.arange(1, d + 1)) | (place == d + 1)[:, None]
-        found: Array = np.where(from_b, b, a)
-        return found
+        return np.asarray(np.where(from_b, points[:, d:], points[:, :d]))
 
+    def _uniform(self, name: str, first: int, count: int) -> Array:
+        """Independent numbers in 0 <= u < 1, by seed, name and sample: they stay when factors are added."""
+        skip = first % _PER_COUNT
+        stream = Generator(Philox(counter=first // _PER_COUNT, key=_key(self.seed, name)))
+        return np.asarray(stream.random(skip + count)[skip:])
 
-@dataclass(frozen=True)
-class Morris(InBlocks):
-    """Morris' trajectories: from a random point, one factor after the other jumps by half of its range.
-
-    The levels are the medians of as many parts of equal probability, so that no sample is at the end of a
-    distribution, which for a normal one is infinite.
-    """
-
-    @property
-    def block(self) -> int:
-        """Samples of one trajectory."""
-        return len(self.factors) + 1
+    def _sequence(self, dimensions: int, first: int, count: int) -> Array:
+        """Points of a scrambled Sobol' sequence (count, dimensions)."""
+        engine = qmc.Sobol(d=dimensions, scramble=True, seed=_generator(self.seed, "sobol"))
+        if first:
+            engine.fast_forward(first)
+            return np.asarray(engine.random(count))
+        return np.asarray(engine.random(1 << (count - 1).bit_length())[:count])  # SciPy warns of no power of 2
 
     @cached_property
-    def levels(self) -> Array:
+    def _morris_levels(self) -> Array:
         """What SALib makes: (samples, factors), from 0, the lowest level, to 1."""
         from SALib.sample.morris import sample
 
-        found: Array = sample(
-            problem(self.factors), self.samples // self.block, LEVELS, seed=key_of(self.seed, "morris") % 2**31
-        )
-        return found
+        seed = _key(self.seed, "morris") % 2**31
+        return np.asarray(sample(self._problem, self.samples // self.block, LEVELS, seed=seed))
 
-    def unit(self, first: int, count: int) -> Array:
-        return (0.5 + self.levels[first : first + count] * (LEVELS - 1)) / LEVELS
+    @property
+    def _problem(self) -> dict[str, Any]:
+        """The factors, as SALib takes them."""
+        d = len(self.factors)
+        return {"num_vars": d, "names": list(self.factors), "bounds": [[0.0, 1.0]] * d}
+
+    def sensitivity(self, values: Array) -> tuple[Mapping[str, Array], int]:
+        """What a quantity (n; of the first samples in order) depends on, by factor, and how many samples say so.
+
+        Of `saltelli` Sobol' indices: `S1` alone, `ST` with all that a factor does together with others, shares of the
+        variance; of `morris` `mu_star` and `sigma`, mean size and spread of the change between the lowest and the
+        highest level. `+-` are halves of 95 % intervals. Blocks with a NaN are left out, and of pairs those beyond the
+        largest power of two, which Sobol' sequences are balanced for. Empty where there are fewer than two blocks.
+        """
+        blocks = values[: len(values) // self.block * self.block].reshape(-1, self.block)
+        good = ~np.isnan(blocks).any(axis=1)
+        if self.kind not in IN_BLOCKS or good.sum() < 2:
+            return {}, 0
+        if self.kind == "morris":
+            from SALib.analyze.morris import analyze
+
+            levels = self._morris_levels[: blocks.size].reshape(*blocks.shape, -1)[good].reshape(-1, len(self.factors))
+            result = analyze(self._problem, levels, blocks[good].ravel(), num_levels=LEVELS, seed=1)
+            figures = {"mu_star": result["mu_star"], "mu_star +-": result["mu_star_conf"], "sigma": result["sigma"]}
+            return {name: np.asarray(column, dtype=float) for name, column in figures.items()}, int(blocks[good].size)
+        used = blocks[good][: 1 << (int(good.sum()).bit_length() - 1)].T
+        first, total = _sobol_indices(used)
+        random = np.random.default_rng(1)
+        again = [_sobol_indices(used[:, random.integers(used.shape[1], size=used.shape[1])]) for _ in range(100)]
+        S1, ST = 1.96 * np.std(again, axis=0)
+        return {"S1": first, "S1 +-": S1, "ST": total, "ST +-": ST}, used.size
 
 
-DESIGNS: dict[str, Any] = {
-    "random": Random, "latin": Latin, "sobol": Sobol, "morris": Morris, "saltelli": Saltelli,
-}  # fmt: skip
-"""Designs by their names in a campaign file."""
+def _sobol_indices(values: Array) -> tuple[Array, Array]:
+    """First and total indices (factors), of values at the first points, at each exchange, at the second points."""
+    functions = {"f_A": values[:1], "f_B": values[-1:], "f_AB": values[1:-1, None]}
+    indices = sobol_indices(func=functions, n=values.shape[1])
+    return np.atleast_1d(indices.first_order), np.atleast_1d(indices.total_order)
 
 
-def problem(factors: tuple[str, ...]) -> dict[str, Any]:
-    """Factors in the unit cube, as SALib takes them."""
-    return {"num_vars": len(factors), "names": list(factors), "bounds": [[0.0, 1.0]] * len(factors)}
+def _key(seed: int, name: str) -> int:
+    """Key of a stream of random numbers, 128 bits."""
+    return int.from_bytes(blake2b(f"{seed} {name}".encode(), digest_size=16).digest(), "little")
 
 
-def sequence(dimensions: int, seed: int, first: int, count: int) -> Array:
-    """Points of a scrambled Sobol' sequence, (count, dimensions)."""
-    from scipy.stats import qmc
+def _generator(seed: int, name: str) -> Generator:
+    return Generator(Philox(_key(seed, name)))
 
-    if not dimensions or not count:
-        return np.zeros((count, dimensions))
-    engine = qmc.Sobol(d=dimensions, scramble=True, seed=generator(seed, "sobol"))
-    if first:
-        engine.fast_forward(first)
-        found: Array = engine.random(count)
-    else:  # SciPy warns of a first part that is no power of 2
-        found = engine.random(1 << (count - 1).bit_length())[:count]
-    return found
+
+@lru_cache(maxsize=32)
+def _latin_column(seed: int, name: str, samples: int) -> Array:
+    """One factor of all samples of a Latin hypercube."""
+    return np.asarray(qmc.LatinHypercube(d=1, seed=_generator(seed, f"latin {name}")).random(samples)[:, 0])

@@ -1,99 +1,48 @@
-"""Read a campaign file (TOML): what varies, the design of the samples, what is computed of each.
-
-All problems are found before any is reported.
-"""
+"""A campaign file (TOML): what varies, the design of the samples, what is computed of each; and its rows."""
 
 from __future__ import annotations
 
+import hashlib
+import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+import numpy as np
+from pydantic import Field
 
+import mahovik
 from mahovik import stands
-from mahovik.core.motion.document import NOT_NULL, any_list, document_of, text_of
+from mahovik.core.motion.document import any_list, choice, document_of, text_of, whole_number
 from mahovik.core.stand.content import TEXT, is_file
-from mahovik.core.stand.fields import Table, Text, integer, refuse, text, validator
+from mahovik.core.stand.fields import Table, Text, scalar, text, validator
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import PLAIN, QuantityError, number, show
+from mahovik.core.stand.units import PLAIN, QuantityError, show
+from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.out.api.model import build
+from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.stands import Stand, load
-from mahovik.out.campaign.convergence import Goal
-from mahovik.out.campaign.designs import DESIGNS, MOST_HELD
-from mahovik.out.campaign.draw import Copula, Draw, Parameter, cholesky
-from mahovik.out.campaign.over import OverTable
-from mahovik.out.campaign.quantity_tables import quantities_by_name
-from mahovik.out.campaign.rows import MOST_SAMPLES
-from mahovik.out.campaign.vary import read_vary
-from mahovik.out.campaign.wanted import WantedTable
+from mahovik.out.campaign.designs import DESIGNS, IN_BLOCKS, MOST_HELD, Design
+from mahovik.out.campaign.quantities import Quantity, QuantityTable
+from mahovik.out.campaign.runs import Runner, read_over, runner_of
+from mahovik.out.campaign.vary import Draw, read_draw
 
-_LONGEST_SEED = 2**63 - 1
-
-
-def _whole(least: int, most: int) -> Any:
-    def read(raw: Any) -> int:
-        found = integer(raw)
-        if not least <= found <= most:
-            raise QuantityError(f"{show(found)}: expected {least} to {most}")
-        return found
-
-    return validator(read)
-
-
-def _share(raw: Any) -> float:
-    found = number(raw, PLAIN)
-    if not 0.0 < found < 1.0:
-        raise QuantityError(f"{found:g}: expected above 0 and below 1, or in %")
-    return found
-
-
-def _design(raw: Any) -> str:
-    if text(raw) not in DESIGNS:
-        raise QuantityError(f"unknown {show(raw)}{suggestion(raw, DESIGNS)}")
-    return str(raw)
-
-
-def _paths(raw: Any) -> tuple[str, ...]:
-    return tuple(text(each) for each in any_list(raw))
-
-
-def _coefficient(raw: Any) -> float:
-    found = number(raw, PLAIN)
-    if not -1.0 < found < 1.0:
-        raise QuantityError(f"{found:g}: expected above -1 and below 1")
-    return found
-
-
-def _by_name(raw: Any) -> dict[str, Any]:
-    if not isinstance(raw, dict):
-        raise QuantityError(f"expected a table, found {show(raw)}")
-    return raw
-
-
-def _only_tables(raw: Any) -> Any:
-    if not isinstance(raw, dict):
-        raise refuse(f"expected a table, found {show(raw)}")
-    return raw
+MOST = 999_999_999
+SHORTEST_CHUNK, LONGEST_CHUNK, CHUNKS = 16, 10_000, 64
+"""Samples of a chunk, and chunks, where the file does not say: enough for many workers, and few files."""
 
 
 class CorrelationTable(Table):
     """One `[[correlation]]`: numbers of which every two have this coefficient."""
 
-    of: Annotated[tuple[str, ...], validator(_paths)]
-    coefficient: Annotated[float, validator(_coefficient)]
-
-
-class QuantileTable(Table):
-    """`[quantile]`: what is to be known well."""
-
-    of: Text
-    at: Annotated[float, validator(_share)] = 0.95
-    confidence: Annotated[float, validator(_share)] = 0.95
+    of: Annotated[tuple[str, ...], validator(lambda raw: tuple(text(each) for each in any_list(raw)))]
+    coefficient: Annotated[float, scalar(PLAIN, least=-1.0, most=1.0)]
 
 
 class CampaignTable(Table):
@@ -101,67 +50,148 @@ class CampaignTable(Table):
 
     name: Text | None = None
     stand: Text
-    samples: Annotated[int, _whole(1, MOST_SAMPLES)]
-    seed: Annotated[int, _whole(0, _LONGEST_SEED)] = 1
-    design: Annotated[str, validator(_design)] = "random"
-    shard: Annotated[int | None, _whole(1, MOST_SAMPLES)] = None
-    until: Annotated[float | None, validator(_share)] = None
-    quantile: Annotated[QuantileTable | None, NOT_NULL] = None
-    vary: Annotated[dict[str, Any], validator(_by_name)]
+    samples: Annotated[int, whole_number(1, MOST)]
+    seed: Annotated[int, whole_number(0, MOST)] = 1
+    design: Annotated[str, choice(*DESIGNS)] = "random"
+    chunk: Annotated[int | None, whole_number(1, MOST)] = None
+    vary: dict[str, Any]
     correlation: list[CorrelationTable] = Field(default_factory=list)
-    over: Annotated[OverTable | None, NOT_NULL] = None
-    quantity: Annotated[dict[str, WantedTable], BeforeValidator(_only_tables)] = Field(default_factory=dict)
+    over: dict[str, Any]
+    quantity: Annotated[list[QuantityTable], Field(min_length=1)]
 
 
-@dataclass(frozen=True)
-class CampaignFile:
+@dataclass(frozen=True, eq=False)
+class Campaign:
     """A valid campaign file.
 
-    `source`: its name in messages; `document`: its keys as they are written; `files`: tables that numbers are taken
-    from.
+    path        of the file; the files that it names are beside it
+    stand       that all samples differ from
+    over        over what, a table of `runs.KINDS`; quantities: what is computed of each sample
     """
 
-    name: str
-    source: str
+    path: Path
     table: CampaignTable
+    document: Mapping[str, Any]
     stand: Stand
     draw: Draw
-    goal: Goal | None
-    document: dict[str, Any]
-    folder: Path
-    files: tuple[Path, ...]
+    over: Any
+    quantities: tuple[Quantity, ...]
+
+    @property
+    def name(self) -> str:
+        """Name of the campaign; by default that of its file."""
+        return self.table.name or self.path.stem
+
+    @cached_property
+    def design(self) -> Design:
+        """Where the samples are."""
+        return Design(self.table.design, self.draw.factors, self.table.samples, self.table.seed)
+
+    @property
+    def chunk(self) -> int:
+        """Samples of a chunk; the last one may have fewer."""
+        few = -(-self.design.samples // CHUNKS)
+        return self.table.chunk or min(max(few, SHORTEST_CHUNK), LONGEST_CHUNK)
+
+    @property
+    def chunks(self) -> int:
+        """Number of chunks."""
+        return -(-self.design.samples // self.chunk)
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Units of the columns between `sample` and `error`: the numbers that vary, by path, and the quantities."""
+        varied = {each.number.path: each.number.dimension.si for each in self.draw.varied}
+        return varied | {each.name: each.unit for each in self.quantities}
+
+    @cached_property
+    def identity(self) -> dict[str, str]:
+        """What decides the rows: hashes of the campaign file with the files that it names, and of the stand; version.
+
+        Names, comments and units decide no row.
+        """
+        deciding = {key: value for key, value in self.document.items() if key not in ("name", "stand")}
+        named = sorted(set(_files_named(self.path)) - {self.path.parent / self.table.stand})
+        content = [hashlib.sha256(path.read_bytes()).hexdigest() for path in named]
+        canonical = json.dumps([deciding, content], sort_keys=True, default=str)
+        hashes = {"campaign file": canonical, "stand": dumps(self.stand)}
+        found = {key: hashlib.sha256(value.encode()).hexdigest() for key, value in hashes.items()}
+        return found | {"version of mahovik": mahovik.__version__}
+
+    @cached_property
+    def runner(self) -> Runner:
+        """What computes the quantities. Raises UsageError, and what the files raise that the campaign names."""
+        try:
+            return runner_of(self.stand, self.over, self.quantities, self.path.parent, set(self.units))
+        except UsageError as error:
+            raise CampaignError([f"{self.path.name}: over: {str(error).replace('--', '')}"]) from None
+
+    def rows(self, first: int, count: int) -> dict[str, Any]:
+        """Columns of `count` samples from `first` on, with the same bits however the samples are parted.
+
+        `sample`, the numbers that vary and the quantities (SI, as in `units`), and `error`: empty, or why the sample
+        has no quantities, which are then NaN. Raises UsageError.
+        """
+        if first < 0 or count < 0 or first + count > self.design.samples:
+            last = first + count - 1
+            raise UsageError(f"rows: samples {first} to {last}, but the campaign has {self.design.samples}")
+        values = self.draw.values(self.design.unit(first, count))
+        possible = possible_tables(build(self.runner.stand), values, count)
+        columns = {each.name: np.full(count, np.nan) for each in self.quantities}
+        errors = [possible.reasons.get(i, "") for i in range(count)]
+        computed, reasons = self.runner.values(possible.tables)
+        for i, reason in zip(possible.numbers.tolist(), reasons, strict=True):
+            errors[i] = reason
+        for name, numbers in computed.items():
+            columns[name][possible.numbers] = numbers
+            for i in possible.numbers[~np.isfinite(numbers)].tolist():
+                errors[i] = errors[i] or f"{name} is {columns[name][i]}"
+        for i in (i for i, reason in enumerate(errors) if reason):
+            for column in columns.values():
+                column[i] = np.nan
+        return {"sample": np.arange(first, first + count), **values, **columns, "error": errors}
 
 
-def load_campaign(path: str | Path) -> CampaignFile:
+def load_campaign(path: str | Path) -> Campaign:
     """Read and check the campaign file at `path`. Raises CampaignError with every problem, StandError."""
     path = Path(path)
-    source, folder = path.name, path.parent
-    document = document_of(text_of(path, TEXT, CampaignError), source, CampaignError, is_json=False)
-    problems = Problems(source)
-    table = problems.valid(CampaignTable, quantities_by_name(document, problems))
-    if table is None or problems.lines:
+    problems = Problems(path.name)
+    document = document_of(text_of(path, TEXT, CampaignError), path.name, CampaignError, is_json=False)
+    table = problems.valid(CampaignTable, document)
+    if table is None:
         raise CampaignError(problems.lines)
-    stand = _stand(table.stand, folder, problems)
+    stand = _stand(table.stand, path.parent, problems)
     numbers = StandNumbers(stand, stand.to_dict())
-    vary = read_vary(table.vary, numbers, folder, problems)
-    if not vary.parameters and not problems.lines:
+    draw = read_draw(table.vary, [(each.of, each.coefficient) for each in table.correlation], numbers, problems)
+    if not draw.varied and not problems.lines:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")
-    draw = _draw(vary.parameters, table, numbers, problems)
-    goal = _goal(table, problems)
-    taken = {"sample", "error", *(each.place.path for each in vary.parameters)}
-    for name in taken & table.quantity.keys():
-        problems.add(f"quantity {show(name)}", "is the name of another column; expected another name")
-    if problems.lines or draw is None:
+    if table.correlation and table.design in IN_BLOCKS:
+        problems.add("correlation", f'not allowed with design "{table.design}", which changes factors one by one')
+    if table.design in ("latin", "morris") and table.samples * max(len(draw.factors), 1) > MOST_HELD:
+        most = MOST_HELD // len(draw.factors)
+        problems.add("samples", f'at most {most} with design "{table.design}"; expected fewer, or another design')
+    kind, over = read_over(table.over, problems)
+    taken = {"sample", "error", *(each.number.path for each in draw.varied)}
+    quantities = []
+    for each in table.quantity:
+        where = f"quantity {show(each.name)}"
+        if each.name in taken:
+            problems.add(where, "is the name of another column; expected another name")
+        taken.add(each.name)
+        try:
+            quantities.append(Quantity.of(each, stand, kind))
+        except (UsageError, QuantityError) as error:
+            problems.add(where, str(error))
+    if problems.lines:
         raise CampaignError(problems.lines)
-    varied = Stand.from_dict(numbers.written_out(each.place for each in vary.parameters), stand.name)
-    return CampaignFile(table.name or path.stem, source, table, varied, draw, goal, document, folder, vary.files)
+    varied = Stand.from_dict(numbers.written_out(each.number for each in draw.varied), stand.name)
+    return Campaign(path, table, document, varied, draw, over, tuple(quantities))
 
 
 def _stand(given: str, folder: Path, problems: Problems) -> Stand:
     """The stand of a file beside the campaign file, or an example. Raises CampaignError, StandError."""
-    path = folder / given
-    if is_file(path):
-        return Stand.of(path)
+    if is_file(folder / given):
+        return Stand.of(folder / given)
     if given in stands.names():
         return load(stands.path(given))
     known = [*sorted(each.name for each in folder.glob("*.toml")), *stands.names()]
@@ -169,86 +199,11 @@ def _stand(given: str, folder: Path, problems: Problems) -> Stand:
     raise CampaignError(problems.lines)
 
 
-def _goal(table: CampaignTable, problems: Problems) -> Goal | None:
-    if table.quantile is None:
-        if table.until is not None:
-            problems.add("until", "of which quantile? expected a table [quantile] with of and at")
-        return None
-    if table.design in ("morris", "saltelli"):
-        key = "quantile" if table.until is None else "until"
-        problems.add(key, f'not allowed with design "{table.design}", which has no quantiles')
-    return Goal(table.quantile.of, table.quantile.at, table.quantile.confidence, table.until)
-
-
-def _draw(
-    parameters: tuple[Parameter, ...], table: CampaignTable, numbers: StandNumbers, problems: Problems
-) -> Draw | None:
-    """Factors in the order of the file, with their correlations."""
-    factors = tuple(dict.fromkeys(each.factor for each in parameters if each.factor is not None))
-    by_path = {each.place.path: each.factor for each in parameters}
-    matrix = [[float(i == j) for j in range(len(factors))] for i in range(len(factors))]
-    given: dict[tuple[int, int], int] = {}
-    for number_, each in enumerate(table.correlation):
-        where = f"correlation[{number_}]"
-        try:
-            found = list(_factors_of(each.of, numbers, by_path))
-        except UsageError as error:
-            problems.add(where, "of", str(error))
-            continue
-        if len(set(found)) < 2:
-            problems.add(where, "of", "expected two numbers or more that vary each by itself")
-        columns = [factors.index(name) for name in dict.fromkeys(found)]
-        for i in columns:
-            for j in columns:
-                if i < j and given.setdefault((i, j), number_) != number_:
-                    problems.add(where, "of", f"{factors[i]} and {factors[j]} are correlated twice")
-                if i != j:
-                    matrix[i][j] = each.coefficient
-    if table.correlation and table.design in ("morris", "saltelli"):
-        problems.add("correlation", f'not allowed with design "{table.design}", which changes factors one by one')
-    held = {"latin": table.samples, "morris": table.samples * len(factors)}.get(table.design, 0)
-    if held > MOST_HELD:
-        least = MOST_HELD if table.design == "latin" else MOST_HELD // len(factors)
-        problems.add("samples", f'at most {least} with design "{table.design}"; expected fewer, or another design')
-    if problems.lines:
-        return None
-    columns = sorted({i for pair in given for i in pair})
-    if not columns:
-        return Draw(parameters, factors, None)
-    lower = cholesky([[matrix[i][j] for j in columns] for i in columns])
-    if lower is None:
-        problems.add("correlation", "no such numbers exist: the matrix of all coefficients is not positive definite")
-        return None
-    return Draw(parameters, factors, Copula(tuple(columns), lower))
-
-
-def _factors_of(paths: tuple[str, ...], numbers: StandNumbers, by_path: dict[str, str | None]) -> Iterator[str]:
-    for pattern in paths:
-        for place in numbers.find(pattern):
-            factor = by_path.get(place.path)
-            if factor is None:
-                raise UsageError(f"{place.path} does not vary{suggestion(place.path, by_path)}")
-            yield factor
-
-
-def files_in(value: Any, folder: Path) -> Iterator[Path]:
-    """Files that texts of a part of the campaign file name, in order."""
-    if isinstance(value, dict):
-        for each in value.values():
-            yield from files_in(each, folder)
-    elif isinstance(value, list):
-        for each in value:
-            yield from files_in(each, folder)
-    elif isinstance(value, str):
-        for name in (value, value.rpartition(":")[0]):  # file.py:function
-            if name and is_file(folder / name):
-                yield folder / name
-                yield from _named_inside(folder / name)
-
-
-def _named_inside(path: Path) -> Iterator[Path]:
-    """Files that a regime or another text names, such as tables of speeds."""
-    if path.suffix in (".toml", ".json") and path.stat().st_size < TEXT:
-        for name in re.findall(r'"([^"\n\0]{1,199})"', path.read_text(encoding="utf-8", errors="replace")):
-            if is_file(path.parent / name):
-                yield path.parent / name
+def _files_named(path: Path) -> Iterator[Path]:
+    """Files beside a text that it names in quotes, and those that these name, such as tables of a regime."""
+    for name in re.findall(r"""["']([^"'\n\0]{1,199})["']""", path.read_text(encoding="utf-8", errors="replace")):
+        named = path.parent / name
+        if named != path and is_file(named):
+            yield named
+            if named.suffix in (".toml", ".json") and named.stat().st_size < TEXT:
+                yield from _files_named(named)

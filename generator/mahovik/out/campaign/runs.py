@@ -1,0 +1,442 @@
+"""`[over]` of a campaign file: over what the quantities of samples are computed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import Annotated, Any, Union
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.motion.document import whole_number
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.regime import programme_regime
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.content import readable
+from mahovik.core.stand.fields import Table, Text, scalar, validator
+from mahovik.core.stand.hold import twists
+from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.state import State
+from mahovik.core.stand.units import TIME, QuantityError, show
+from mahovik.core.toolchain.block import PER_BLOCK, Block
+from mahovik.core.toolchain.compiled import compile_library
+from mahovik.errors import CheckError, MahovikError, StateError, UsageError
+from mahovik.out.api.model import build
+from mahovik.out.api.stands import Stand
+from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
+from mahovik.out.arguments import by_flywheel, motion_of, programme_of, regime_of, state_of
+from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, sensors, turn
+from mahovik.proof.verify.programme.mechanics import scale_of
+from mahovik.proof.verify.programme.verification import motion_check, stand_check
+from mahovik.use.control.coordinates import coordinates
+from mahovik.use.control.plant import plant_state
+from mahovik.use.numeric import Chart, Frame, Mechanics
+from mahovik.use.plan.unbalance import twist_at_rest
+from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
+from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
+from mahovik.use.simulate.held import allowed_start
+from mahovik.use.study.rest import accuracy, rest
+from mahovik.use.vibration.band import rms
+from mahovik.use.vibration.periodic import periodic_response
+from mahovik.use.vibration.speeds import common_period, read_speeds
+from mahovik.use.vibration.view import REACTION, find_view
+
+Array = NDArray[np.float64]
+Values = tuple[dict[str, Array], list[str]]
+"""Quantities by name, (n) each, and the reason of each sample that has none, or ""."""
+
+SIZE, MOST, CACHE = 256, 1 << 23, 1 << 13
+"""Samples that are stepped together, at most; numbers of one component that are kept of them, and worked on at once."""
+
+
+def _file_or_table(raw: Any) -> Any:
+    if not isinstance(raw, str | dict):
+        raise QuantityError(f"expected the name of a file, or a table with its keys, found {show(raw)}")
+    return raw
+
+
+FileOrTable = Annotated[Any, validator(_file_or_table)]
+Seconds = Annotated[float, scalar(TIME, above=0.0)]
+
+
+class _Timed(Table):
+    """Keys of runs in time, as `simulate` has them."""
+
+    dt: Seconds = 1e-4
+    every: Seconds = 1e-3
+    order: Annotated[int, whole_number(2, 4)] = 4
+
+
+class RegimeTable(_Timed):
+    """`[over]` with a regime: from a start, by default the rest of each sample."""
+
+    regime: FileOrTable
+    until: Seconds
+    start: FileOrTable = "rest"
+
+
+class SpeedsTable(Table):
+    """`[over]` with constant speeds by flywheel."""
+
+    speeds: dict[str, str | float]
+    phases: dict[str, str | float] | None = None
+
+
+class ProgrammeTable(_Timed):
+    """`[over]` with a programme, that runs for some periods."""
+
+    programme: Text
+    motion: Text
+    periods: Annotated[int, whole_number(1, 10**6)] = 1
+
+
+class StatesTable(Table):
+    """`[over]` with a file of states."""
+
+    states: Text
+
+
+KINDS: Mapping[str, type[Table]] = {
+    "regime": RegimeTable, "speeds": SpeedsTable, "programme": ProgrammeTable, "states": StatesTable,
+}  # fmt: skip
+"""Tables of `[over]` by the key that chooses them."""
+
+
+def read_over(raw: Mapping[str, Any], problems: Problems) -> tuple[str, Any]:
+    """The kind of run, and its table; problems are noted."""
+    kinds = [kind for kind in KINDS if kind in raw]
+    if len(kinds) != 1:
+        problems.add("over", f"expected exactly one of {', '.join(KINDS)}, found {' and '.join(kinds) or 'none'}")
+        return "", None
+    return kinds[0], problems.valid(KINDS[kinds[0]], raw, "over")
+
+
+def runner_of(stand: Stand, over: Any, quantities: Sequence[Quantity], folder: Path, varied: set[str]) -> Runner:
+    """What computes quantities over a table of `KINDS`, of stands that differ in the numbers of some paths.
+
+    Raises UsageError, and what the files raise.
+    """
+    if isinstance(over, SpeedsTable):
+        return ByStand(stand, _steady(stand, over, quantities))
+    if any(path.startswith(tuple(f"hold.{key}[" for key in PLACE_OF_HOLD)) for path in varied):
+        # a state has other numbers where the carrier is held elsewhere: each sample is a run of its own stand
+        def numbers_of(own: Stand) -> Mapping[str, float]:
+            runner = runner_of(own, over, quantities, folder, set())
+            numbers, (reason,) = runner.values(build(runner.stand).tables({}, 1))
+            if reason:
+                raise StateError(reason)
+            return {name: float(column[0]) for name, column in numbers.items()}
+
+        return ByStand(stand, numbers_of)
+    if isinstance(over, RegimeTable):
+        return _over_regime(stand, over, quantities, folder)
+    if isinstance(over, ProgrammeTable):
+        return _over_programme(stand, over, quantities, folder)
+    return _over_states(stand, folder / over.states, quantities)
+
+
+Runner = Union["TimeRunner", "ByStand"]
+"""Has `stand`, of which tables are made: that of the file, with the run-time wrenches that a regime needs; and
+`values` of tables."""
+
+
+@dataclass(eq=False)
+class ByStand:
+    """Quantities by name, of one stand after another."""
+
+    stand: Stand
+    numbers_of: Callable[[Stand], Mapping[str, float]]
+
+    def values(self, tables: Tables) -> Values:
+        """Quantities of all samples of tables."""
+        columns, reasons = dict[str, Array](), [""] * len(tables)
+        for j in range(len(tables)):
+            try:
+                numbers = self.numbers_of(tables.stand(j))
+            except MahovikError as error:
+                reasons[j] = str(error)
+                continue
+            for name, number in numbers.items():
+                columns.setdefault(name, np.full(len(tables), np.nan))[j] = number
+        return columns, reasons
+
+
+# -- runs in time ----------------------------------------------------------------------------------------------------
+
+Begin = Callable[[Block, Tables], Mapping[int, str]]
+"""Puts the states of a block at the start; gives the reasons of samples that have none."""
+
+Course = Callable[[Block, set[str]], Iterator[Moments]]
+"""Moments of a block, with what is needed."""
+
+
+@dataclass(eq=False)
+class TimeRunner:
+    """Quantities of moments of a run, of which there are some; what is computed of a sample depends on no other."""
+
+    stand: Stand
+    quantities: Sequence[Quantity]
+    begin: Begin
+    course: Course
+    moments: int
+    errors: Errors | None = None
+
+    def values(self, tables: Tables) -> Values:
+        """Quantities of all samples of tables."""
+        n, made, names = len(tables), compile_library(self.stand), [q.name for q in self.quantities]
+        numbers, reasons = {name: np.full(n, np.nan) for name in names}, [""] * n
+        size = max(PER_BLOCK, min(SIZE, MOST // self.moments // PER_BLOCK * PER_BLOCK))
+        with np.errstate(all="ignore"):  # of samples that leave their ranges
+            for first in range(0, n, size):
+                block = Block(self.stand, made, min(size, n - first), tables.block, first)
+                lost = self.begin(block, tables)
+                for name, column in zip(names, self._numbers(block), strict=True):
+                    numbers[name][first : first + block.n] = column
+                for j in np.flatnonzero(block.status < 0).tolist():
+                    reasons[first + j] = why_refused(self.stand, block, j)
+                for j, reason in lost.items():
+                    reasons[first + j] = reason
+        return numbers, reasons
+
+    def _numbers(self, block: Block) -> Iterator[Array]:
+        """Quantities of a block."""
+        readings = np.zeros((0, block.n))
+        if sensors(self.stand):
+            block.call("points")
+            readings = block.found["points"].copy()
+        scene = Scene(self.stand, block.x.copy(), readings, self.errors)
+        times, values = list[Array](), [list[Array]() for _ in self.quantities]
+        for at in self.course(block, {q.need for q in self.quantities} - {""}):
+            for piece in _pieces(at, max(1, CACHE // block.n)):
+                times.append(piece.t)
+                for q, kept in zip(self.quantities, values, strict=True):
+                    kept.append(q.values(scene, piece))
+        for q, kept in zip(self.quantities, values, strict=True):
+            yield q.number(np.concatenate(times), np.concatenate(kept)) if kept else np.full(block.n, np.nan)
+
+
+def _pieces(at: Moments, count: int) -> Iterator[Moments]:
+    """Moments, some at a time: what is computed of them stays in the cache of the processor."""
+    for first in range(0, len(at.t), count):
+        yield Moments(**{name: array[first : first + count] for name, array in vars(at).items()})
+
+
+def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity], folder: Path) -> TimeRunner:
+    """Over a regime, as `simulate` runs it, from a given state or from the rest of each sample."""
+    source, start = (
+        folder / key if isinstance(key, str) and key != "rest" else key for key in (over.regime, over.start)
+    )
+    regime = regime_of(source, stand, over.until)
+    pairs = zip(stand.bodies, stand_for(stand, regime).bodies, strict=True)
+    inputs = {f"{body.name}.wrench_input": True for body, other in pairs if body != other}
+    stand = stand.replace(inputs) if inputs else stand
+    begin: Begin
+    if start != "rest":
+        state = state_of(start, stand, START_KEYS, HINT)
+        begin = partial(_begin_at, _column(stand, state))
+    else:
+        begin = AtRest(stand, [each.phase or 0.0 for each in regime.flywheels])
+        state = begin.nominal
+    return _timed(Case(stand, regime, state, over.until, over.every, over.dt, over.order), stand, quantities, begin)
+
+
+def _timed(
+    case: Case, stand: Stand, quantities: Sequence[Quantity], begin: Begin, errors: Errors | None = None
+) -> TimeRunner:  # fmt: skip
+    """Quantities over a case. Raises UsageError: a law is too steep, moments of output cannot show what is wanted."""
+    for q in quantities:
+        low, high = q.band or (0.0, 0.0)
+        if q.after >= case.until:
+            raise UsageError(f"quantity {q.name}: after: {q.after:g} s: expected less than {case.until:g} s")
+        if 2.0 * high * case.every > 1.0 + 1e-9:
+            raise UsageError(f"quantity {q.name}: band: {high:g} Hz needs `every` of at most {0.5 / high:g} s")
+        if q.band and (case.until - q.after) * (high - low) < 2.0:
+            least = 2.0 / (high - low) + q.after
+            raise UsageError(f"quantity {q.name}: band: {low:g} to {high:g} Hz needs a run of {least:g} s")
+    block = Block(stand, compile_library(stand), 1)
+    block.x[:, 0] = _column(stand, case.start)
+    parts = parts_of(case, block)
+    course: Course = lambda block, needs: motion(case, block, needs, parts)  # noqa: E731
+    return TimeRunner(stand, quantities, begin, course, len(case.times), errors)
+
+
+def _column(stand: CoreStand, state: State) -> Array:
+    """The numbers of a state (13 + 2 N), with the quaternion of its angles as the C computes it."""
+    quaternion = state.quaternion or (1.0, 0.0, 0.0, 0.0)
+    if state.quaternion is None and state.angles is not None:
+        quaternion = tuple(build(Stand.of(stand)).state(angles=state.angles).attitude.tolist())
+    return np.array([*state.position, *quaternion, *state.V, *state.phi, *state.phi_dot])
+
+
+def _begin_at(column: Array, block: Block, _tables: Tables) -> Mapping[int, str]:
+    block.x[:] = column[:, None]
+    return {}
+
+
+class AtRest:
+    """Puts each sample at its own static equilibrium, which is near that of the stand of the file, `nominal`.
+
+    Corrections by the stiffness of that stand are made until what remains is rounding; a sample that they do not bring
+    there is searched by itself.
+    """
+
+    MOST, STEP = 40, 1e-6  # corrections; m, rad: step of differences
+    SHIFTS_FIRST = np.array([1e3] * 3 + [1.0] * 3)  # along free directions a rotation serves before a shift
+
+    def __init__(self, stand: Stand, phases: Sequence[float]) -> None:
+        """Raises CheckError: there is no equilibrium."""
+        try:
+            self.nominal, self._stand, self._phases = rest(stand, phases).state, stand, list(phases)
+        except CheckError as error:
+            raise CheckError(f"{error}; give an initial state by `start`") from None
+        self._least = 2.0 * accuracy(stand, self.nominal)[:, None]
+        self._column = _column(stand, self.nominal)[:, None]
+        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        block = Block(stand, compile_library(stand), 2 * S.shape[1])
+        block.x[:] = self._column
+        self._displace(block.x, np.hstack([self.STEP * S, -self.STEP * S]))
+        block.call("forward")
+        after, before = np.hsplit(block.given["V_dot"], 2)
+        weights = self.SHIFTS_FIRST if stand.hold is None else np.ones(S.shape[1])
+        slopes = (after - before) / (2.0 * self.STEP)
+        self._inverse = -S @ (np.linalg.pinv(slopes / weights, rcond=1e-8) / weights[:, None])
+
+    def __call__(self, block: Block, tables: Tables) -> Mapping[int, str]:
+        """See `Begin`."""
+        reasons, stand = dict[int, str](), self._stand
+        own = Block(stand, compile_library(stand), block.n, tables.block, block.first)
+        own.x[:] = self._column
+        for _ in range(self.MOST):
+            own.call("forward")
+            V_dot = own.given["V_dot"]
+            moving = np.any(np.abs(V_dot) > self._least, axis=0)
+            if not moving.any():
+                break
+            moved = own.x.copy()
+            self._displace(moved, sum(self._inverse[:, j, None] * V_dot[j] for j in range(6)))
+            own.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
+        for j in np.flatnonzero(moving).tolist():
+            own.x[:, j] = self._column[:, 0]
+            try:
+                own.x[:, j] = _column(stand, rest(tables.stand(block.first + j), self._phases).state)
+            except MahovikError as error:
+                reasons[j] = str(error)
+        block.x[:] = own.x
+        return reasons
+
+    @staticmethod
+    def _displace(x: Array, step: Array) -> None:
+        """Displace poses (13 + 2 N, n) by small twists in E1 (6, n; m, rad)."""
+        x[:3] += turn(rotation(x[3:7]), step[:3])
+        turned = Rotation.from_quat(x[[4, 5, 6, 3]].T) * Rotation.from_rotvec(step[3:].T)
+        x[[4, 5, 6, 3]] = turned.as_quat().T
+
+
+def _over_programme(stand: Stand, over: ProgrammeTable, quantities: Sequence[Quantity], folder: Path) -> TimeRunner:
+    """Over a programme, from the state that it requires at t = 0: the flywheels turn, whatever the carrier does."""
+    programme = programme_of(folder / over.programme)
+    required = motion_of(folder / over.motion, stand, programme)
+    for check in (stand_check(stand, programme), motion_check(required, programme)):
+        if check.failed:
+            raise UsageError(f"programme: {over.programme}: {check.words}")
+    if not programme.periodic and over.periods > 1:
+        raise UsageError(f"periods: {over.periods}: the programme is finite and is run once")
+    until, start = required.span * over.periods, _required_state(stand, required, programme)
+    regime = programme_regime(programme)
+    case = Case(stand, regime, start, until, over.every, over.dt, over.order)
+    begin = partial(_begin_at, _column(stand, start))
+    errors = partial(_errors, stand, required, programme, scale_of(stand, required, programme))
+    return _timed(case, stand, quantities, begin, errors)
+
+
+def _required_state(stand: Stand, required: RequiredMotion, programme: Programme) -> State:
+    """The state that the programme requires at t = 0."""
+    course, angles = required.at(np.zeros(1), programme.bias), programme.at(np.zeros(1))
+    chart, phi, phi_dot = Chart.at(Mechanics.of(stand), course.q[0]), angles.phi[0], angles.phi_dot[0]
+    y = chart.of(course)[0]
+    if programme.unbalance == "averaged":
+        y[6:] = twist_at_rest(stand, y[6:], phi, phi_dot)
+    state = plant_state(stand, chart, y, phi, phi_dot)
+    return allowed_start(stand, replace(state, phi=tuple(phi.tolist()), phi_dot=tuple(phi_dot.tolist())))
+
+
+def _errors(
+    stand: Stand, required: RequiredMotion, programme: Programme, scale: Any, at: Moments
+) -> tuple[Array, Array]:  # fmt: skip
+    """See `Errors`; the share as `verify` has it."""
+    K, _, n = at.state.shape
+    q = required.at(at.t if required.periodic else np.clip(at.t, 0.0, required.span), programme.bias).q
+    near = np.repeat(q, n, axis=0)
+    pose = np.moveaxis(at.state[:, :7], 1, 2).reshape(K * n, 7)
+    error, known = np.full(near.shape, np.nan), np.isfinite(pose).all(axis=1)
+    error[known] = coordinates(stand, pose[known, :3], pose[known, 3:], near[known]) - near[known]
+    errors = np.moveaxis(error.reshape(K, n, -1), 1, 2)
+    slopes = np.linalg.cholesky(scale.K0).T @ Frame.of(stand).slopes(q)[2]
+    weighted = np.einsum("kij,kjn->kin", slopes, errors)
+    return errors, np.sqrt((weighted**2).sum(axis=1, keepdims=True)) / scale.amplitude
+
+
+# -- states and constant speeds --------------------------------------------------------------------------------------
+
+
+def _over_states(stand: Stand, path: Path, quantities: Sequence[Quantity]) -> TimeRunner:
+    """Over the states of a file of JSON lines. Raises UsageError."""
+    states = []
+    try:
+        lines = readable(path, "a file of states").decode("utf-8-sig").splitlines()
+    except ValueError as error:
+        raise UsageError(f"states: {error}") from None
+    for number, line in enumerate(lines, 1):
+        try:
+            state = read_start(line, stand, (*START_KEYS, "phi_ddot"), "") if line.strip() else None
+        except UsageError as error:
+            raise UsageError(f"states: {path.name}, line {number}: {error}") from None
+        if state is not None:
+            states.append((_column(stand, state), np.array(state.phi_ddot)))
+    if not states:
+        raise UsageError(f"states: {path.name}: no state, expected one a line")
+    return TimeRunner(stand, quantities, partial(_begin_at, states[0][0]), partial(_at_states, states), len(states))
+
+
+def _at_states(states: Sequence[tuple[Array, Array]], block: Block, needs: set[str]) -> Iterator[Moments]:
+    """All samples in each of the states, as `eval` has them; the number of a state takes the place of the time."""
+    needed, none = {need: FUNCTIONS[need] for need in needs if need in FUNCTIONS}, np.zeros((0, block.n))
+    for number, (x, phi_ddot) in enumerate(states):
+        block.x[:], block.given["phi_ddot"][:] = x[:, None], phi_ddot[:, None]
+        for function in ("forward", *(("torque",) if "tau" in needs else ()), *needed.values()):
+            block.call(function, number)
+        memory = block.given | {"state": block.x} | {need: block.found[function] for need, function in needed.items()}
+        fields = (name for name in Moments.__dataclass_fields__ if name != "t")
+        yield Moments(np.array([float(number)]), **{name: memory.get(name, none)[None].copy() for name in fields})
+
+
+def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> Callable[[Stand], Mapping[str, float]]:
+    """Numbers of the periodic steady state of a stand at constant speeds, as `vibration` has it.
+
+    Raises UsageError: speeds without a common period, or a sweep.
+    """
+    texts = (f"{name}={x}" if isinstance(x, str) else f"{name}={x!r} rad/s" for name, x in over.speeds.items())
+    plan = read_speeds(stand, list(texts))
+    if plan.sweep is not None:
+        raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
+    common_period(plan.speeds(0.0))
+    phases = by_flywheel("phases", over.phases, stand)
+
+    def numbers_of(own: Stand) -> Mapping[str, float]:
+        motion, numbers = periodic_response(own, plan.speeds(0.0), phases), {}
+        for q in quantities:
+            view = find_view(own, REACTION if q.at == HOLD else q.at, "angle" if q.what == "rotation" else q.what)
+            chosen = [AXES.index(q.axis)] if q.axis else [0, 1, 2]
+            if q.statistic == "peak":
+                numbers[q.name] = np.linalg.norm(motion.values(view)[:, chosen], axis=1).max()
+            else:
+                lines = rms(motion.harmonics(view)[:, chosen], motion.frequencies, q.band)
+                numbers[q.name] = np.linalg.norm(lines)
+        return {name: float(number) for name, number in numbers.items()}
+
+    return numbers_of

@@ -1,0 +1,83 @@
+"""`campaign`: many samples of a stand whose numbers vary, computed by many processes, and what they say."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Annotated
+
+from mahovik.errors import UsageError
+from mahovik.out.arguments import Folder, Progressing
+from mahovik.out.notices import Progress, tell
+from mahovik.out.result import Result
+
+
+def campaign(
+    file: Annotated[str | Path, "C.toml"],
+    *,
+    output: Folder,
+    scheduler: Annotated[str, "ADDRESS"] | None = None,
+    workers: int | None = None,
+    chunk: int | None = None,
+    merge: Annotated[str | Path, "FILE.parquet"] | None = None,
+    report: Annotated[str | Path, "FILE.html"] | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Compute many samples of a stand whose numbers vary; say how its quantities are spread.
+
+    Computes what is missing of the campaign in the folder, chunk by chunk; a chunk that is there and whole is done. So
+    the same command goes on after an interrupt, a crash or a killed worker, and may run on many machines at once. Rows
+    are in rows/chunk-000017.parquet: the sample, the numbers that vary by their paths, the quantities, all in SI, and
+    why a sample has none. They are the same to the bit with any number of workers.
+
+    Args:
+        file: the campaign file.
+        output: keep the rows in this folder.
+        scheduler: use the workers of this scheduler of dask, tcp://10.0.0.1:8786, which see the same files.
+        workers: processes on this machine; default one for each core.
+        chunk: compute this chunk alone, from 0, in this process: for job arrays.
+        merge: write all rows into one Parquet file.
+        report: write a page with quantiles, histograms and what they depend on.
+
+    Raises:
+        CampaignError: every problem of the file.
+        UsageError: the folder has rows of another campaign, a file cannot be written.
+        CheckError: the scheduler is gone; some chunks are missing.
+    """
+    from mahovik.out.campaign.chunks import merge as merge_chunks
+    from mahovik.out.campaign.chunks import read_chunk, tables
+    from mahovik.out.campaign.file import load_campaign
+    from mahovik.out.campaign.report import summarise, write_report
+    from mahovik.out.campaign.workers import compute
+    from mahovik.writing import probe
+
+    for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
+        if path is not None and Path(path).suffix != suffix:
+            raise UsageError(f"{name}: {path}: expected a file that ends in {suffix}")
+        if path is not None:
+            probe(Path(path))
+    if chunk is not None and (scheduler is not None or workers is not None or merge is not None or report is not None):
+        raise UsageError("chunk: is computed in this process alone; not allowed with workers, scheduler, merge, report")
+    if scheduler is not None and workers is not None:
+        raise UsageError("workers: a scheduler has its own; give one of workers and scheduler")
+    if workers is not None and workers < 1:
+        raise UsageError(f"workers: {workers}: expected 1 or more")
+    campaign_, folder = load_campaign(Path(file)), Path(output)
+    wanted = range(campaign_.chunks) if chunk is None else [chunk]
+    missing = [number for number in wanted if read_chunk(campaign_, folder, number) is None]
+    if missing:
+        campaign_.rows(0, 0)  # refuses what it cannot compute, and compiles the C, before there are workers
+    lost: dict[int, str] = {}
+    for done, (number, why) in enumerate(compute(campaign_, folder, missing, workers, scheduler), 1):
+        lost |= {number: why} if why else {}
+        tell(progress, Progress(campaign_.name, float(len(wanted) - len(missing) + done), float(len(wanted))))
+    whole = [number for number in wanted if number not in lost]
+    result = summarise(campaign_, tables(campaign_, folder, whole), len(whole))
+    if lost:
+        messages = [f"chunk {number} is missing: {why}; run the campaign again" for number, why in lost.items()]
+        return replace(result, messages=messages, ok=False)
+    if merge is not None:
+        merge_chunks(campaign_, folder, Path(merge))
+    if report is not None:
+        write_report(campaign_, result, Path(report))
+    return result

@@ -1,0 +1,217 @@
+"""Quantities over regimes, speeds, programmes and states: closed formulas, and what the model gives for one stand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+from numpy.typing import NDArray
+
+import mahovik
+from campaigns.files import read
+from mahovik import stands
+from mahovik.core.motion.programme import programme_text
+from mahovik.out.campaign.file import Campaign
+from mahovik.out.campaign.quantities import STATISTICS, band_rms
+from verify.programme.programmes import shaker
+
+Array = NDArray[np.float64]
+
+SATELLITE = '[vary]\n"rw1.unbalance.static" = { uniform = [1e-6, 3e-6] }\n"carrier.mass" = { uniform = [50, 51] }\n'
+
+
+def computed(folder: Path, vary: str, over: str, wanted: dict[str, str], stand: str, samples: int = 3) -> Any:
+    """Rows of a campaign, and its stands; `wanted`: `what` and further keys by name."""
+    tables = "".join(f'[[quantity]]\nname = "{name}"\nwhat = {keys}\n' for name, keys in wanted.items())
+    campaign = read(folder, f"{vary}[over]\n{over}\n{tables}", stand=stand, samples=samples)
+    rows = campaign.rows(0, samples)
+    assert not any(rows["error"])
+    return rows, [stand_of(campaign, rows, j) for j in range(samples)]
+
+
+def stand_of(campaign: Campaign, rows: dict[str, Any], j: int) -> mahovik.Stand:
+    """The stand of a sample, from its columns."""
+    return campaign.stand.replace({each.number.path: float(rows[each.number.path][j]) for each in campaign.draw.varied})
+
+
+def length(vectors: Array) -> Array:
+    return np.asarray(np.linalg.norm(vectors, axis=-1))
+
+
+def test_a_regime_is_that_of_the_model_of_each_sample(tmp_path: Path) -> None:
+    """A free satellite rests exactly, so the steps are the same, and what is read of them too, to rounding."""
+    ramp = {"default": {"ramp": {"to": "3000 rpm", "duration": "20 ms"}}}
+    over = 'regime = { default = { ramp = { to = "3000 rpm", duration = "20 ms" } } }\nuntil = "50 ms"'
+    wanted = {
+        "force": '"peak specific force"\nat = "acc1"',
+        "late": '"rms specific force"\nat = "acc1"\naxis = "y"\nafter = 0.03',
+        "rms": '"rms acceleration"\nat = "acc1"',
+        "rate": '"peak rate"\nat = "acc1"',
+        "v": '"mean velocity"\nat = "acc1"',
+        "shift": '"end displacement"\nat = "carrier"\naxis = "x"',
+        "mount": '"peak force"\nat = "rw2"',
+        "moment": '"rms moment"\nat = "rw2"\naxis = "y"',
+        "tau": '"peak torque"\nat = "all"',
+        "speed": '"least speed"\nat = "rw1"',
+        "power": '"mean power"\nat = "rw2"',
+        "turn": '"peak rotation"\nat = "acc1"',
+    }
+    rows, own = computed(tmp_path, SATELLITE, over, wanted, "sat4")
+    for j, stand in enumerate(own):
+        run = mahovik.build(stand).simulate(0.05, regime=ramp, mounts=True)
+        t, V, force = run["t"], run["V"], run["specific_force"][:, 0]
+        r = np.array(stand.points[0].position if stand.points else stand.instruments[0].position)
+        q = run["attitude"] * np.sign(run["attitude"][:, :1])
+        expected = {
+            "force": length(force).max(),
+            "late": np.sqrt(np.mean(force[t >= 0.03 * (1 - 1e-12), 1] ** 2)),
+            "rms": np.sqrt(np.mean(length(force) ** 2)),  # without gravity both are the same
+            "rate": length(run["rate"][:, 0]).max(),
+            "v": length(V[:, :3] + np.cross(V[:, 3:], r)).mean(),
+            "shift": run["position"][-1, 0] - run["position"][0, 0],
+            "mount": length(run["mount_wrench"][:, 1, :3]).max(),
+            "moment": np.sqrt(np.mean(run["mount_wrench"][:, 1, 4] ** 2)),
+            "tau": np.abs(run["tau"]).max(),
+            "speed": run["phi_dot"][:, 0].min(),
+            "power": np.mean(run["tau"][:, 1] * run["phi_dot"][:, 1]),
+            "turn": 2 * np.arcsin(length(q[:, 1:]).max()),
+        }
+        for name, number in expected.items():
+            assert_allclose(rows[name][j], number, rtol=1e-8 if name == "turn" else 1e-12, err_msg=name)
+
+
+def test_samples_begin_at_their_own_rest(tmp_path: Path) -> None:
+    """With all flywheels held nothing moves, however far the weight lets the carrier down."""
+    vary = '[vary]\n"carrier.mass" = { uniform = [11, 13] }\n"carrier.center_of_mass[0]" = { uniform = [0, 0.01] }\n'
+    wanted = {"moved": '"peak displacement"\nat = "carrier"', "a": '"peak acceleration"\nat = "carrier"'}
+    rows, _ = computed(tmp_path, vary, 'regime = { default = { hold = true } }\nuntil = "10 ms"', wanted, "bench8")
+    assert np.all(rows["a"] < 1e-10) and np.all(rows["moved"] < 1e-13)
+
+
+def test_one_sample_that_fails_has_its_reason_and_the_others_their_numbers(tmp_path: Path) -> None:
+    """A stiffness beyond what steps follow; a mass that no body has; a stiffness at which no rest is found."""
+    quantity = '[[quantity]]\nname = "a"\nwhat = "peak acceleration"\nat = "carrier"\n'
+    run = "[over]\nregime = { default = { speed = 100 } }\nuntil = 0.02\n"
+    stiff = '[vary]\n"suspension.stiffness[0][0]" = { lognormal = [1e8, 9] }\n'
+    moved = read(tmp_path, stiff + run + "start = { position = [1e-3, 0, 0] }\n" + quantity, stand="bench8").rows(0, 16)
+    rested = read(tmp_path, stiff + run + quantity, stand="bench8").rows(0, 16)
+    heavy = read(tmp_path, '[vary]\n"w1.inertia.J12" = { normal = [0, 1e-3] }\n' + run + quantity, stand="bench8").rows(
+        0, 16
+    )
+    for rows, words in ((moved, "at t = "), (rested, "bench8: no static equilibrium"), (heavy, "inertia")):
+        bad = np.array([bool(reason) for reason in rows["error"]])
+        assert 0 < bad.sum() < 16 and np.array_equal(np.isnan(rows["a"]), bad)
+        assert any(words in reason for reason in rows["error"])
+
+
+CLAMPED = """
+schema = 1
+name = "force_table"
+[carrier]
+mass = 20
+inertia = [1, 1, 1]
+[hold]
+freedoms = []
+[[flywheel]]
+name = "w"
+mass = 1
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+spin_inertia = 0.002
+transverse_inertia = 0.001
+unbalance = { static = "50 g mm" }
+"""
+
+PENDULUM = CLAMPED.replace("freedoms = []", 'freedoms = ["pitch"]\npivot = [0, 0, 0.2]').replace(
+    "[carrier]", "gravity = [0, 0, -9.81]\n[carrier]"
+)
+
+
+def test_a_force_table_reads_the_unbalance_of_each_sample(tmp_path: Path) -> None:
+    """U w^2, over constant speeds and in time, where it turns as the wheel does."""
+    (tmp_path / "table.toml").write_text(CLAMPED, encoding="utf-8")
+    vary, wanted = (
+        '[vary]\n"w.unbalance.static" = { uniform = [1e-5, 9e-5] }\n',
+        {"F": '"rms force"\nat = "hold.reaction"'},
+    )
+    for over, factor in (
+        ("speeds = { w = 157.0 }", 1.0),
+        ("regime = { default = { speed = 157.0 } }\nuntil = 0.02", 1.0),
+    ):
+        rows, _ = computed(tmp_path, vary, over, wanted, "table.toml")
+        assert rows["F"] == pytest.approx(factor * rows["w.unbalance.static"] * 157.0**2, rel=1e-9)
+
+
+def test_a_pendulum_hangs_from_the_pivot_of_each_sample(tmp_path: Path) -> None:
+    """Off its axis: it hangs there with its weight on the pivot, and does not move."""
+    (tmp_path / "pendulum.toml").write_text(PENDULUM, encoding="utf-8")
+    wanted = {"F": '"peak force"\nat = "hold.reaction"', "rate": '"peak rate"\nat = "carrier"'}
+    over = "regime = { default = { hold = true } }\nuntil = 0.02"
+    rows, _ = computed(tmp_path, '[vary]\n"hold.pivot[0]" = { uniform = [0, 0.08] }\n', over, wanted, "pendulum.toml")
+    assert rows["F"] == pytest.approx(21 * 9.81, rel=1e-9) and np.all(rows["rate"] < 1e-9)
+
+
+def test_states_are_those_of_the_model(tmp_path: Path) -> None:
+    """The largest over two states, by the functions of the model of the sample's own stand."""
+    lines = [
+        '{"phi_dot": [100, 0, 0, 0]}',
+        '{"phi_dot": [300, 50, 0, 0], "phi": [1, 2, 3, 4], "phi_ddot": [1, 2, 3, 4]}',
+    ]
+    (tmp_path / "s.jsonl").write_text("\n".join(lines), encoding="utf-8")
+    wanted = {"tau": '"peak torque"\nat = "rw1"', "mount": '"end force"\nat = "rw2"'}
+    wanted["force"] = '"peak specific force"\nat = "acc1"'
+    rows, own = computed(tmp_path, SATELLITE, 'states = "s.jsonl"', wanted, "sat4")
+    model = mahovik.build(own[1])
+    x = model.states(phi=[[0, 0, 0, 0], [1, 2, 3, 4]], phi_dot=[[100, 0, 0, 0], [300, 50, 0, 0]])
+    phi_ddot = np.array([[0, 0, 0, 0], [1, 2, 3, 4]])
+    V_dot = model.forward(x, phi_ddot).V_dot
+    assert_allclose(rows["tau"][1], np.abs(model.torque(x, V_dot, phi_ddot).tau[:, 0]).max(), rtol=1e-13)
+    assert_allclose(rows["force"][1], length(model.points(x, V_dot).specific_force[:, 0]).max(), rtol=1e-13)
+    mount = model.mounts(x, V_dot, phi_ddot).mount_wrench[1, 1, :3]
+    assert_allclose(rows["mount"][1], length(mount), rtol=1e-13)
+
+
+def test_a_programme_is_followed_by_the_stand_that_it_is_for(tmp_path: Path) -> None:
+    """A heavier shaker misses its motion; the programme of another stand is refused."""
+    (tmp_path / "p.json").write_text(programme_text(shaker()[2]), encoding="utf-8")
+    spin = next(path for path in stands.motions("shaker2") if "spin" in path.name)
+    (tmp_path / "m.json").write_bytes(spin.read_bytes())
+    over = 'programme = "p.json"\nmotion = "m.json"'
+    wanted = {"share": '"peak error"', "z": '"peak error"\naxis = "z"'}
+    rows, _ = computed(tmp_path, '[vary]\n"carrier.mass" = { tolerance = 1e-9 }\n', over, wanted, "shaker2")
+    assert np.all(rows["share"] < 1e-5)
+    heavier, _ = computed(
+        tmp_path, '[vary]\n"carrier.mass" = { tolerance = ["50 g", "90 g"] }\n', over, wanted, "shaker2"
+    )
+    assert np.all(heavier["share"] > 1e-3) and np.all(heavier["z"] > 100 * rows["z"])
+    with pytest.raises(mahovik.MahovikError, match=r"over: programme: p\.json: programme of another stand"):
+        mahovik.example("shaker2").replace({"carrier.mass": 3.0}).save(tmp_path / "other.toml")
+        computed(tmp_path, '[vary]\n"carrier.mass" = { tolerance = 1e-9 }\n', over, wanted, "other.toml")
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([1, 3]))
+def test_statistics_are_those_of_numpy(seed: int, components: int) -> None:
+    values = np.random.default_rng(seed).normal(size=(40, components, 5))
+    size = values[:, 0] if components == 1 else np.linalg.norm(values, axis=1)
+    expected = {
+        "peak": np.abs(size).max(axis=0), "rms": np.sqrt(np.mean(size**2, axis=0)), "mean": size.mean(axis=0),
+        "least": size.min(axis=0), "end": size[-1],
+    }  # fmt: skip
+    for name, numbers in expected.items():
+        assert_allclose(STATISTICS[name](values), numbers, rtol=1e-14, atol=1e-15)
+
+
+@given(st.floats(40.0, 90.0), st.floats(0.0, 6.0), st.floats(0.1, 10.0))
+def test_a_band_has_the_rms_of_what_swings_in_it(frequency: float, phase: float, amplitude: float) -> None:
+    """A sine at any frequency in the band, beside a mean, a slow and a fast one outside it."""
+    t: Array = np.linspace(0.0, 1.0, 1001)
+    inside = amplitude * np.sin(2 * np.pi * frequency * t + phase)
+    outside = 3.0 + 2.0 * np.sin(2 * np.pi * 11.3 * t) + np.cos(2 * np.pi * 203.7 * t)
+    values: Array = np.stack([np.stack([inside, outside], axis=1), np.stack([outside, 2 * inside], axis=1)], axis=2)
+    expected: Array = np.array([1.0, 2.0]) * amplitude / np.sqrt(2)
+    assert_allclose(band_rms(t, values, (30.0, 100.0)), expected, rtol=1e-2, atol=2e-3)
