@@ -20,7 +20,6 @@ from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.numeric import Frame
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
-from mahovik.use.plan.smoothing import smoothing_warnings
 from plan.held_stands import HOLDS, stand, wheel
 
 QUICK = PlanOptions(steps=60, enough=1)
@@ -179,22 +178,3 @@ def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     assert not any(item.failed for item in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))
     assert [item.quantity for item in verify_programme(SHAKER, required, wrong) if item.failed] == ["stand"]
-
-
-@pytest.mark.parametrize(
-    "keys, warned",
-    [
-        ("coulomb = 0.05", True),  # the default smoothing, 0.01 rad/s, is less than a tenth of the largest speed
-        ("coulomb = 0.05\nsmoothing = 0.02", False),
-        ("breakaway = 0.08\ncoulomb = 0.05\nstribeck_speed = 0.05\nsmoothing = 0.04", False),
-    ],
-)
-def test_a_small_smoothing_is_named_before_the_search(keys: str, warned: bool) -> None:
-    hold = 'freedoms = ["pitch"]\npivot = [0, 0, "120 mm"]\n[[hold.friction]]\n' + keys
-    own = stand(hold, wheel(1, [0, 1, 0]), "[suspension]\nstiffness = [0, 0, 0, 0, 9, 0]\ndamping = [0, 0, 0, 0, 3, 0]")
-    found = smoothing_warnings(own, motion(own, {"cos": [0.03]}))
-    assert len(found) == warned
-    assert all(
-        "pitch: its `smoothing`" in each and "0.19 rad/s" in each and "0.04 rad/s or more" in each for each in found
-    )
-    assert smoothing_warnings(own, motion(own, {"cos": [0.001]})) == []

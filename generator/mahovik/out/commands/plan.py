@@ -98,10 +98,8 @@ def _planned(
 ) -> tuple[Plan, Stand, Sequence[tuple[str, str, float, float]]]:
     """The plan, the stand that it is for, and the numbers that moved."""
     from mahovik.core.motion.required import Slew
-    from mahovik.out.notices import warn
     from mahovik.use.plan import plan_motion
     from mahovik.use.plan.held import refuse_unplannable
-    from mahovik.use.plan.smoothing import smoothing_warnings
 
     def on_progress(state: Any) -> None:
         say(state.words)
@@ -113,8 +111,6 @@ def _planned(
         if method != "fourier" or keys:
             raise UsageError("method, free: not for a slew, whose course is found with its programme")
         return plan_slew(stand, required, tell=say), stand, ()
-    for line in smoothing_warnings(stand, required):  # before the search, which may be long
-        warn(line)
     if keys:
         from mahovik.use.plan.free import plan_free
 
