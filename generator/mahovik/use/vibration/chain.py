@@ -68,7 +68,7 @@ class Chain:
         tables, names = scene.chart.mechanics.tables, tuple(s.name for s in scene.stand.flywheels)
         plant, N, structure = Plant.of(scene), len(names), makers.structure
         Theta = tables.Theta[0]
-        gyro = plant.K @ plant.free.gyro
+        gyro = plant.free.gyro
         tilting = tables.weight[0] @ skew(scene.chart.C.T @ np.array(scene.stand.gravity))
         if structure is None:
             none = np.zeros((3, 0))

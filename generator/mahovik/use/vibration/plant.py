@@ -3,12 +3,12 @@
 To first order in motion and unbalance the pose (x, r) about rest is p = S xi, of a free carrier xi itself, and
 
     xi'' = a xi + (b + sum_s b_s phi_s') xi' + (S^T K S)^-1 S^T w,
-    R = (E - W S^T) (K p'' - K a_f p - K (b_f + sum_s b_fs phi_s') p' - w),
+    R = (E - W S^T) (K p'' - a_f p - (b_f + sum_s b_fs phi_s') p' - w),
 
 w a wrench on the carrier about O1 in E1, a, b, b_s means over the flywheels' phases: stiffness, drag, gyroscopic
-moments; a_f, b_f, b_fs those of the carrier without its hold. W S^T is the part of a wrench along the freedoms: forces
-there, friction among them, are no reaction. A clamped carrier has p = 0 and R = -w. A wrench Re(w exp(i omega t)) gives
-the pose Re(p exp(i omega t)).
+moments; a_f, b_f, b_fs slopes of the wrench on the carrier without its hold. W S^T is the part of a wrench along the
+freedoms: forces there, friction among them, are no reaction. A clamped carrier has p = 0 and R = -w. A wrench
+Re(w exp(i omega t)) gives the pose Re(p exp(i omega t)).
 """
 
 from __future__ import annotations
@@ -19,13 +19,11 @@ from typing import NamedTuple
 import numpy as np
 
 from mahovik.core.stand.hold import wrenches
-from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import bias
-from mahovik.use.numeric import Array, Complex
-from mahovik.use.study.linear import linear_model
+from mahovik.use.numeric import Array, Complex, slopes_of_residual
 from mahovik.use.vibration.scene import Scene
 
 CHUNK = 20_000
@@ -40,14 +38,9 @@ class Linear(NamedTuple):
     gyro: Array
 
     @staticmethod
-    def of(stand: Stand, rest: State, m: int) -> Linear:
-        """The matrices of a carrier with m freedoms about a pose at rest. Raises StateError."""
-        N = len(stand.flywheels)
-        if not m:
-            return Linear(np.zeros((0, 0)), np.zeros((0, 0)), np.zeros((N, 0, 0)))
-        A = mean_matrix(stand, rest, np.zeros(N))
-        gyro = [mean_matrix(stand, rest, row)[m:, m:] - A[m:, m:] for row in np.eye(N)]
-        return Linear(A[m:, :m], A[m:, m:], np.array(gyro).reshape(N, m, m))
+    def of(by_pose: Array, by_twist: Array) -> Linear:
+        """The matrices of slopes (1 + N, m, m) with all flywheels at rest, and each at a speed of 1."""
+        return Linear(by_pose[0], by_twist[0], by_twist[1:] - by_twist[0])
 
     def damping(self, speeds: Array) -> Array:
         """b + sum_s b_s phi_s' (S, m, m) at speeds (S, N; rad/s)."""
@@ -59,7 +52,7 @@ class Plant:
     """S, W (6, m), W what finds the part of a wrench along the freedoms; K (6, 6), mobility (m, 6): means over phases.
 
     mobility  (S^T K S)^-1 S^T
-    carrier   of the carrier as it is; free: without its hold, the same where it has none
+    carrier   of the carrier as it is; free: a_f, b_f, b_fs
     turning, hanging   (N, 6), complex: unbalance, weight, see `unbalance_wrenches`
     """
 
@@ -75,17 +68,18 @@ class Plant:
     @staticmethod
     def of(scene: Scene) -> Plant:
         """The plant of a stand about its rest. Raises StateError."""
-        stand, rest, mechanics = scene.stand, scene.rest, scene.chart.mechanics
-        carrier = Linear.of(stand, rest, scene.count)
-        unheld, pose, free, W = stand, rest, carrier, np.eye(6)
-        if stand.hold is not None:
-            laws = tuple(law for law in stand.laws if not isinstance(law, HeldLaw))
-            unheld, pose = replace(stand, hold=None, laws=laws), replace(rest, u=(), u_dot=())
-            free, W = Linear.of(unheld, pose, 6), wrenches(stand.hold)
+        stand, mechanics = scene.stand, scene.chart.mechanics
+        N, W = len(stand.flywheels), np.eye(6) if stand.hold is None else wrenches(stand.hold)
         K = np.asarray(mechanics.base.K + mechanics.tables.Theta[0].sum(axis=0))
-        quarters = np.tile(QUARTERS[:, None], len(stand.flywheels))
-        mobility = scene.drive(quarters, np.zeros_like(quarters)).mobility.mean(axis=0)
-        return Plant(scene.S, W, K, mobility, carrier, free, *unbalance_wrenches(unheld, pose))
+        phi = np.tile(QUARTERS[:, None], N)
+        given = [scene.drive(phi, np.tile(row, (len(phi), 1))) for row in np.vstack([np.zeros(N), np.eye(N)])]
+        still = scene.chart.twists(np.zeros((len(phi), 12)))
+        slopes = [slopes_of_residual(mechanics, still, each) for each in given]
+        by = [np.array([getattr(each, name) for each in slopes]) for name in ("by_pose", "by_twist")]
+        mobility = np.array([each.mobility for each in given])
+        carrier = Linear.of(*((mobility @ each @ scene.S).mean(axis=1) for each in by))
+        free = Linear.of(*(each.mean(axis=1) for each in by))
+        return Plant(scene.S, W, K, mobility[0].mean(axis=0), carrier, free, *unbalance_wrenches(stand, scene.rest))
 
     def pose(self, speeds: Array, omega: Array, wrench: Complex) -> Complex:
         """Pose (S, L, 6, P) by wrenches (S, L, 6, P) at omega (S, L; rad/s, above 0) and speeds (S, N; rad/s).
@@ -107,7 +101,7 @@ class Plant:
         """Reaction (S, L, 6, P) of the hold on the carrier, in E1 about O1, from the pose that these wrenches make."""
         w = omega[:, :, None, None]
         b = self.free.damping(speeds)
-        whole = self.K @ (-(w**2) * pose - self.free.a @ pose - 1j * w * (b[:, None] @ pose)) - wrench
+        whole = -(w**2) * (self.K @ pose) - self.free.a @ pose - 1j * w * (b[:, None] @ pose) - wrench
         return np.asarray(whole - self.W @ (self.S.T @ whole))
 
     def unbalance(self, speeds: Array, phases: Array) -> tuple[Array, Complex]:
@@ -134,16 +128,6 @@ def solve_many(matrix: Complex, right: Complex) -> Complex:
 
 QUARTERS = np.arange(4) * (np.pi / 2)
 """Phases whose mean removes the first and the second harmonic of a flywheel."""
-
-
-def mean_matrix(stand: Stand, rest: State, speeds: Array) -> Array:
-    """A (2 m, 2 m) of the carrier about rest under flywheels at speeds (N, rad/s): y' = A y, mean over phase."""
-    matrices = []
-    for phase in QUARTERS:
-        N = len(speeds)
-        state = replace(rest, phi=(float(phase),) * N, phi_dot=tuple(speeds.tolist()), phi_ddot=(0.0,) * N)
-        matrices.append(linear_model(stand, state, [stand.carrier.name], locked=True).A)
-    return np.asarray(np.mean(matrices, axis=0))
 
 
 def unbalance_wrenches(stand: Stand, rest: State) -> tuple[Complex, Complex]:
