@@ -13,8 +13,7 @@ by the lines that the equations still have up to MORE higher orders.
 Directions without a restoring force are kept from drifting: of all motions the one is found whose mean pose is that of
 rest and whose mean rotation is zero, for any phases. Where momentum is conserved nothing is needed for that.
 
-The coordinates are those of the freedoms, see `scene`; of a held carrier `left_out` counts the reaction too. A
-clamped one has no motion, and its reaction is all.
+The coordinates are those of the freedoms, see `scene`. A clamped carrier has no motion, and its reaction is all.
 """
 
 from __future__ import annotations
@@ -34,15 +33,6 @@ from mahovik.use.vibration.torus import Linearised, Torus, Whole
 from mahovik.use.vibration.torus_motion import ROUNDING, Balance, left_out, rounding_rates
 
 __all__ = ["Balance", "balance"]
-
-
-__all__ = ["Balance", "balance"]
-
-ACCURATE = 1e-9
-"""Accuracy of GMRES in one step of Newton's method."""
-
-RESTART, ROUNDS = 40, 5
-
 
 STEPS = 20
 SETTLED = 1e-11

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -32,13 +31,13 @@ ASYMMETRIC = 1e-9
 
 @dataclass(frozen=True)
 class Crossing:
-    """Crossing of a flywheel's order with a natural frequency: `order` times the speed (rad/s) is `frequency` (Hz).
+    """Crossing of a flywheel's order with a natural frequency (Hz), at a swept speed (rad/s).
 
     mode      column of the natural frequency, from 1; the highest is 6, of a held carrier m
     damping   ratio of that mode
     """
 
-    order: int
+    order: float
     mode: int
     speed: float
     frequency: float
@@ -73,9 +72,7 @@ def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
     plan = SpeedPlan.common(scene.stand, (float(speed.min(initial=0.0)), float(speed.max(initial=0.0))))
     natural, damping, growth = natural_at(scene, plan, speed)
     orders = orders_of(scene)
-    met = [
-        Crossing(order, *each) for order in orders for each in crossings(scene, plan, speed, natural, 0.0, float(order))
-    ]
+    met = [each for order in orders for each in crossings(scene, plan, speed, natural, 0.0, order)]
     return Campbell(speed, natural, damping, growth, orders, tuple(sorted(met, key=lambda each: each.speed)))
 
 
@@ -123,16 +120,7 @@ def average_matrices(scene: Scene, speeds: Array) -> Array:
     return np.asarray(J.reshape(S, NODES, n, n).mean(axis=1))
 
 
-class Meeting(NamedTuple):
-    """Where a line meets a natural frequency: column of it from 1, swept speed (rad/s), frequency (Hz), damping."""
-
-    mode: int
-    value: float
-    frequency: float
-    damping: float
-
-
-def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: float, k: float) -> list[Meeting]:
+def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: float, k: float) -> list[Crossing]:
     """Where |c + k x| (rad/s), x the swept speed, meets natural frequencies (S, m; Hz): sign changes, then secants."""
 
     def line(x: Array) -> Array:
@@ -156,6 +144,6 @@ def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: f
         at_high = np.where(settled, at_low + 1.0, at_high)
     met = np.abs(at) <= MEETING_DISTANCE * frequency[rows, mode]
     return [
-        Meeting(int(mode[j]) + 1, float(x[j]), float(frequency[j, mode[j]]), float(damping[j, mode[j]]))
+        Crossing(k, int(mode[j]) + 1, float(x[j]), float(frequency[j, mode[j]]), float(damping[j, mode[j]]))
         for j in np.flatnonzero(met)
     ]

@@ -62,7 +62,7 @@ def resonances(
     near: list[float] = []
     for c, k in sorted(lines):
         met = crossings(scene, plan, values, natural, c, k)
-        at = [(each.value, each.damping * each.frequency * TURN) for each in met]
+        at = [(each.speed, each.damping * each.frequency * TURN) for each in met]
         if k:
             at += [((sign * omega - c) / k, damping * omega) for omega, damping in modes for sign in (-1.0, 1.0)]
         near += [x + side * width / abs(k or np.inf) for x, width in at for side in (-1.0, 0.0, 1.0)]
