@@ -67,10 +67,9 @@ def check(
     from mahovik.out.api.stands import Stand
     from mahovik.out.notices import warn_of_speeds
     from mahovik.use.simulate.friction_steps import long_steps
-    from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments
+    from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line
-    from mahovik.use.study.task_reach import task_shortfalls
 
     own = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
