@@ -69,7 +69,7 @@ def test_a_picture_is_the_same_text_again() -> None:
 def test_vibration_and_requirements_at_points() -> None:
     of = replace(subject("sat4"), require=("rms 1 arcsec", "rms 1e-9 arcsec"))
     part = requirements_part(of)
-    assert part is not None and part.failures == ("acc1: rms is not met",)
+    assert part is not None and part.failures == ("acc1: rms 1e-9 arcsec is not met",)
     assert [str(row[-1]) for row in part.rows] == ["met", '<span class="bad">failed</span>']
     seen = vibration_part(replace(of, at=("carrier", "acc1")))
     assert seen is not None and len(seen.panels) == 2 and "carrier at most" in seen.summary
