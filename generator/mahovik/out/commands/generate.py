@@ -304,10 +304,9 @@ def _warn(stand: Stand, made: _Made, only: tuple[str, ...]) -> None:
 
     from mahovik.contract.functions import ALL
     from mahovik.core.stand.summary import summarize
-    from mahovik.use.study.excess import excess
     from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
+    from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line
-    from mahovik.use.study.task_reach import task_shortfalls
 
     def doubts() -> Iterator[str]:
         if json.loads(made.files["manifest.json"])["real"] == "float":
