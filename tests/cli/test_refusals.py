@@ -89,7 +89,7 @@ CASES = [
     ("verify", "--real float --judges", "for the generated C"),
     ("verify", "--rigorous --judges", "--rigorous measures the C: not with --judges, --targets"),
     ("replay", "", "none.log: cannot be read"),
-    ("replay", "-o states.txt", "expected a name that ends in .csv or .jsonl"),
+    ("replay", "-o states.txt", "expected a name that ends in .csv"),
     ("report", "--derivation --at acc1", "--derivation: shows no vibration; remove at and require"),
     ("report", "--require 'rms 1 kg'", "rms 1 kg"),
     ("judge", "--states 3", "--states"),

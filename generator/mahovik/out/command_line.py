@@ -74,6 +74,7 @@ COMMANDS: dict[str, dict[str, str]] = {
     },
     "Motion and vibration": {
         "simulate": "Simulate a stand, or a programme on it.",
+        "replay": "Replay a flight log bit for bit.",
         "modes": "Find natural frequencies, damping, shapes.",
         "vibration": "Find steady vibration; meet limits.",
     },

@@ -14,7 +14,6 @@ from mahovik.errors import MahovikError
 OLD = {
     "Not yet functions": (
         *("new", "import", "verify", "judge", "cost", "evidence", "judge-log"),
-        "replay",
         *("verify-programme",),
     )
 }

@@ -23,8 +23,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.states import encode
-from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step, members
-from mahovik.writing import format_of
+from mahovik.use.simulate.flight_log import Damage, Reals, Start, Step
 
 Members = dict[str, Reals]
 
@@ -207,38 +206,11 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machi
     if backend == "c":
         there = None if folder is None else read_header(folder, stand.name)
         if there is not None and there.real is not None and there.real != real:
-            raise UsageError(f"--against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
+            raise UsageError(f"against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
         return c_machine(stand, real, folder)
     if folder is not None:
-        raise UsageError("--against DIR: the interpreter runs no C; leave it out, or use --backend c")
+        raise UsageError("against: the interpreter runs no C; leave it out, or use --backend c")
     return interpreter_machine(stand, real)
-
-
-FORMATS = (".csv", ".jsonl")
-
-
-def check_format(path: Path) -> str:
-    """The format of the output file. Raises UsageError."""
-    found = format_of(path, FORMATS)
-    if found is None:
-        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(FORMATS)}")
-    return found
-
-
-def csv_heading(flywheels: int) -> str:
-    """Column titles of a CSV file."""
-    return ",".join(["step", "status", *(f"{m}[{i}]" for m, n in members(flywheels).items() for i in range(n))]) + "\n"
-
-
-def csv_row(outcome: Outcome) -> str:
-    """One row of a CSV file: the state after a step, in digits that read back to the same bits."""
-    numbers = [repr(number) for values in outcome.after.values() for number in _plain(values)]
-    return ",".join([str(outcome.step.count), status_words(outcome.status), *numbers]) + "\n"
-
-
-def eval_line(outcome: Outcome, wrenches: Sequence[str]) -> str:
-    """The line of `mahovik eval` with the state before a step and its inputs. Raises StateError: not finite."""
-    return encode(state_object(outcome, wrenches))
 
 
 def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
@@ -258,7 +230,7 @@ def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:
     """Lines that show one step: its line of `eval`, then all of it in hexadecimal."""
     step = outcome.step
     try:
-        yield eval_line(outcome, wrenches)
+        yield encode(state_object(outcome, wrenches))
     except StateError as error:
         yield json.dumps({"id": f"step {step.count}", "error": str(error)})
     yield f"step {step.count}, {step.function}: {status_words(outcome.status)}"

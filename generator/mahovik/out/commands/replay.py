@@ -1,0 +1,181 @@
+"""`replay`: a flight log, step by step, bit for bit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from mahovik.errors import StandError, UsageError
+from mahovik.out.arguments import FilePath, Folder, Progressing, StandGiven
+from mahovik.out.notices import Progress, tell
+from mahovik.out.result import Result, column
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.use.simulate.flight_log import Damage, Start
+    from mahovik.use.simulate.replay import Machine, Outcome
+
+PARTS = {"position": "xyz", "attitude": "wxyz", "V": "uvwpqr"}
+
+
+def replay(
+    stand: StandGiven | None = None,
+    *,
+    log: FilePath,
+    against: Folder | None = None,
+    step: int | None = None,
+    emit_test: int | None = None,
+    backend: Literal["c", "interpreter"] = "c",
+    progress: Progressing = None,
+) -> Result:
+    """Replay a flight log.
+
+    Repeats every step logged by NAME_recorder.c, and compares each state with the log's, bit for bit. The log is
+    binary, or text of a serial console with lines @89a0.... Without a stand the stand file is found by the name and
+    physics in the log: in this folder, beside the log, or among the examples. Columns are the states after each step.
+
+    Exit status 1 if a state differs or the log is damaged; an end in the middle of a record is only noted.
+
+    Args:
+        stand: the stand file.
+        log: replay this flight log.
+        against: replay the C in this folder, which was used in flight; default newly generated C.
+        step: show this step, as a line for `eval` and all bits in hex.
+        emit_test: write NAME_step_K.c, this step as a unit test in C.
+        backend: replay by c, or by interpreter, which needs no compiler and is slow.
+
+    Raises:
+        UsageError: no flight log, no stand of it, no such step.
+        CheckError: the log is of another stand, or of another default table.
+    """
+    from mahovik.use.simulate import flight_log
+    from mahovik.use.simulate import replay as replays
+
+    log = Path(log)
+    data, notes = flight_log.load(log)
+    records = list(flight_log.records(data))
+    starts = [record for record in records if isinstance(record, flight_log.Start)]
+    if not starts:
+        raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, flight_log.Damage)))
+    model, source = _stand(starts[0], stand, log)
+    for start in starts:
+        replays.check_stand(model, start, source)
+        if start.real != starts[0].real:
+            raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
+    machine = replays.machine(model, starts[0].real, backend, None if against is None else Path(against))
+    outcomes: list[Outcome] = []
+    damage: list[flight_log.Damage] = []
+    for done, found in enumerate(replays.replay(machine, records), start=1):
+        if isinstance(found, flight_log.Damage):
+            damage.append(found)
+        else:
+            outcomes.append(found)
+        tell(progress, Progress(f"replay {log.name}, records", done, len(records)))
+    messages = [f"note: {note}" for note in notes]
+    for name, number in (("step", step), ("emit_test", emit_test)):
+        if number is not None:
+            outcome = next((each for each in outcomes if each.step.count == number), None)
+            if outcome is None:
+                raise UsageError(f"{name} {number}: no such step among those that could be replayed")
+            if name == "step":
+                messages += replays.step_dump(outcome, machine.generated.layout.inputs)
+            else:
+                messages.append(_emit_test(model, machine, outcome))
+    messages += [f"{'note' if each.end else 'error'}: {each.message}" for each in damage]
+    return _result(model, machine, starts[0], outcomes, messages, damage)
+
+
+def _result(
+    stand: Stand, machine: Machine, start: Start, outcomes: list[Outcome], messages: list[str], damage: list[Damage]
+) -> Result:
+    """States after each step, and whether they are those of the log."""
+    from mahovik.contract.status import status_words
+    from mahovik.use.simulate.flight_log import members
+    from mahovik.use.simulate.replay import explain
+
+    last = outcomes[-1] if outcomes else None
+    differs = last is not None and not last.equal
+    refused = sum(each.status < 0 for each in outcomes)
+    equal = len(outcomes) - differs
+    if outcomes:
+        more = f", {refused} of them refused, as in the log" if refused else ""
+        first, end = outcomes[0].step.count, outcomes[-1].step.count - differs
+        all_ = "" if differs else "all "
+        messages.append(f"{all_}{equal} steps bit for bit: {stand.name}, {start.real}, steps {first} to {end}{more}")
+    elif not damage:
+        messages.append("no step in the log")
+    if last is not None and differs:
+        messages += [
+            f"error: step {last.step.count} differs: {last.difference}",
+            f"error: {explain(machine, stand, start)}",
+        ]
+    names = [s.name for s in stand.flywheels]
+    columns = [
+        column("step", "", [each.step.count for each in outcomes]),
+        column("status", "", [status_words(each.status) for each in outcomes]),
+    ]
+    for name in members(start.flywheels):
+        rows = np.array([each.after[name] for each in outcomes], dtype=np.float64)
+        columns.append(column(name, "", rows.reshape(len(outcomes), -1), list(PARTS.get(name, names))))
+    meta = {
+        "stand": stand.name, "physics": start.physics, "real": start.real,
+        "first_step": outcomes[0].step.count if outcomes else None, "steps_equal": equal, "steps_refused": refused,
+        "differs_at": last.step.count if last is not None and differs else None,
+        "difference": last.difference if last is not None and differs else None,
+        "damage": [each.message for each in damage],
+    }  # fmt: skip
+    good = not differs and all(each.end for each in damage)
+    title = f"{stand.name}, {start.real}"
+    details = [*(each.name for each in columns), *meta]
+    return Result(title, columns, rows="steps", meta=meta, messages=messages, ok=good, details=details)
+
+
+def _stand(start: Start, given: Any, log: Path) -> tuple[Stand, str]:
+    """The stand of a log, and its file. Raises StandError, UsageError."""
+    from mahovik import stands
+    from mahovik.core.stand.identity import identities
+    from mahovik.out.api.stands import Stand
+    from mahovik.proof.verify.delivery import under_name
+
+    if given is not None:
+        stand = Stand.of(given)
+        return under_name(stand, start.stand, start.physics) or stand, str(given)
+    name = f"{start.stand}.toml"
+    places = [Path(name), log.parent / name]
+    if start.stand in stands.names():
+        places.append(Path(stands.path(start.stand)))
+    for place in places:
+        if not place.is_file():
+            continue
+        try:
+            stand = Stand.of(place)
+        except StandError:
+            continue
+        if identities(stand).physics == start.physics:
+            return stand, str(place)
+    raise UsageError(
+        f'{log}: of the stand "{start.stand}", physics {start.physics}: no {name} of it here, beside the log or among '
+        "the examples; give its stand file"
+    )
+
+
+def _emit_test(stand: Stand, machine: Machine, found: Outcome) -> str:
+    """Write a step as a unit test in C; say so."""
+    from mahovik.core.emit.replay_test import replay_test
+    from mahovik.use.simulate.replay import step_inputs
+    from mahovik.writing import write
+
+    path = Path(f"{stand.name}_step_{found.step.count}.c")
+    name, inputs = step_inputs(machine.generated, found.step)
+    carry = found.carry_after.tolist() if found.step.carried else None
+    if carry is not None:
+        inputs["carry"] = found.carry
+    before, after = ({k: v.tolist() for k, v in each.items()} for each in (found.before, found.after))
+    text = replay_test(
+        stand, machine.generated, path.name, found.step.count, name, inputs, before, after, found.status, found.table,
+        carry,
+    )  # fmt: skip
+    write(path, text)
+    return f"{path}   step {found.step.count} as a unit test: build it with {stand.name}.c"
