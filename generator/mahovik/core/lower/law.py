@@ -52,8 +52,6 @@ class CarrierProgram:
     invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing
     quaternions  places in the table that must have unit length
     refuses      may its function refuse a state? Its status is RANGE then
-    tie          of a law that ties the carrier to E0: the function that adds the wrench of one of its structs
-    at_points    do its ties end at points, about which they have no moment? Else at O1
     """
 
     words: str
@@ -61,8 +59,6 @@ class CarrierProgram:
     invalid = ""
     quaternions: tuple[str, ...] = ()
     refuses = False
-    tie = ""
-    at_points = False
 
     def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
         """Its structs in the table, how many of each, and the name of the function that adds the wrench of one."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from types import SimpleNamespace
 from typing import Any
@@ -15,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core import routines
 from mahovik.core.lower import checks, coordinates, placement, rotation
-from mahovik.core.lower.law import ATTITUDE, OWN_TWIST, BodyProgram, CarrierProgram
+from mahovik.core.lower.law import ATTITUDE, OWN_TWIST, BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.values import laws_of, parameters_of
@@ -189,45 +188,6 @@ class TwistLaws:
     def _arrays(self, name: str, changes: Sequence[Mapping[str, Any]]) -> Arrays:
         trace = Trace()
         return self._laws.arrays(name, trace, changes, {"damper": self.damper, "V": trace.inputs(6)})
-
-
-@dataclass(frozen=True)
-class Tie:
-    """What ties the carrier to E0: its struct is `member` of the table, or element `index` of it."""
-
-    law: CarrierProgram
-    member: str
-    index: int | None
-
-    def wrench(self, own: Structure, numbers: Mapping[str, Any], pose: Sequence[Array]) -> Array:
-        """The wrench that it transmits, about its end on the carrier (..., 6, n; N, N m), in E1.
-
-        own, numbers  structure, and members of the table, with the samples last
-        pose          place of O1 in E0 (..., 3, n), quaternion (4), twist (6), rotation matrix row by row (9)
-        """
-        members = numbers[self.member] if self.index is None else numbers[self.member][self.index]
-        law, F = SimpleNamespace(**members), [0.0] * 6
-        inputs = dict(zip(POSE, ([*np.moveaxis(x, -2, 0)] for x in pose), strict=True))
-        lib, _, columns = law_functions(own)
-        named = {"law": law, self.member: law, "x": SimpleNamespace(**inputs), "C": inputs["C"], "F": F}
-        columns.call(self.law.tie, *(named[argument] for argument in lib.taken(self.law.tie)))
-        columns.refused.clear()
-        wrench = np.stack(np.broadcast_arrays(*F), axis=-2)
-        if self.law.at_points:
-            wrench[..., 3:, :] = 0.0
-        return wrench
-
-
-def ties(own: Structure) -> dict[str, Tie]:
-    """What ties the carrier to E0, by name: the suspension; the legs, counted from 1."""
-    named = {}
-    for law in Layout(own, DOUBLE).law_tables:
-        for field in law.fields(own) if law.tie else ():
-            if not field.shape:
-                named[field.name] = Tie(law, field.name, None)
-            for k in range(int(field.shape[0]) if field.shape else 0):
-                named[f"{field.name} {k + 1}"] = Tie(law, field.name, k)
-    return named
 
 
 def _pose() -> tuple[Trace, dict[str, Any]]:

@@ -23,8 +23,6 @@ class LegsProgram(CarrierProgram):
     words = "legs"
     invalid = "leg of no length"
     refuses = True
-    tie = "add_leg"
-    at_points = True
 
     def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
         """One struct per leg."""

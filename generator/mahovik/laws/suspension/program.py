@@ -29,7 +29,6 @@ class SuspensionProgram(CarrierProgram):
 
     words = "suspension"
     quaternions = ("suspension.attitude",)
-    tie = "suspend"
 
     def present(self, structure: Structure) -> bool:
         """Whether there is one."""
