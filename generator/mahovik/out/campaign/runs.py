@@ -31,12 +31,12 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
 from mahovik.out.arguments import by_flywheel, motion_of, programme_of, regime_of, state_of
 from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, sensors, turn
+from mahovik.out.notices import warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.coordinates import coordinates
-from mahovik.use.control.plant import plant_state
-from mahovik.use.numeric import Chart, Frame, Mechanics
-from mahovik.use.plan.unbalance import twist_at_rest
+from mahovik.use.control.loop import required_state
+from mahovik.use.numeric import Frame
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.use.simulate.held import allowed_start
@@ -242,6 +242,7 @@ def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity]
     else:
         begin = AtRest(stand, [each.phase or 0.0 for each in regime.flywheels])
         state = begin.nominal
+        warn_of_turn(stand, state)
     return _timed(Case(stand, regime, state, over.until, over.every, over.dt, over.order), stand, quantities, begin)
 
 
@@ -258,6 +259,7 @@ def _timed(
         if q.band and (case.until - q.after) * (high - low) < 2.0:
             least = 2.0 / (high - low) + q.after
             raise UsageError(f"quantity {q.name}: band: {low:g} to {high:g} Hz needs a run of {least:g} s")
+    warn_of_steps(case)
     block = Block(stand, compile_library(stand), 1)
     block.x[:, 0] = _column(stand, case.start)
     parts = parts_of(case, block)
@@ -346,23 +348,14 @@ def _over_programme(stand: Stand, over: ProgrammeTable, quantities: Sequence[Qua
             raise UsageError(f"programme: {over.programme}: {check.words}")
     if not programme.periodic and over.periods > 1:
         raise UsageError(f"periods: {over.periods}: the programme is finite and is run once")
-    until, start = required.span * over.periods, _required_state(stand, required, programme)
-    regime = programme_regime(programme)
-    case = Case(stand, regime, start, until, over.every, over.dt, over.order)
+    angles = programme.at(np.zeros(1))
+    state = required_state(stand, required, programme, angles)
+    state = replace(state, phi=tuple(angles.phi[0].tolist()), phi_dot=tuple(angles.phi_dot[0].tolist()))
+    start, until = allowed_start(stand, state), required.span * over.periods
+    case = Case(stand, programme_regime(programme), start, until, over.every, over.dt, over.order)
     begin = partial(_begin_at, _column(stand, start))
     errors = partial(_errors, stand, required, programme, scale_of(stand, required, programme))
     return _timed(case, stand, quantities, begin, errors)
-
-
-def _required_state(stand: Stand, required: RequiredMotion, programme: Programme) -> State:
-    """The state that the programme requires at t = 0."""
-    course, angles = required.at(np.zeros(1), programme.bias), programme.at(np.zeros(1))
-    chart, phi, phi_dot = Chart.at(Mechanics.of(stand), course.q[0]), angles.phi[0], angles.phi_dot[0]
-    y = chart.of(course)[0]
-    if programme.unbalance == "averaged":
-        y[6:] = twist_at_rest(stand, y[6:], phi, phi_dot)
-    state = plant_state(stand, chart, y, phi, phi_dot)
-    return allowed_start(stand, replace(state, phi=tuple(phi.tolist()), phi_dot=tuple(phi_dot.tolist())))
 
 
 def _errors(

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
@@ -240,18 +241,23 @@ def close_loop(
     return record
 
 
+def required_state(stand: Stand, motion: RequiredMotion, programme: Programme, angles: Angles) -> State:
+    """The state that a programme requires of the carrier at t = 0, with flywheels at the first of some angles."""
+    course = motion.at(np.zeros(1), programme.bias)
+    chart = Chart.at(Mechanics.of(stand), course.q[0])
+    y = chart.of(course)[0]
+    if programme.unbalance == "averaged":
+        y[6:] = twist_at_rest(stand, y[6:], angles.phi[0], angles.phi_dot[0])
+    return plant_state(stand, chart, y, angles.phi[0], angles.phi_dot[0])
+
+
 def starting_state(case: Case) -> State:
     """The real stand's state at t = 0. Raises CheckError: no periodic motion is near the required one."""
     wanted = case.reference
     mechanics = Mechanics.of(case.real)
     angles = wanted.angles(np.array([case.first * case.servo.period]))
     if not wanted.programme.periodic:
-        course = wanted.motion.at(np.zeros(1), wanted.programme.bias)
-        chart = Chart.at(mechanics, course.q[0])
-        y = chart.of(course)[0]
-        if wanted.programme.unbalance == "averaged":
-            y[6:] = twist_at_rest(case.real, y[6:], angles.phi[0], angles.phi_dot[0])
-        return plant_state(case.real, chart, y, angles.phi[0], angles.phi_dot[0])
+        return required_state(case.real, wanted.motion, wanted.programme, angles)
     count = nodes(wanted.motion, wanted.programme)
     orbit = required_orbit(mechanics, wanted.motion, wanted.programme, count)
     if case.start == "rest":
