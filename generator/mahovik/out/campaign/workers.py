@@ -54,11 +54,14 @@ def compute(
 
 def _task(path: str, folder: str, identity: dict[str, str], number: int) -> None:
     """Compute a chunk on a worker. Raises UsageError: it has another campaign, or another version of mahovik."""
-    campaign = _campaign(path)
-    if campaign.identity != identity:
-        changed = next(key for key, value in identity.items() if campaign.identity[key] != value)
-        raise UsageError(f"a worker at {os.uname().nodename} has another {changed}")
-    write_chunk(campaign, Path(folder), number)
+    try:
+        campaign = _campaign(path)
+        changed = next((key for key, value in identity.items() if campaign.identity[key] != value), "")
+        if changed:
+            raise UsageError(f"a worker at {os.uname().nodename} has another {changed}")
+        write_chunk(campaign, Path(folder), number)
+    except MahovikError as error:  # of a kind that can travel
+        raise UsageError(str(error)) from None
 
 
 @lru_cache(maxsize=2)
@@ -74,8 +77,9 @@ def _client(workers: int, scheduler: str | None) -> Iterator[Any]:
     except ImportError:
         raise UsageError('many workers need dask: pip install "mahovik[campaign]"; one worker needs none') from None
     silent = logging.CRITICAL + 1
-    for name in ("distributed", "tornado.application"):
-        logging.getLogger(name).setLevel(silent)
+    for name in ("asyncio", *logging.root.manager.loggerDict):
+        if name.partition(".")[0] in ("distributed", "tornado", "asyncio"):
+            logging.getLogger(name).setLevel(silent)
     with contextlib.ExitStack() as stack:
         if scheduler is not None:
             try:
