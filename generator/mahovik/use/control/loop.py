@@ -11,6 +11,7 @@ import math
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -120,39 +121,6 @@ class Record:
     rounds: int = 0
     limited: int = 0
 
-    @staticmethod
-    def empty(wanted: ReferenceMotion, first: int, last: int, period: float, start: State) -> Record:
-        """An empty record for samples with these numbers."""
-        t: Array = period * np.arange(first, last + 1, dtype=np.float64)
-        M, N, count = len(t), len(wanted.stand.flywheels), coordinates_of(wanted.stand).count
-
-        def rows(width: int) -> Array:
-            return np.zeros((M, width))
-
-        return Record(
-            wanted, start, t, rows(3), rows(4), rows(6), rows(N), rows(N), rows(N), rows(count), rows(count), rows(N),
-            rows(N), np.zeros((M, N, 1)),
-        )  # fmt: skip
-
-    def write_row(
-        self, n: int, t: float, own: Plant, q: Array, required: Array, apart: Array, command: Array, corrections: Array
-    ) -> None:
-        """Keep the plant and its firmware at t (s) as row n; the first row tells how many corrections there are."""
-        if n == 0 and corrections.shape != self.corrections.shape[1:]:
-            self.corrections = np.zeros((len(self.t), *corrections.shape))
-        self.t[n] = t
-        self.position[n], self.attitude[n], self.V[n] = own.position, own.attitude, own.V
-        self.phi[n], self.phi_dot[n], self.tau[n] = own.phi, own.phi_dot, own.tau
-        self.q[n], self.required[n], self.apart[n], self.command[n] = q, required, apart, command
-        self.corrections[n] = corrections
-
-    def end(self, rows: int, why: str) -> None:
-        """Keep only the first rows."""
-        for name, value in vars(self).items():
-            if isinstance(value, np.ndarray):
-                setattr(self, name, value[:rows])
-        self.stopped = why
-
     def columns(self) -> dict[str, Array]:
         """The record as columns by name and unit: those of `mahovik simulate` and the required motion."""
         stand = self.reference.stand
@@ -212,33 +180,34 @@ def make_case(
     return Case(reference, real, servo, periods, design, begin, backend)
 
 
-def close_loop(
-    case: Case,
-    progress: Callable[[float], None] | None = None,
-    make: Callable[[Stand, State, str], Plant] = plant,
-) -> Record:
-    """Run a case. `progress` receives the time (s) now and then; `make` makes the plant of stand, state, backend.
+def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
+    """Run a case. `progress` receives the time (s) now and then.
 
     A lost motion or Ctrl-C ends the run early: the record's `stopped` says why. Raises StateError, CheckError,
     ToolchainError if it cannot begin.
     """
     start = starting_state(case)
-    own = make(case.real, start, case.backend)
-    record = Record.empty(case.reference, case.first, case.last, case.servo.period, start)
-    loop, n = _Loop(case, own, record), case.first
+    loop, rows, stopped, interrupted = _Loop(case, plant(case.real, start, case.backend)), [], None, False
+    T, n = case.servo.period, case.first
     try:
         for n in range(case.first, case.last + 1):
-            loop.sample(n)
+            rows.append(loop.sample(n))
+            if n < case.last:
+                loop.advance(n)
             if progress is not None and n % 100 == 0:
-                progress(n * case.servo.period)
+                progress(n * T)
     except StateError as error:
-        record.end(n - case.first, str(error))
+        stopped = str(error)
     except KeyboardInterrupt:
-        T = case.servo.period
-        record.end(n - case.first, f"stopped at t = {n * T:.6g} s of {case.last * T:.6g} s")
-        record.interrupted = True
-    record.rounds, record.limited = loop.controller.rounds, loop.controller.limited
-    return record
+        stopped, interrupted = f"stopped at t = {n * T:.6g} s of {case.last * T:.6g} s", True
+    if not rows:
+        raise StateError(stopped or "")
+    columns: dict[str, Array] = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    controller = loop.controller
+    return Record(
+        case.reference, start, **columns, stopped=stopped, interrupted=interrupted, rounds=controller.rounds,
+        limited=controller.limited,
+    )  # fmt: skip
 
 
 def required_state(stand: Stand, motion: RequiredMotion, programme: Programme, angles: Angles) -> State:
@@ -272,8 +241,8 @@ def starting_state(case: Case) -> State:
 class _Loop:
     """Servo, encoders and plant, with the signals between them."""
 
-    def __init__(self, case: Case, own: Plant, record: Record) -> None:
-        self._case, self._plant, self._record = case, own, record
+    def __init__(self, case: Case, own: Plant) -> None:
+        self._case, self._plant = case, own
         self._servo, self._wanted = case.servo, case.reference
         self.controller = Controller(case.reference, case.servo, case.design)
         self._ideal = case.servo.encoder == "ideal"
@@ -286,8 +255,8 @@ class _Loop:
         self._before: Array | None = None
         self._chunk: int | None = None
 
-    def sample(self, n: int) -> None:
-        """Measure, command, record sample n, and advance to the next."""
+    def sample(self, n: int) -> dict[str, Any]:
+        """Measure and command; return the row of sample n by the names of a record."""
         case, own, T = self._case, self._plant, self._servo.period
         t = n * T
         i = self._prepare(n)
@@ -303,22 +272,25 @@ class _Loop:
         if not abs(apart[worst]) < LOST_ANGLE:
             name = case.real.flywheels[worst].name
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
-        self._record.write_row(n - case.first, t, own, q, required, apart, command, corrections)
-        if n < case.last:
-            self._next_sample(t, command)
+        self._command = command
+        true = {name: np.copy(getattr(own, name)) for name in ("position", "attitude", "V", "phi", "phi_dot", "tau")}
+        row = {"t": t, **true, "q": q, "required": required, "apart": apart, "command": command}
+        return {**row, "corrections": corrections.copy()}
 
-    def _next_sample(self, t: float, command: Array) -> None:
-        T = self._servo.period
+    def advance(self, n: int) -> None:
+        """Move the plant from sample n to the next, under the torques commanded so far."""
+        T, command = self._servo.period, self._command
+        t = n * T
         if not self._waiting:  # before the first command acts, the torque is the programme's
             self._waiting.extend([command] * (self._whole + 1))
         self._waiting.append(command)
         old, new = self._waiting[0], self._waiting[1]
         if self._part > 1e-12 * T:
-            self._advance(old, t, t + self._part)
-        self._advance(new, t + self._part, t + T)
+            self._push(old, t, t + self._part)
+        self._push(new, t + self._part, t + T)
         self._waiting.popleft()
 
-    def _advance(self, command: Array, begin: float, end: float) -> None:
+    def _push(self, command: Array, begin: float, end: float) -> None:
         self._plant.advance(command, begin, end)
         self._history.add(end)
 

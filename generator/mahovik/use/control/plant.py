@@ -36,11 +36,12 @@ class SteppedPlant:
     State: position (3), attitude (4, quaternion, w first), V (6), phi, phi_dot (N each); tau: torques at the end.
     """
 
-    def __init__(self, stand: Stand, state: State, block: Block, lane: int = 0, finer: int = 1) -> None:
-        """The state in `lane` of a block; `finer`: number of steps in place of one."""
-        self.stand, self._block, self._lane, self._finer = stand, block, lane, finer
-        N, x = len(stand.flywheels), block.x[:, lane]
-        block.x.T[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
+    def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
+        """`finer`: number of steps in place of one. Raises ToolchainError."""
+        self._finer, self._block = finer, Block(stand, compile_library(stand, kind="states"), 1)
+        block, N = self._block, len(stand.flywheels)
+        x = block.x[:, 0]
+        x[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
         block.given["order"][0] = 4
         self.position, self.attitude, self.V, self.phi_dot = x[:3], x[3:7], x[7:13], x[13 + N : 13 + 2 * N]
         drives = [(Torque(0.0), s.motor) for s in stand.flywheels]
@@ -50,7 +51,7 @@ class SteppedPlant:
     @property
     def phi(self) -> Array:
         """Angles (N, rad), not wrapped."""
-        return self._first + self._course.turned[:, self._lane]
+        return self._first + self._course.turned[:, 0]
 
     def advance(self, command: Array, begin: float, end: float) -> None:
         """Advance from `begin` to `end` (s) under constant commanded torques (N, N m). StateError: out of range."""
@@ -59,9 +60,9 @@ class SteppedPlant:
         span = end - begin
         count = self._finer * max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
         self._course.advance(command, begin, span / count, count)
-        if why := self._block.reason(self._lane):
+        if why := self._block.reason(0):
             raise StateError(why)
-        self.tau = self._block.given["tau"][:, self._lane].copy()
+        self.tau = self._block.given["tau"][:, 0].copy()
 
 
 def _steepest_rate(stand: Stand) -> float:
@@ -124,7 +125,7 @@ def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Pla
     Raises UsageError, ToolchainError.
     """
     if backend == "c":
-        return SteppedPlant(stand, state, Block(stand, compile_library(stand, kind="states"), 1), finer=finer)
+        return SteppedPlant(stand, state, finer)
     if backend == "scipy":
         return PlantByReference(stand, state)
     raise UsageError(f"backend {backend}: expected one of {', '.join(BACKENDS)}")
