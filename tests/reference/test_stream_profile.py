@@ -22,7 +22,8 @@ from mahovik.core.stand import Stand, dumps, identities, loads
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.random import Features, random_stand, random_state
 from mahovik.errors import StandError, StateError
-from mahovik.out.report.sections import Subject, bodies_part
+from mahovik.out.commands.check import check
+from mahovik.out.commands.report import bodies_part
 from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
@@ -214,7 +215,8 @@ def test_refusals(old: str, new: str, words: str) -> None:
 
 
 def test_the_report_names_the_velocity_of_each_station() -> None:
-    words = str(bodies_part(Subject(mahovik.Stand.of(loads(FILE)))).markup)
+    stand = mahovik.Stand.of(loads(FILE))
+    words = str(bodies_part(stand, check(stand)).markup)
     assert "(0.5, 0.1, 0) m/s at 10 m" in words and "(0, 0, 0) m/s at 50 m" in words
 
 

@@ -50,18 +50,6 @@ def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
     assert [line.name for line in follows["freedoms, deg"].lines] == ["pitch", "pitch, required"]
 
 
-def test_a_sweep_is_one_large_panel_a_unit() -> None:
-    """Sums in place of their axes, at most a legend's worth of orders, all peaks."""
-    speed = np.linspace(0.0, 100.0, 41)
-    peak = 1e-3 + 1.0 / (1.0 + (speed - 50.0) ** 2)
-    columns = [("speed w1", "rad/s", speed), ("rms x", "m/s2", peak), ("rms xyz", "m/s2", 2 * peak)]
-    columns += [(f"{k} x w1, w2, w3", "m/s2", peak / k) for k in range(1, 20)]
-    (panel,) = shown(*columns, index=("speed w1", "rad/s", speed)).values()
-    assert panel.height > 2.0 and panel.log and panel.span == pytest.approx((0.0, 100.0 * RPM))
-    assert [line.name for line in panel.lines][:2] == ["rms", "1× w1 … w3"]
-    assert panel.lines[0].y.max() == 2 * peak.max() and len(panel.lines) == 9
-
-
 def test_a_spectrum_has_stems() -> None:
     index = ("frequency", "Hz", np.array([10.0, 20.0, 30.0]))
     (panel,) = shown(("x", "N", np.array([1.0, 0.5, 1e-9])), index=index).values()

@@ -319,7 +319,7 @@ class Result(Mapping[str, Any]):
         from rich.table import Table
         from rich.text import Text
 
-        heads, rows, numbers = self._cells()
+        heads, rows, numbers = self.cells()
         table = Table(title=title or None, title_justify="left", title_style="bold", box=SIMPLE_HEAD, pad_edge=False)
         for head, number in zip(heads, numbers, strict=True):
             table.add_column(Text(head), justify="right" if number else "left", overflow="fold")
@@ -327,7 +327,7 @@ class Result(Mapping[str, Any]):
             table.add_row(*(Text(cell, STYLES.get(cell, "")) for cell in row))
         return table
 
-    def _cells(self) -> tuple[list[str], list[list[str]], list[bool]]:
+    def cells(self) -> tuple[list[str], list[list[str]], list[bool]]:
         """Heads with units, the cells of the rows that are shown, and which columns are of numbers."""
         shown = [_fitted(one) for one in self.columns if one.name not in self.details]
         columns = [part for one in shown for part in one.flat()]
@@ -357,7 +357,7 @@ class Result(Mapping[str, Any]):
         parts = [f"<div><strong>{escape(self.title)}</strong></div>"]
         for one in (self, *(value for key, value in self.meta.items() if isinstance(value, Result))):
             if one.columns:
-                heads, rows, _ = one._cells()
+                heads, rows, _ = one.cells()
                 head = "".join(f"<th>{escape(text)}</th>" for text in heads)
                 body = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows)
                 parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")

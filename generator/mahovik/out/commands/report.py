@@ -1,18 +1,50 @@
-"""`report`: one page on a stand and its proof, or its derivation."""
+"""`report`: one page on a stand and its proof, made of the results of other commands; or its derivation."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-from mahovik.errors import UsageError
+import numpy as np
+from markupsafe import Markup
+
+from mahovik.contract.quantities import RPM
+from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.nearest import names_in
 from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven
+from mahovik.out.commands.check import check
+from mahovik.out.commands.modes import modes
+from mahovik.out.commands.vibration import vibration
 from mahovik.out.notices import Progress, tell
+from mahovik.out.report.page import Part, figure, inline, page, table
+from mahovik.out.report.plots import Line, Mark, Panel
 from mahovik.out.report.plots import require as require_drawing
 from mahovik.out.result import Result
 from mahovik.writing import format_of, probe, write
+
+if TYPE_CHECKING:
+    from mahovik.out.api.stands import Stand
+    from mahovik.use.vibration.campbell import Campbell
+
+STATES = 16
+"""Random and extreme states at which the C is judged; `mahovik verify` takes more."""
+
+STEPS = 31
+"""Speeds of a sweep, rest among them."""
+
+MOST_POINTS, MOST_ROWS = 3, 10
+"""Points whose vibration is shown where none is asked for; rows of a table of verdicts, the worst."""
+
+STILL = 1e-10
+"""m/s2, N: less than this is rounding."""
+
+FAILED = Markup('<span class="bad">failed</span>')
+
+COSTLY = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum", "step", "prepare")
+"""Functions whose operations are shown, where the stand has them."""
 
 
 def report(
@@ -42,8 +74,6 @@ def report(
     """
     from mahovik.out.api.stands import Stand
     from mahovik.out.report.derivation import article, derivation_parts
-    from mahovik.out.report.page import Part, page
-    from mahovik.out.report.sections import SECTIONS, Subject
 
     own = Stand.of(stand)
     suffixes = (".html", ".tex") if derivation else (".html",)
@@ -61,13 +91,273 @@ def report(
     elif derivation:
         text = page(f"{own.name}: equations of motion", derivation_parts(own), own, [("stand", source)])
     else:
-        points = () if at is None else tuple(names_in("at", at))
+        points = _measured(own) if at is None else names_in("at", at)
         limits = (require,) if isinstance(require, str) else tuple(require)
-        for done, section in enumerate(SECTIONS, start=1):
-            part = section(Subject(own, points, limits, own.to_dict()))
+        checked = check(own)
+        sections: tuple[Callable[[], Part | None], ...] = (
+            lambda: bodies_part(own, checked),
+            lambda: modes_part(own),
+            lambda: vibration_part(own, points),
+            lambda: limits_part(checked),
+            lambda: requirements_part(own, points[0], limits),
+            lambda: verification_part(own),
+            lambda: cost_part(own),
+        )
+        for done, section in enumerate(sections, start=1):
+            part = section()
             made += [] if part is None else [part]
-            tell(progress, Progress("sections of the report", done, len(SECTIONS)))
+            tell(progress, Progress("sections of the report", done, len(sections)))
         text = page(own.name, made, own, [("stand", source)])
     write(Path(output), text)
     failures = [f"error: {line}" for part in made for line in part.failures]
     return Result("", meta={"file": str(output)}, messages=failures, ok=not failures)
+
+
+def _measured(stand: Stand) -> Sequence[str]:
+    """The stand's first points, else its instruments, else O1; of a held carrier the reaction before them."""
+    points = [each.name for each in (stand.points or stand.instruments)[:MOST_POINTS]]
+    if stand.hold is not None:
+        return ["hold.reaction", *(points if stand.hold.freedoms else [])]
+    return points or [stand.carrier.name]
+
+
+def _fastest(stand: Stand) -> float:
+    """The speed (rad/s) up to which flywheels are shown."""
+    from mahovik.core.stand.summary import summarize
+
+    return max((row.speed for row in summarize(stand).unbalance), default=0.0)
+
+
+def _table(found: Result, names: Sequence[str]) -> Markup:
+    """A table of some columns of a result, in the units of its text."""
+    columns = [one for one in found.columns if one.name in names]
+    heads, rows, numbers = replace(found, columns=columns).cells()
+    heads = [f"{head}>" if number else head for head, number in zip(heads, numbers, strict=True)]
+    return table(heads, rows, found.title)
+
+
+def bodies_part(stand: Stand, checked: Result) -> Part:
+    """Masses, unbalances, what acts on the stand, the drawing, warnings."""
+    from mahovik.core.stand.laws import body_laws, carrier_laws
+    from mahovik.out.report.drawing import draw_stand
+
+    bodies = replace(checked, title="centres of mass in E1 about O1, flywheels at phase zero")
+    html = _table(bodies, ("name", "kind", "mount", "mass", "center_of_mass"))
+    if stand.flywheels:
+        effects = replace(checked["effects"], columns=[*checked["unbalance"].columns, *checked["effects"].columns[1:]])
+        shown = ("name", "spin_inertia", "static", "dynamic", "asymmetry", "speed", "force", "moment", "grade")
+        html += _table(replace(effects, title="unbalance about each origin, grades of ISO 21940-11"), shown)
+    bearers = ((law.name, law.bearers(stand)) for law in body_laws())
+    acting = [f"attitude {stand.angles}", *(law.short(stand) for law in carrier_laws())]
+    acting += [f"{name} of {', '.join(names)}" for name, names in bearers if names]
+    acting += [f"gravity {_vector(stand.gravity)} m/s² in E0"] if any(stand.gravity) else []
+    acting += [f"stream {_vector(stand.stream)} m/s in E0"] if stand.stream is not None else []
+    if stand.profile is not None:
+        stations = zip(stand.profile.velocity, stand.profile.depth, strict=True)
+        acting += [f"stream {_vector(u)} m/s at {depth:.6g} m" for u, depth in stations]
+    places = ", ".join([*(body.name for body in stand.instruments), *(point.name for point in stand.points)])
+    acting += [f"instruments and points: {places}"] if places else []
+    drawn, ties = draw_stand(stand)
+    words = (
+        "To scale, flywheels at phase 0. The stand file has no shapes: bodies are homogeneous ones of the same mass "
+        "and inertia; arrows from flywheels: spin axes, unbalance (the largest as long as the largest disc is wide)."
+    ) + f" {ties}." * bool(ties)
+    facts = Markup("<p>{}</p>").format("; ".join(filter(None, acting)))
+    picture = inline(drawn, "three views of the stand") + Markup("<p>{}</p>").format(words)
+    html = Markup('<div class="beside"><div>{}{}</div><div>{}</div></div>').format(html, facts, picture)
+    return Part("Bodies", html=html, notes=tuple(checked.messages))
+
+
+def _vector(numbers: Sequence[float]) -> str:
+    return f"({', '.join(f'{x:.6g}' for x in numbers)})"
+
+
+def modes_part(stand: Stand) -> Part | None:
+    """Natural frequencies at rest, and against the common speed of the flywheels."""
+    from mahovik.use.vibration.campbell import campbell
+    from mahovik.use.vibration.growth import compare_growth
+    from mahovik.use.vibration.scene import Scene
+
+    if stand.hold is not None and not stand.hold.freedoms:
+        return None
+    try:
+        found = modes(stand)
+    except (CheckError, UsageError) as error:
+        return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
+    swinging = np.flatnonzero(np.nan_to_num(found["frequency"]) > 0.0)
+    still = found.count - len(swinging)
+    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
+    words *= bool(still)
+    kept = replace(found, title="", columns=[one._replace(values=one.values[swinging]) for one in found.columns])
+    html = _table(kept, ("frequency", "damping", "motion")) if len(swinging) else Markup("")
+    frequency = found["frequency"][swinging]
+    ends = [figure(each, 3) for each in dict.fromkeys((*frequency[:1], *frequency[-1:]))]
+    summary = f"{' to '.join(ends)} Hz at rest" if ends else ""
+    panels: tuple[Panel, ...] = ()
+    if stand.flywheels:
+        scene = Scene.of(stand)
+        diagram = campbell(scene, np.linspace(0.0, _fastest(stand), 4 * STEPS - 3))
+        if np.isfinite(diagram.natural).any():
+            panels = (campbell_panel(diagram),)
+            growth = compare_growth(scene, diagram)
+            if growth is not None and growth.unstable is not None:
+                words += f" Deviations from steady motion grow at {RPM * growth.unstable:.4g} rpm: it is unstable."
+    return Part("Modes", words.strip(), panels=panels, html=html, summary=summary)
+
+
+def campbell_panel(found: Campbell) -> Panel:
+    """Natural frequencies, orders of the flywheels, dots where they meet; to somewhat beyond the last crossing."""
+    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())  # the first columns, which are nowhere
+    speed, top = RPM * found.speed, 1.15 * float(np.nanmax(found.natural))
+    last = 1.6 * RPM * max((each.speed for each in found.crossings), default=0.0)
+    end = last if 0.0 < 2.0 * last < speed[-1] else float(speed[-1])
+    columns = range(absent, found.natural.shape[1])
+    lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
+    for n in found.orders:
+        x = np.minimum(np.array([0.0, 1.0]) * end, 60.0 * top / n)
+        lines.append(Line("", x, n * x / 60.0, None, dashed=True, tag=f"{n}×" if x[1] > 0.15 * end else ""))
+    return Panel(
+        "natural frequency, Hz", tuple(lines), abscissa="common speed, rpm", height=1.3, top=top, span=(0.0, end),
+        marks=tuple(Mark(RPM * each.speed, each.frequency, f"{each.order}×") for each in found.crossings),
+        note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
+    )  # fmt: skip
+
+
+def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
+    """Steady vibration of points against the common speed of the flywheels."""
+    if not stand.flywheels:
+        return None
+    shown: list[Any] = []
+    summaries, remarks = [], []
+    for point in points:
+        quantity = None if point.startswith("hold.") else "acceleration"
+        try:
+            found = vibration(stand, speed=_all_speeds(stand), at=point, quantity=quantity, steps=STEPS)
+        except CheckError as error:
+            return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")
+        rms, unit = np.linalg.norm(np.nan_to_num(found["rms"]), axis=1), found["largest"]["unit"]
+        if rms.max() < STILL:
+            remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
+            continue
+        shown += [replace(each, abscissa="common speed, rpm") for each in found.drawings if isinstance(each, Panel)]
+        speed = RPM * found["speeds"][int(rms.argmax())]
+        summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
+    words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders." * bool(shown)
+    return Part("Vibration", words, panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries))
+
+
+def _all_speeds(stand: Stand) -> str:
+    return f"0..{_fastest(stand)!r} rad/s"
+
+
+def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:
+    """Limits of the angle of a point, over all common speeds."""
+    if not require:
+        return None
+    found = vibration(stand, speed=_all_speeds(stand), at=point, require=require, steps=4 * STEPS - 3)
+    verdicts = found["requirements"]
+    rows = [
+        [each["text"], f"{figure(100.0 * each['value'] / each['limit'], 4)} %", each["axis"],
+         figure(RPM * each["speed"], 4), "met" if each["met"] else FAILED]
+        for each in verdicts
+    ]  # fmt: skip
+    head = ("requirement", "largest, of it>", "axis", "at, rpm>", "")
+    failures = tuple(f"{point}: {each['text']} is not met" for each in verdicts if not each["met"])
+    words = f"{found['quantity']} of {point}, all flywheels at any common speed up to {RPM * _fastest(stand):.5g} rpm."
+    summary = f"{len(rows) - len(failures)} of {len(rows)} met at {point}"
+    return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)
+
+
+def limits_part(checked: Result) -> Part | None:
+    """Momentum and torque that the motors reach together."""
+    found = checked["capacity"]
+    if not found.count:
+        return None
+    rows = zip(found["in every direction"], found["unit"], strict=True)
+    summary = "; ".join(f"{reach:.4g} {unit} in every direction" for reach, unit in rows)
+    return Part("Limits and reach", html=_table(found, ("of", "along", "in every direction", "unit")), summary=summary)
+
+
+def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:
+    """Limits of the angle of a point, over all common speeds."""
+    from mahovik.use.vibration.chain import Makers
+    from mahovik.use.vibration.requirement import judge, read_requirements
+    from mahovik.use.vibration.speeds import read_speeds
+    from mahovik.use.vibration.study import jitter
+    from mahovik.use.vibration.view import ARCSEC, find_view
+
+    if not require:
+        return None
+    limit = _fastest(stand)
+    view = find_view(stand, point, None, "angle")
+    limits = read_requirements(require, view.measure)
+    asked = read_speeds(stand, [f"all=0..{limit!r} rad/s"])
+    found = jitter(stand, asked, 4 * STEPS - 3, view, makers=Makers())
+    verdicts = [judge(found, each) for each in limits]
+    arcsec = view.measure.arcsec
+    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, view.measure.unit)
+    rows = [
+        [each.requirement.text, figure(scale * each.requirement.limit, 4), figure(scale * each.value, 4),
+         found.axes[each.axis], figure(RPM * found.value[each.step], 4), "met" if each.met else FAILED]
+        for each in verdicts
+    ]  # fmt: skip
+    head = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "axis", "at, rpm>", "")
+    failures = tuple(f"{point}: {each.requirement.text} is not met" for each in verdicts if not each.met)
+    words = f"{found.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
+    met = sum(each.met for each in verdicts)
+    summary = f"{met} of {len(rows)} met at {point}"
+    return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)
+
+
+def verification_part(stand: Stand) -> Part:
+    """The C by the reference and the second derivation, now, at few states."""
+    from mahovik.proof.verify.check import conclusion
+    from mahovik.proof.verify.harness import verify_c
+
+    file = f"{stand.name}.toml"
+    try:
+        found = verify_c(stand, seed=1, count=STATES, document=stand.to_dict())
+    except MahovikError as error:
+        return Part("Verification", f"The C was not judged: {_sentence(error)}. `mahovik verify {file}`")
+    checks = [check for check in found.rows if check.verdict != "not compared"]
+    worst = [max(rows, key=lambda check: check.share) for _, rows in groupby(checks, key=lambda check: check.judged)]
+    shown = sorted(worst, key=lambda check: -check.share)[:MOST_ROWS]
+    rows = [
+        [each.judged or "whole", each.quantity, str(each.states), figure(each.value, 2), figure(each.limit, 2),
+         each.verdict if not each.failed else FAILED]
+        for each in shown
+    ]  # fmt: skip
+    head = ("function", "worst quantity", "states>", "difference>", "accepted>", "")
+    words = (
+        f"Three derivations that share no formula code, at {STATES} states: the C, the literal equations in NumPy, "
+        f"Lagrange's equations in CasADi. The worst of {len(worst)} lines; `mahovik verify {file}` has all, at more "
+        f"states, `mahovik evidence {file}` everything else that speaks for the C."
+    )
+    verdict = conclusion(found)
+    failures = () if found.passed else (f"verification: {verdict}",)
+    return Part("Verification", words, head, tuple(rows), summary=verdict, failures=failures)
+
+
+def cost_part(stand: Stand) -> Part:
+    """Operations of the usual functions."""
+    from mahovik.core.lower.program import lower
+    from mahovik.core.program.cost import cost
+    from mahovik.core.program.types import DOUBLE
+
+    program = lower(stand, DOUBLE)
+    rows = []
+    for function in program.functions:
+        if function.name in COSTLY:
+            count = cost(function, program.functions)
+            numbers = (count.additions, count.multiplications, count.divisions, count.total)
+            rows.append(
+                [Markup("<code>{}</code>").format(function.name), *(f"{n:,}".replace(",", "\u202f") for n in numbers)]
+            )
+    words = "Operations of one call at most. `mahovik cost` measures instructions, stack and code on processors."
+    return Part("Cost", words, ("function", "additions>", "products>", "divisions>", "all>"), tuple(rows))
+
+
+def _sentence(error: Exception) -> str:
+    """The words of an error, without the backticks of commands, with a capital letter."""
+    words = str(error).replace("`", "")
+    return words[:1].upper() + words[1:]

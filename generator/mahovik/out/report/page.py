@@ -9,17 +9,16 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
 from mahovik import __version__
-from mahovik.core.emit.generate import describe_bodies
-from mahovik.core.emit.templates import template
-from mahovik.core.stand.identity import identities
-from mahovik.core.stand.model import Stand
 from mahovik.out.report.plots import STYLE, Panel, make_figure, require
 from mahovik.writing import probe, write
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
 
 Cell = str | Markup
 Row = Sequence[Cell]
@@ -82,6 +81,10 @@ def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[
 
     files   kind and name of each file that the page was made from, ("data", "run.csv")
     """
+    from mahovik.core.emit.generate import describe_bodies
+    from mahovik.core.emit.templates import template
+    from mahovik.core.stand.identity import identities
+
     return template("page.html.j2").render(
         title=title,
         bodies=f"{stand.name}: {describe_bodies(stand)}",

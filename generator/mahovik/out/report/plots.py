@@ -42,7 +42,7 @@ GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
 """Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
 
 BINS, DECADES, LAST = 300, 4.0, 400
-"""Of long lines the extremes in so many bins are drawn; powers of ten of a sweep; samples of a motion that follows."""
+"""Of long lines the extremes in so many bins are drawn; powers of ten of a spectrum; samples of a motion that follows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,8 +132,8 @@ _MEMBERS = re.compile(r"(|.+?[_. ])([xyzkmn])( \w+)?|(\w+) (\w+)")
 def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[Panel]:
     """Panels of columns over an index column; None: over the rows, counted from 1.
 
-    Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Over `speed ...`: one panel a
-    unit, by powers of ten. Over `frequency`, rows, or text: stems.
+    Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Over `frequency`, rows, or text:
+    stems.
     """
     numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in columns if _is_number(x)]
     if not numbers or not len(numbers[0][2]):
@@ -142,8 +142,6 @@ def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[
         numbers = [(name, "arcsec", ARCSEC * y) if unit == "rad" else (name, unit, y) for name, unit, y in numbers]
     name, unit, x = index if index and _is_number(index[2]) else ("row", "", np.arange(1.0, 1.0 + len(numbers[0][2])))
     x = np.asarray(x, dtype=np.float64)
-    if name.startswith("speed") and len(x) > 1:
-        return _sweep(name, RPM * x if unit == "rad/s" else x, numbers)
     if name in ("t", "time"):
         return _course(x, numbers)
     lines: dict[str, list[Line]] = {}
@@ -160,30 +158,6 @@ def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[
 
 def _is_number(values: Any) -> bool:
     return np.asarray(values).dtype.kind in "iuf"
-
-
-def _sweep(name: str, rpm: Array, columns: Columns) -> list[Panel]:
-    """A large panel a unit: RMS and worst case, then the largest of the other columns."""
-    panels = []
-    names = {column for column, _, _ in columns}
-    shown = [each for each in columns if not each[0].startswith(("speed ", "mean "))]
-    shown = [each for each in shown if each[0][-2:] not in (" x", " y", " z") or f"{each[0][:-1]}xyz" not in names]
-    for unit in dict.fromkeys(unit for _, unit, _ in shown):
-        sizes = {column: y for column, of, y in shown if of == unit}
-        order = sorted(sizes, key=lambda each: (each[:3] not in ("rms", "wor"), -np.nanmax(sizes[each], initial=0.0)))
-        floor = 10**-DECADES * max(float(np.nanmax(y, initial=0.0)) for y in sizes.values())
-        kept = [column for column in order if np.nanmax(sizes[column], initial=0.0) > floor][:LEGEND]
-        drawn = [np.where(sizes[column] > floor, sizes[column], np.nan) for column in kept]
-        lines = tuple(Line(_short(each), rpm, y, k) for k, (each, y) in enumerate(zip(kept, drawn, strict=True)))
-        span = (float(rpm.min()), float(rpm.max()))
-        panels.append(Panel(f"amplitude, {unit}", lines, bool(lines), "", f"{name}, rpm", 2.6, span))
-    return panels
-
-
-def _short(name: str) -> str:
-    """The name of an order, flywheels between the first and the last left out where there are more than two."""
-    parts = [part.split(", ") for part in name.replace(" xyz", "").replace(" x ", "× ").split(" = ")]
-    return " = ".join(f"{part[0]} … {part[-1]}" if len(part) > 2 else ", ".join(part) for part in parts)
 
 
 def _course(t: Array, columns: Columns) -> list[Panel]:
@@ -281,7 +255,9 @@ def draw_on_axes(title: str, drawings: Sequence[Drawing], axes: Any = None, of: 
     return frames
 
 
-def make_figure(make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None) -> tuple[Any, Any]:
+def make_figure(
+    make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None
+) -> tuple[Any, list[Any]]:
     """A figure that `make` makes, with all drawings one below the other, and their axes."""
     heights = [getattr(each, "height", 1.2) for each in drawings]
     figure = make(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
