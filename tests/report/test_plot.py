@@ -81,7 +81,7 @@ def test_the_same_panels_give_the_same_bytes() -> None:
 
 
 def test_a_command_writes_its_picture() -> None:
-    sweep = ("response", str(stands.path("demo3")), "--speed", "all=100..200rpm", "--steps", "2", "--at", "carrier")
+    sweep = ("vibration", str(stands.path("shaker2")), "--speed", "all=100..200rpm", "--steps", "2", "--at", "carrier")
     assert run(*sweep, "-o", "r.svg").exit_code == 0
     Path("spin.toml").write_text("schema = 1\ndefault = { speed = 20 }\n", encoding="utf-8")
     motion = ("simulate", str(stands.path("demo3")), "--until", "0.02", "--regime", "spin.toml", "--backend", "scipy")

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 from markupsafe import Markup
@@ -175,7 +175,6 @@ def _vector(numbers: Sequence[float]) -> str:
 def modes_part(stand: Stand) -> Part | None:
     """Natural frequencies at rest, and against the common speed of the flywheels."""
     from mahovik.use.vibration.campbell import campbell
-    from mahovik.use.vibration.growth import compare_growth
     from mahovik.use.vibration.scene import Scene
 
     if stand.hold is not None and not stand.hold.freedoms:
@@ -199,10 +198,7 @@ def modes_part(stand: Stand) -> Part | None:
         diagram = campbell(scene, np.linspace(0.0, _fastest(stand), 4 * STEPS - 3))
         if np.isfinite(diagram.natural).any():
             panels = (campbell_panel(diagram),)
-            growth = compare_growth(scene, diagram)
-            if growth is not None and growth.unstable is not None:
-                words += f" Deviations from steady motion grow at {RPM * growth.unstable:.4g} rpm: it is unstable."
-    return Part("Modes", words.strip(), panels=panels, html=html, summary=summary)
+    return Part("Modes", words, panels=panels, html=html, summary=summary)
 
 
 def campbell_panel(found: Campbell) -> Panel:
@@ -230,7 +226,7 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
     shown: list[Any] = []
     summaries, remarks = [], []
     for point in points:
-        quantity = None if point.startswith("hold.") else "acceleration"
+        quantity: Literal["acceleration"] | None = None if point.startswith("hold.") else "acceleration"
         try:
             found = vibration(stand, speed=_all_speeds(stand), at=point, quantity=quantity, steps=STEPS)
         except CheckError as error:
@@ -239,10 +235,16 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
         if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
-        shown += [replace(each, abscissa="common speed, rpm") for each in found.drawings if isinstance(each, Panel)]
+        shown += [
+            replace(each, abscissa="common speed, rpm", height=1.6)
+            for each in found.drawings
+            if isinstance(each, Panel)
+        ]
         speed = RPM * found["speeds"][int(rms.argmax())]
         summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
-    words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders." * bool(shown)
+    words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders." * bool(
+        shown
+    )
     return Part("Vibration", words, panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries))
 
 
@@ -276,37 +278,6 @@ def limits_part(checked: Result) -> Part | None:
     rows = zip(found["in every direction"], found["unit"], strict=True)
     summary = "; ".join(f"{reach:.4g} {unit} in every direction" for reach, unit in rows)
     return Part("Limits and reach", html=_table(found, ("of", "along", "in every direction", "unit")), summary=summary)
-
-
-def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:
-    """Limits of the angle of a point, over all common speeds."""
-    from mahovik.use.vibration.chain import Makers
-    from mahovik.use.vibration.requirement import judge, read_requirements
-    from mahovik.use.vibration.speeds import read_speeds
-    from mahovik.use.vibration.study import jitter
-    from mahovik.use.vibration.view import ARCSEC, find_view
-
-    if not require:
-        return None
-    limit = _fastest(stand)
-    view = find_view(stand, point, None, "angle")
-    limits = read_requirements(require, view.measure)
-    asked = read_speeds(stand, [f"all=0..{limit!r} rad/s"])
-    found = jitter(stand, asked, 4 * STEPS - 3, view, makers=Makers())
-    verdicts = [judge(found, each) for each in limits]
-    arcsec = view.measure.arcsec
-    scale, unit = (ARCSEC, arcsec) if arcsec else (1.0, view.measure.unit)
-    rows = [
-        [each.requirement.text, figure(scale * each.requirement.limit, 4), figure(scale * each.value, 4),
-         found.axes[each.axis], figure(RPM * found.value[each.step], 4), "met" if each.met else FAILED]
-        for each in verdicts
-    ]  # fmt: skip
-    head = ("requirement", f"limit, {unit}>", f"largest, {unit}>", "axis", "at, rpm>", "")
-    failures = tuple(f"{point}: {each.requirement.text} is not met" for each in verdicts if not each.met)
-    words = f"{found.quantity} of {point}, all flywheels at any common speed up to {RPM * limit:.5g} rpm."
-    met = sum(each.met for each in verdicts)
-    summary = f"{met} of {len(rows)} met at {point}"
-    return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)
 
 
 def verification_part(stand: Stand) -> Part:

@@ -42,7 +42,7 @@ GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
 """Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
 
 BINS, DECADES, LAST = 300, 4.0, 400
-"""Of long lines the extremes in so many bins are drawn; powers of ten of a spectrum; samples of a motion that follows."""
+"""Bins of long lines, whose extremes are drawn; powers of ten of a spectrum; samples of a motion that follows."""
 
 
 @dataclass(frozen=True, eq=False)
