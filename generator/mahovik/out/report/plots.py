@@ -95,11 +95,6 @@ Drawing = Callable[[Any, Any], None]
 """Draws something of a result on axes of matplotlib; a `Panel` is one."""
 
 
-def limit(name: str, x: Array, value: float) -> Line:
-    """A level."""
-    return Line(name, x[[0, -1]], np.full(2, value), None, dashed=True)
-
-
 def stems(name: str, x: Array | Sequence[float], sizes: Array, colour: int = 0) -> Line:
     """A vertical line at each place, from 0 to the size there."""
     y = np.stack([0.0 * sizes, sizes, np.full(len(x), np.nan)], axis=1)
