@@ -54,7 +54,8 @@ def motion() -> tuple[NDArray[np.float64], ...]:
 def simulink(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("simulink")
     sources = written(folder, "simulink")
-    block = ["gcc", "-std=c99", *STRICT, f"-I{HEADERS}", "-Wno-unused-value", "-c", "-o", folder / "block.o"]
+    options = ["-std=c99", *STRICT, f"-I{HEADERS}", "-Wno-unused-value", "-c", "-o"]
+    block: list[str | Path] = ["gcc", *options, folder / "block.o"]
     subprocess.run([*block, folder / "demo3_simulink.c"], check=True)
     subprocess.run(["gcc", "-std=c99", *STRICT, *sources, folder / "block.o", "-o", folder / "run"], check=True)
     return folder / "run"
