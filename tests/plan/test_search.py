@@ -68,7 +68,7 @@ def test_balanced_flywheels_give_no_force() -> None:
     reason, words = refused(preflight(problem("demo3", course=Harmonics(1.0, (1,), cos, 0 * cos))))
     assert reason == "SPAN"
     assert "force along z" in words
-    assert "unbalanced flywheels whose axes are perpendicular to z" in words
+    assert "unbalanced flywheels whose axes are not along z" in words
 
 
 def test_weight_needs_something_that_carries_it() -> None:
@@ -77,7 +77,7 @@ def test_weight_needs_something_that_carries_it() -> None:
     reason, words = refused(preflight(Problem.of(stand.without_laws(Suspension), motion)))
     assert reason == "MEAN_WRENCH"
     weight = 9.81 * sum(body.mass for body in stand.bodies)
-    assert f"{weight:.4g} N along z" in words
+    assert f"a force along z of {weight:.4g} N" in words
     held = replace(motion, free_mean=(True, True, False, True, True, True), mean=np.array([0, 0, 1e-3, 0, 0, 0]))
     reason, words = refused(preflight(Problem.of(stand, held)))
     assert reason == "MEAN_WRENCH"

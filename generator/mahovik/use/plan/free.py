@@ -52,7 +52,11 @@ EXACT = 1e-9
 NEAR = 1e-2
 """Relative residual from which the planner may make a motion exact by more harmonics."""
 HOPELESS = 0.5
-"""Relative residual at constant speed above which a start is given up."""
+"""Relative residual at constant speed above which a start of few flywheels is given up."""
+ROUGH = 0.1
+"""Relative residual from which the planner goes on where there are flywheels to spare: as many as rows of (12)."""
+DRAWN = 64
+"""Starts drawn for one that is refined: the nearest to (12) at constant speed."""
 KNEE = 0.97
 """Part of a bound of the motion file that the least squares keep to."""
 _NO_LIMIT = 10**9
@@ -305,13 +309,18 @@ class FreeProblem:
         for H in HARMONICS if turning else HARMONICS[1:]:
             y, motion = self.descend(y, motion.with_harmonics(H), budget)
             residual = self.relative(y, motion)
-            if H == 0 and residual > HOPELESS:
+            if H == 0 and residual > HOPELESS and not self.spare:
                 break
             if residual < reached[2]:
                 reached = (y, motion, residual)
-            if residual < EXACT or budget.exhausted:
+            if residual < (ROUGH if self.spare else EXACT) or budget.exhausted:
                 break
         return reached
+
+    @property
+    def spare(self) -> bool:
+        """Whether the flywheels are as many as the rows of (12), so that a stand near by has a programme as well."""
+        return self.start.rows_count <= self.start.N
 
 
 class _OverError(Exception):
@@ -349,7 +358,7 @@ def plan_free(
             state.starts += 1
             y, course, residual = own.solve(*_start(own, options.seed, k), budget)
             state.best = min(state.best, residual)
-            if residual < NEAR:
+            if residual < (ROUGH if own.spare else NEAR):
                 made = _planned(
                     own, motion, y, replace(options, start=course, seconds=budget.seconds_left()), on_progress
                 )
@@ -369,9 +378,10 @@ def _start(own: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
     y = rng.uniform(low, high) if k else np.clip([each.value for each in own.unknowns], low, high)
     winding = motion.winding
     kind: Kind = "given" if isinstance(winding, tuple) else KINDS[k % len(KINDS)] if winding == "any" else winding
-    turns = draw_windings(kind, motion, problem.N, 1, rng)[0]
-    waves = rng.uniform(-np.pi, np.pi, (problem.N, 1))
-    return y, Periodic(motion.span, turns, waves, mean_pose(problem).bias)
+    turns, means = draw_windings(kind, motion, problem.N, DRAWN, rng), rng.uniform(-np.pi, np.pi, (DRAWN, problem.N, 1))
+    bias, built = mean_pose(problem).bias, own.problem(y)
+    starts = [Periodic(motion.span, n, waves, bias) for n, waves in zip(turns, means, strict=True)]
+    return y, min(starts, key=lambda each: built.relative(each, 4))
 
 
 def _planned(

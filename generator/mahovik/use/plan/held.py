@@ -6,7 +6,7 @@ import numpy as np
 
 from mahovik.core.motion.motion_file import NO_SLEW
 from mahovik.core.motion.required import RequiredMotion, Slew
-from mahovik.core.stand.coordinates import Coordinates, coordinates_of
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.frames import transfer
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
@@ -58,9 +58,3 @@ def slide_directions(stand: Stand) -> Array | None:
     C0 = Frame.of(stand).pose(np.zeros((1, len(hold.freedoms))))[0][0]
     slides = [np.array(each.direction) for each in hold.freedoms if each.kind == "slide"]
     return np.asarray(C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T)
-
-
-def amount(coordinates: Coordinates, k: int, value: float) -> str:
-    """A force or moment along coordinate k in words."""
-    kind, unit = UNITS[coordinates.unit_names[k]]
-    return f"a {kind} along {coordinates.in_words[k]} of {value:.3g}{f' {unit}' if unit else ''}"

@@ -2,19 +2,20 @@
 
 Flywheels give no mean wrench over a period, so the surroundings must carry the weight at some mean pose. Wrenches that
 flywheels cannot give: directions out of their span, first moments beyond their unbalance (force is the second
-derivative of sum m_s rho_s(phi_s), so total unbalance bounds the amplitude), and reach inside bounds.
+derivative of sum m_s rho_s(phi_s), so total unbalance bounds the amplitude), and reach inside bounds. What is
+missing is a force or a moment along a direction, or what acts along a freedom of a held carrier.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.use.numeric import Array, PrescribedMotion, prescribe
-from mahovik.use.plan.held import amount, slide_directions, wrench_of
+from mahovik.use.plan.held import UNITS, slide_directions, wrench_of
 from mahovik.use.plan.mean_pose import MeanPose, mean_pose
 from mahovik.use.plan.problem import Problem, uniform
 
@@ -57,40 +58,74 @@ def direction(u: Array) -> str:
     return "(" + ", ".join(f"{x:.2f}" for x in np.round(u * np.sign(u[k]), 2) + 0.0) + ")"
 
 
+class Part(NamedTuple):
+    """Wrenches of one kind: all forces, all moments, or of a held carrier those along one freedom.
+
+    basis  (6, k): wrenches in E1 about O1 of its k numbers; name: of the freedom, or None
+    """
+
+    kind: str
+    unit: str
+    basis: Array
+    name: str | None = None
+
+    def along(self, x: Array) -> str:
+        """Direction of numbers (k), in words."""
+        return self.name or direction(x)
+
+    def words(self, x: Array, size: float | None = None) -> str:
+        """Numbers (k) as an amount along a direction; `size` in place of their own."""
+        size = float(np.linalg.norm(x)) if size is None else size
+        return f"a {self.kind} along {self.along(x)} of {size:.4g} {self.unit}".rstrip()
+
+
+def parts_of(problem: Problem) -> list[Part]:
+    """The parts of the wrenches that count, whose numbers are together the rows of (12)."""
+    if problem.stand.hold is None:
+        return [Part("force", "N", np.eye(6)[:, :3]), Part("moment", "N m", np.eye(6)[:, 3:])]
+    own = coordinates_of(problem.stand)
+    columns = wrench_of(problem.stand, np.eye(own.count)).T
+    return [Part(*UNITS[own.unit_names[k]], columns[:, k, None], own.in_words[k]) for k in range(own.count)]
+
+
+def split(parts: list[Part], numbers: Array) -> list[Array]:
+    """Numbers (..., rows) of each part."""
+    return np.split(numbers, np.cumsum([part.basis.shape[1] for part in parts])[:-1], axis=-1)
+
+
+def _uncarried(problem: Problem, pose: MeanPose) -> tuple[Part, Array] | None:
+    """The part of the mean wrench that nothing carries, where this is most; None: all is carried.
+
+    A remainder counts if it alone would be a relative residual that is not accepted, and if the weights of unbalanced
+    flywheels cannot give it.
+    """
+    parts, worst, found = parts_of(problem), problem.tolerance, None
+    for part, x in zip(parts, split(parts, pose.wrench), strict=True):
+        share = problem.norm.relative((part.basis @ x)[None])
+        by_weights = part.kind != "force" and float(np.linalg.norm(x)) <= _largest_moment(problem)
+        if share > worst and not by_weights:
+            worst, found = share, (part, x)
+    return found
+
+
 def _largest_moment(problem: Problem) -> float:
     """Largest moment that the weights of unbalanced flywheels give, N m."""
     return float(problem.mechanics.tables.unbalance.sum() * np.linalg.norm(problem.stand.gravity))
 
 
-def _uncarried_part(problem: Problem, pose: MeanPose) -> str | None:
-    """`force` or `moment` that nothing carries at the mean pose; None: all is carried."""
-    force, moment = (np.concatenate(each)[None] for each in ((pose.wrench[:3], _ZERO), (_ZERO, pose.wrench[3:])))
-    if problem.norm.relative(force) > problem.tolerance:
-        return "force"
-    turning = float(np.linalg.norm(pose.wrench[3:]))
-    return (
-        "moment" if turning > _largest_moment(problem) and problem.norm.relative(moment) > problem.tolerance else None
-    )
-
-
 def _advice(problem: Problem) -> str:
-    """Advice if only means that are held are in the way; else empty."""
-    if problem.free.all():
-        return ""
-    everywhere = mean_pose(replace(problem, free=np.ones(len(problem.free), dtype=bool)))
-    uncarried = _uncarried_part if problem.stand.hold is None else _uncarried_freedom
-    if uncarried(problem, everywhere) is not None:
-        return ""
-    given = np.array(problem.motion.free_mean, dtype=bool)
+    """What would carry the mean wrench: a mean that is held, were it free, or the surroundings."""
+    everywhere = replace(problem, free=np.ones(len(problem.free), dtype=bool))
+    if problem.free.all() or _uncarried(everywhere, mean_pose(everywhere)) is not None:
+        return "a suspension, legs or buoyancy that balance it would help"
+    given, names = np.array(problem.motion.free_mean, dtype=bool), coordinates_of(problem.stand).in_words
     said = []
     for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
-        own = coordinates_of(problem.stand).in_words
-        names = ", ".join(name for name, is_held in zip(own, held, strict=True) if is_held)
-        said += [f"{key} holds the mean of {names}"] if names else []
+        which = ", ".join(name for name, is_held in zip(names, held, strict=True) if is_held)
+        said += [f"{key} holds the mean of {which}"] if which else []
     return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"
 
 
-_ZERO = np.zeros(3)
 _TILT = 0.1
 """rad: a larger mean tilt causes a warning."""
 _TELLING = 1e-3
@@ -98,69 +133,21 @@ _TELLING = 1e-3
 
 
 def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
-    """Refuses a mean force beyond rounding, and a mean moment that weights of unbalance cannot give.
+    """Refuses a mean wrench that nothing carries, and warns of a mean pose that is turned far.
 
-    A remainder counts if it alone would be a relative residual that is not accepted. Flywheels with damping may have a
-    mean wrench: then nothing is refused.
+    Flywheels with damping may have a mean wrench: then nothing is refused.
     """
     if any(problem.mechanics.tables.damping):
         return
-    if problem.stand.hold is not None:
-        _check_along_freedoms(problem, pose, found)
-        return
-    force, moment = pose.wrench[:3], pose.wrench[3:]
-    able = _largest_moment(problem)
-    left = _uncarried_part(problem, pose)
-    if left == "force":
-        size = float(np.linalg.norm(force))
-        found.refusal = Refusal(
-            "MEAN_WRENCH",
-            f"a mean force of {size:.4g} N along {direction(force)} has no support: flywheels give no mean "
-            f"force over a period; {_advice(problem) or 'a suspension, legs or buoyancy that balance it would help'}",
-        )
-    elif left == "moment":
-        turning = float(np.linalg.norm(moment))
-        found.refusal = Refusal(
-            "MEAN_WRENCH",
-            f"a mean moment of {turning:.4g} N m along {direction(moment)} has no support: weights of "
-            f"unbalanced flywheels give at most {able:.3g} N m; "
-            f"{_advice(problem) or 'a suspension that is stiff in rotation would help'}",
-        )
-    _warn_of_tilt(problem, pose, found)
-
-
-def _uncarried_freedom(problem: Problem, pose: MeanPose) -> int | None:
-    """The freedom along which most is left at the mean pose that nothing carries; None: all is carried."""
-    units = coordinates_of(problem.stand).unit_names
-    worst, found = problem.tolerance, None
-    for k, value in enumerate(pose.wrench.tolist()):
-        one = np.zeros(len(pose.wrench))
-        one[k] = value
-        share = problem.norm.relative(wrench_of(problem.stand, one)[None])
-        by_weights = units[k] != "m" and abs(value) <= _largest_moment(problem)
-        if share > worst and not by_weights:
-            worst, found = share, k
-    return found
-
-
-def _check_along_freedoms(problem: Problem, pose: MeanPose, found: Preflight) -> None:
-    """Refuses a mean force or moment along a freedom of a held carrier, by its name."""
-    k = _uncarried_freedom(problem, pose)
-    if k is not None:
-        what = amount(coordinates_of(problem.stand), k, abs(float(pose.wrench[k])))
-        helps = _advice(problem) or "a suspension, a leg or a stop that balances it would help"
-        found.refusal = Refusal(
-            "MEAN_WRENCH", f"{what} has no support in the mean: flywheels give none over a period; {helps}"
-        )
-    _warn_of_tilt(problem, pose, found)
-
-
-def _warn_of_tilt(problem: Problem, pose: MeanPose, found: Preflight) -> None:
-    """Warns of a mean pose that is turned far."""
+    left = _uncarried(problem, pose)
+    if left is not None:
+        part, x = left
+        why = "has no support in the mean: flywheels give none over a period"
+        found.refusal = Refusal("MEAN_WRENCH", f"{part.words(x)} {why}; {_advice(problem)}")
     own = coordinates_of(problem.stand)
     pairs = zip(own.names, own.unit_names, pose.bias.tolist(), strict=True)
     tilts = {name: value for name, unit, value in pairs if unit == "rad"}
-    if tilts and max(abs(x) for x in tilts.values()) > _TILT:
+    if max(map(abs, tilts.values()), default=0.0) > _TILT:
         words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
         found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
 
@@ -169,6 +156,11 @@ _RANK = 1e-7
 """Part of the largest singular value: a smaller column of I or dI/dphi counts as zero."""
 _OUTSIDE = 1e-3
 """Largest accepted part of the required wrench outside the span."""
+_HELPS = {
+    "force": "unbalanced flywheels whose axes are not along {0} would help",
+    "moment": "flywheels with a part of their axes along {0}, or unbalanced ones off it, would help",
+    "wrench": "flywheels that act along {0} would help",
+}
 
 
 def check_span(problem: Problem, P: Array, found: Preflight) -> None:
@@ -181,63 +173,28 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
         found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; {rows} or more give any")
     root = problem.norm.root
     columns = problem.mechanics.tables.coupling.reshape(-1, 6) @ root.T
-    varying = (P - P.mean(axis=0)) @ root.T
+    outside = varying = (P - P.mean(axis=0)) @ root.T
     size = float(np.linalg.norm(varying, axis=1).max())
-    if size <= 1e-9 * problem.norm.demand:
+    if size <= 1e-9 * problem.norm.demand or found.refusal is not None:
         return
-    outside = varying
     if columns.size:
         _, sigma, Vt = np.linalg.svd(columns, full_matrices=False)
         kept = Vt[sigma > _RANK * sigma[0]]
         outside = varying - (varying @ kept.T) @ kept
     share = float(np.linalg.norm(outside, axis=1).max()) / size
-    if share <= _OUTSIDE or found.refusal is not None:
+    if share <= _OUTSIDE:
         return
-    if problem.stand.hold is not None:
-        found.refusal = Refusal("SPAN", _span_words_along(problem, outside, share))
-        return
+    parts = parts_of(problem)
+    scaled = root @ np.hstack([part.basis for part in parts])
+    missing = split(parts, np.linalg.solve(scaled, outside.T).T)
+    shares = [problem.norm.relative(x @ part.basis.T) for part, x in zip(parts, missing, strict=True)]
+    part, x = parts[k := int(np.argmax(shares))], missing[k]
+    way = np.linalg.svd(x, full_matrices=False)[2][0]
+    what = part.words(way, float(np.linalg.norm(x, axis=1).max()))
     found.refusal = Refusal(
-        "SPAN", _span_words(np.linalg.solve(root, outside.T).T, np.linalg.solve(root, varying.T).T, share)
-    )
-
-
-def _span_words_along(problem: Problem, outside: Array, share: float) -> str:
-    """Message of a held carrier: along which freedom, how much of it, what would help. outside (M, m), scaled."""
-    own = coordinates_of(problem.stand)
-    scaled = problem.norm.root @ wrench_of(problem.stand, np.eye(own.count)).T
-    missing = np.abs(np.linalg.solve(scaled, outside.T)).max(axis=1)
-    k = int(np.argmax(np.abs(outside).max(axis=0)))
-    helps = {
-        "m": f"unbalanced flywheels whose axes are not along {own.names[k]}",
-        "rad": f"flywheels with a part of their axes along that of {own.names[k]}, or unbalanced ones off it,",
-        "": "flywheels that act along it",
-    }[own.unit_names[k]]
-    return (
-        f"{amount(own, k, float(missing[k]))} is required, which these flywheels cannot give at any angles or "
-        f"speeds ({100 * share:.2g} % of the required wrench is outside their span); {helps} would help"
-    )
-
-
-def _span_words(outside: Array, needed: Array, share: float) -> str:
-    """Message: which direction, how much of it, what would help."""
-    parts = []
-    for kind, rows, unit in (("force", slice(0, 3), "N"), ("moment", slice(3, 6), "N m")):
-        part, whole = outside[:, rows], needed[:, rows]
-        peak = float(np.linalg.norm(part, axis=1).max())
-        if peak > _OUTSIDE * float(np.linalg.norm(whole, axis=1).max()) and peak > 0.0:
-            u = np.linalg.svd(part, full_matrices=False)[2][0]
-            parts.append(
-                (peak / max(float(np.linalg.norm(whole, axis=1).max()), 1e-300), kind, direction(u), peak, unit)
-            )
-    parts.sort(reverse=True)
-    _, kind, way, peak, unit = parts[0]
-    helps = {
-        "force": f"unbalanced flywheels whose axes are perpendicular to {way} would help",
-        "moment": f"flywheels with axes along {way}, or unbalanced ones off the axis, would help",
-    }
-    return (
-        f"a {kind} along {way} of {peak:.3g} {unit} is required, which these flywheels cannot give at any angles or "
-        f"speeds ({100 * share:.2g} % of the required wrench is outside their span); {helps[kind]}"
+        "SPAN",
+        f"{what} is required, which these flywheels cannot give at any angles or speeds ({100 * share:.2g} % of the "
+        f"required wrench is outside their span); {_HELPS[part.kind].format(part.along(way))}",
     )
 
 
@@ -329,26 +286,21 @@ def check_bound_reach(problem: Problem, at: PrescribedMotion, found: Preflight) 
     w, a = np.array(bounds.speed), np.array(bounds.acceleration)
     P = at.locked_wrench()
     varying = P - P.mean(axis=0)
-    held = problem.stand.hold is not None
-    candidates = list(problem.mechanics.freedoms.T)
-    if not held:
-        candidates += [np.concatenate([u, np.zeros(3)]) for u in np.linalg.svd(varying[:, :3], full_matrices=False)[2]]
-        candidates += [np.concatenate([np.zeros(3), u]) for u in np.linalg.svd(varying[:, 3:], full_matrices=False)[2]]
-    worst, words = 1.0, ""
-    for k, y in enumerate(candidates):
-        need = float(np.abs(varying @ y).max())
-        have = float(
-            (_largest(problem.mechanics.coupling, y) * a + _largest(problem.mechanics.coupling_slope, y) * w**2).sum()
-        )
-        have += float((_largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
-        if need > worst * have and need > 1e-9 * problem.norm.demand:
-            kind, unit = _kind_of(y)
-            what = f"a {kind} along {direction(y[:3] if kind == 'force' else y[3:])} of {need:.3g} {unit}"
-            if held:
-                what, unit = amount(coordinates_of(problem.stand), k, need), ""
-            worst, words = need / max(have, 1e-300), _bound_words(what, unit, need, have)
-    if words:
-        found.refusal = Refusal("BOUND_REACH", words)
+    worst = 1.0
+    for part in parts_of(problem):
+        for way in np.linalg.svd(varying @ part.basis, full_matrices=False)[2]:
+            y = part.basis @ way
+            need = float(np.abs(varying @ y).max())
+            give = _largest(problem.mechanics.coupling, y) * a + _largest(problem.mechanics.coupling_slope, y) * w**2
+            have = float((give + _largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
+            if need > worst * have and need > 1e-9 * problem.norm.demand:
+                worst = need / max(have, 1e-300)
+                found.refusal = Refusal(
+                    "BOUND_REACH",
+                    f"{part.words(way, need)} is required, flywheels inside the bounds of speed and acceleration give "
+                    f"at most {have:.3g} {part.unit}; that is {worst:.2g} times too little: raise these bounds, the "
+                    "unbalance or the number of flywheels, or make the motion smaller",
+                )
 
 
 def _largest(harmonics: Array, y: Array) -> Array:
@@ -358,20 +310,6 @@ def _largest(harmonics: Array, y: Array) -> Array:
         along = np.concatenate([np.zeros_like(along[:1]), along])
     first, second = np.hypot(along[1], along[2]), np.hypot(along[3], along[4])
     return np.asarray((np.abs(along[0]) + first + second).max(axis=0))
-
-
-def _kind_of(y: Array) -> tuple[str, str]:
-    """Whether a direction of wrenches is of forces or moments, and the unit."""
-    return ("force", "N") if np.any(y[:3]) else ("moment", "N m")
-
-
-def _bound_words(what: str, unit: str, need: float, have: float) -> str:
-    most = f"{have:.3g} {unit}".rstrip()
-    return (
-        f"{what} is required, flywheels inside the bounds of speed and acceleration give at most {most}; that is "
-        f"{need / max(have, 1e-300):.2g} times too little: raise these bounds, the unbalance or the number of "
-        "flywheels, or make the motion smaller"
-    )
 
 
 def preflight(problem: Problem) -> Preflight:
