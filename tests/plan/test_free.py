@@ -126,6 +126,18 @@ def test_one_wheel_does_on_a_rail_with_the_unbalance_of_the_closed_formula() -> 
     assert moved(found)[0][3] == pytest.approx(needed, rel=1e-6)
 
 
+@pytest.mark.slow
+def test_eight_wheels_get_the_unbalance_that_the_motion_needs() -> None:
+    """With a twentieth of it the preflight proves that no programme exists."""
+    whole = mahovik.load(stands.path("bench8"))
+    static = {s.name: s.mass * float(np.hypot(*s.center_of_mass[1:])) for s in whole.flywheels}
+    stand = whole.replace({f"{name}.unbalance.static": 0.05 * mu for name, mu in static.items()})
+    motion = json.loads(stands.path("bench8").with_name("bench8.motion.json").read_text(encoding="utf-8"))
+    motion["free"] = {"w*.unbalance.static": [0, 8e-3]}
+    assert mahovik.plan(stand, motion=motion)["reason"] == "FIRST_MOMENT"
+    judged(stand, mahovik.plan(stand, motion=motion, free="w*.unbalance.static"), motion)
+
+
 def test_a_number_of_the_suspension_moves_by_ten_per_cent_of_its_value() -> None:
     """The spring that makes this amplitude the one of constant speed."""
     k = 20000.0

@@ -1,9 +1,10 @@
 """Planning with numbers of the stand as further unknowns: places, mountings, inertias, whatever has a path.
 
-The unknowns are the free numbers inside their bounds, and the waves and the bias of `plan/problem`. Bounded least
-squares take the residual of (12) to zero: at constant speed first, then with more and more harmonics. Derivatives by
-the flywheels' motion are exact, those by numbers of the stand are differences of residuals of stands that are read
-anew, so any number may be free. The stand that results is planned for like every other, from the motion found here.
+With more flywheels than rows of (12) most stands have programmes, so the planner searches stands that are drawn inside
+the bounds. With fewer, unknowns are the free numbers, and waves and bias of `plan/problem`: bounded least squares
+take the residual of (12) to zero, at constant speed first, then with more and more harmonics. Derivatives by the
+flywheels' motion are exact, those by numbers of the stand are differences of residuals of stands that are read anew, so
+any number may be free. The stand that results is planned for like every other, from the motion found here.
 """
 
 from __future__ import annotations
@@ -52,9 +53,9 @@ EXACT = 1e-9
 NEAR = 1e-2
 """Relative residual from which the planner may make a motion exact by more harmonics."""
 HOPELESS = 0.5
-"""Relative residual at constant speed above which a start of few flywheels is given up."""
-ROUGH = 0.1
-"""Relative residual from which the planner goes on where there are flywheels to spare: as many as rows of (12)."""
+"""Relative residual above which a start is given up, after some harmonics; of few flywheels at constant speed."""
+SEARCH_STEPS = 2000
+"""Steps of the planner for one stand, where it searches the flywheels' motion itself."""
 DRAWN = 64
 """Starts drawn for one that is refined: the nearest to (12) at constant speed."""
 KNEE = 0.97
@@ -309,18 +310,13 @@ class FreeProblem:
         for H in HARMONICS if turning else HARMONICS[1:]:
             y, motion = self.descend(y, motion.with_harmonics(H), budget)
             residual = self.relative(y, motion)
-            if H == 0 and residual > HOPELESS and not self.spare:
+            if residual > HOPELESS and (H == 0 or H > 2):
                 break
             if residual < reached[2]:
                 reached = (y, motion, residual)
-            if residual < (ROUGH if self.spare else EXACT) or budget.exhausted:
+            if residual < EXACT or budget.exhausted:
                 break
         return reached
-
-    @property
-    def spare(self) -> bool:
-        """Whether the flywheels are as many as the rows of (12), so that a stand near by has a programme as well."""
-        return self.start.rows_count <= self.start.N
 
 
 class _OverError(Exception):
@@ -337,8 +333,8 @@ def plan_free(
 ) -> FreePlan:
     """A stand like this one but for the numbers under `keys`, with a programme that makes its carrier do the motion.
 
-    The first start is the stand as it is, the others are drawn inside the bounds. A start that solves (12) is planned
-    for from there: bounds and objective of the motion, run-up and verification are the planner's. Ctrl-C gives the
+    The first start is the stand as it is, the others are drawn inside the bounds. One that solves (12) is planned for
+    from there: bounds and objective of the motion, run-up and verification are the planner's. Ctrl-C gives the
     best so far. Raises MotionError, UsageError.
     """
     options = options or PlanOptions()
@@ -350,22 +346,27 @@ def plan_free(
     short = with_shortest_period(motion)
     own = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
     budget, state, beyond = Budget(_NO_LIMIT, options.seconds), FreeSearch(), None
+    spare = own.start.rows_count < own.start.N
     try:
         for k in range(STARTS):
             on_progress(state)
-            if budget.exhausted:
+            if budget.is_spent():
                 break
             state.starts += 1
-            y, course, residual = own.solve(*_start(own, options.seed, k), budget)
-            state.best = min(state.best, residual)
-            if residual < (ROUGH if own.spare else NEAR):
-                made = _planned(
-                    own, motion, y, replace(options, start=course, seconds=budget.seconds_left()), on_progress
-                )
+            y, course = _start(own, options.seed, k)
+            more, residual = {"seed": options.seed + k, "steps": min(options.steps, SEARCH_STEPS)}, 0.0
+            if not spare:
+                y, course, residual = own.solve(y, course, budget)
+                more = {"start": course}
+            if residual < NEAR:
+                limited: Any = replace(options, seconds=budget.seconds_left(), **more)
+                made = _planned(own, motion, y, limited, on_progress)
+                residual = float(made.plan.effort.get("best_residual", residual or np.inf))
                 if made.plan.status == "OK" or made.plan.interrupted:
                     return made
                 beyond = beyond or (made if made.document is not None else None)
                 state.refused = made.plan.words
+            state.best = min(state.best, residual)
     except KeyboardInterrupt:
         state.interrupted = True
     return beyond or _nothing(own, state, budget, options.seed)
@@ -410,7 +411,7 @@ def _nothing(own: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> 
     ]
     first = preflight(own.start)
     if state.refused:
-        words.append(f"the last stand that solves (12): {state.refused[0]}")
+        words.append(f"the last stand: {state.refused[0]}")
     elif first.refusal is not None:
         words.append(f"the stand as it is: {first.refusal.words}")
     effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": budget.cut}
