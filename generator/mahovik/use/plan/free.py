@@ -354,12 +354,13 @@ def plan_free(
                 break
             state.starts += 1
             y, course = _start(own, options.seed, k)
-            more, residual = {"seed": options.seed + k, "steps": min(options.steps, SEARCH_STEPS)}, 0.0
+            more: dict[str, Any] = {"seed": options.seed + k, "steps": min(options.steps, SEARCH_STEPS)}
+            residual = 0.0
             if not spare:
                 y, course, residual = own.solve(y, course, budget)
                 more = {"start": course}
             if residual < NEAR:
-                limited: Any = replace(options, seconds=budget.seconds_left(), **more)
+                limited = replace(options, seconds=budget.seconds_left(), **more)
                 made = _planned(own, motion, y, limited, on_progress)
                 residual = float(made.plan.effort.get("best_residual", residual or np.inf))
                 if made.plan.status == "OK" or made.plan.interrupted:
