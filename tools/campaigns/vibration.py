@@ -192,8 +192,7 @@ def distance_from_course(stand: Stand, course: Periodic, until: float | None) ->
     regime = replace(steady_regime(stand, course.turning.speeds), wrenches={stand.carrier.name: hold})
     step = 0.02 / max(map(abs, course.turning.speeds))
     run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
-    pose = [run.names.index(name) for name in ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")]
-    last = run.data[-9:, pose]
+    last = np.column_stack([run[name][-9:] for name in ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")])
     x = (last[:, :3] - chart.O1) @ chart.C
     r = Rotation.from_matrix(chart.C.T @ Rotation.from_quat(last[:, 3:]).as_matrix()).as_rotvec()
     spectrum = np.fft.rfft(course.y[:, :6], axis=0) / len(course.y)

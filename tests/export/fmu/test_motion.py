@@ -229,9 +229,9 @@ def test_a_held_carrier_moves_as_simulate_does(
         f"hold.reaction[{i + 1}]": f"hold.reaction.{a} [{'N' if i < 3 else 'N m'}]" for i, a in enumerate("xyzkmn")
     }
     columns |= {
-        f"q.{label.split()[1]}": label for label in expected.names if label.startswith("q ") and name != "shaker"
+        f"q.{label.split()[1]}": label for label in expected.columns if label.startswith("q ") and name != "shaker"
     }
-    letters = [label for label in expected.names if label.startswith("orientation_")]
+    letters = [label for label in expected.columns if label.startswith("orientation_")]
     columns |= {f"q.orientation[{i + 1}]": label for i, label in enumerate(letters)}
     speeds = {f"u.{label}" if name != "shaker" else "u[1]": k for k, label in enumerate(freedom_names(stand.hold))}
     by_fmpy = fmpy.simulate_fmu(

@@ -31,7 +31,7 @@ class Block:
     """n states with the numbers of the stand itself, or of stands that differ from it in numbers.
 
     tables  by argument of the C, tables of many stands; None: those of the library
-    first   number of the first state among these stands, a multiple of PER_BLOCK
+    first   number of the first state among these stands, a multiple of all LANES
     given  memory of what the C takes, by argument: `x` (13 + 2 N, n), `phi_ddot`, `tau` (N, n), `V_dot` (6, n),
            `wrench` (6 W, n), `locked` (N), `dt`, `order`; with `carried` the `carry` of steps, a record a state
     found  memory of results that nothing takes, by function
@@ -111,8 +111,9 @@ class Block:
         if self._tables is None:
             return self._made.tables[name]
         size = self._made.of_tables.block_bytes(name == "mounting")
-        begin = self.first // PER_BLOCK * size
-        return self._tables(name)[begin : begin + -(-self.n // PER_BLOCK) * size]
+        lanes = LANES[self._made.element.itemsize]
+        begin = self.first // lanes * size
+        return self._tables(name)[begin : begin + -(-self.n // lanes) * size]
 
     def _prepare_call(self, function: str) -> Callable[[], int]:
         library, name, arrays = self._arranged(function)
