@@ -17,7 +17,6 @@ import click
 
 from mahovik.contract.evaluation import text_lines
 from mahovik.contract.functions import CHOSEN, ROWS
-from mahovik.out.cli import OLD
 from mahovik.out.command_line import COMMANDS as SECTIONS
 from mahovik.out.command_line import main
 
@@ -85,7 +84,7 @@ def commands_page() -> str:
         main, info_name="mahovik", max_content_width=WIDTH, terminal_width=WIDTH, **main.context_settings
     )
     parts = [HEAD]
-    for title, commands in (SECTIONS | OLD).items():
+    for title, commands in SECTIONS.items():
         parts.append(f"## {title}\n\n")
         for name in commands:
             parts += help_texts(main, name, root)

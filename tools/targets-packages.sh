@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compilers and emulators of `mahovik verify --targets` and `mahovik cost`: Debian packages, only what is missing.
+# Compilers and emulators of `mahovik verify --targets` and `mahovik verify --cost`: Debian packages, only what is missing.
 set -euo pipefail
 
 missing=()

@@ -14,7 +14,7 @@
  * Stack: what a function states is an upper bound with all that it calls, from its locals along the
  * deepest chain of calls and an allowance for registers: for gcc and clang at -O1 to -O3 and -Os, 32 and 64
  * bits. The routines of the compiler's library (memcpy, arithmetic without an FPU) come on top.
- * `mahovik cost` measures.
+ * `mahovik verify --cost` measures.
  * Inputs are checked; of the table its stream alone: pass one that prepare made, or a copy of the default.
  * A result must not overlap an input, unless its function says that it may.
  *

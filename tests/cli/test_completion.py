@@ -12,7 +12,7 @@ import pytest
 @pytest.mark.parametrize(
     ("words", "found"),
     [
-        ("mahovik veri", ["plain,verify", "plain,verify-programme"]),
+        ("mahovik veri", ["plain,verify"]),
         ("mahovik generate --rea", ["plain,--real"]),
         ("mahovik generate --real ", ["plain,double", "plain,float"]),
     ],

@@ -172,7 +172,9 @@ def test_an_interrupted_run_leaves_the_old_folder(
 
 def test_a_page_of_cost_that_was_measured_on_other_c_is_removed_and_that_of_others_stays(folder: Path) -> None:
     before = set(contents(folder))
-    (folder / "COST.md").write_text(f"# Cost of demo3\n\nWritten by `mahovik cost`\n\nof the source `{'0' * 64}`\n")
+    (folder / "COST.md").write_text(
+        f"# Cost of demo3\n\nWritten by `mahovik verify --cost`\n\nof the source `{'0' * 64}`\n"
+    )
     assert "COST.md: was measured on other C" in refused("generate", DEMO3, "-o", str(folder), "--check", status=1)
     assert f"{folder / 'COST.md'} was removed: it was measured on other C" in generate(folder)
     assert set(contents(folder)) == before

@@ -81,7 +81,7 @@ def test_a_part_runs_on_targets_and_its_branches_are_counted(part: Path, tmp_pat
 
 
 def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path) -> None:
-    result = run("verify", SHAKER2, "--against", str(part), "--states", "9", "--json")
+    result = run("verify", SHAKER2, str(part), "--states", "9", "--json")
     assert result.exit_code == 0, result.output
     found = json.loads(result.stdout)
     assert found["stand"] == "shakerp"
@@ -106,7 +106,7 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
 )
 def test_the_log_of_a_part_gives_no_false_alarm(only: str, status: int, words: str, log: Path) -> None:
     options = ("--only", only) if only else ()
-    message = refused("judge-log", SHAKER2, "--log", str(log), *options, status=status)
+    message = refused("verify", SHAKER2, str(log), *options, status=status)
     assert words in message and "other bits" not in message
 
 
@@ -123,18 +123,18 @@ def test_what_is_wrong_in_the_log_of_a_part_is_found(old: str, new: str, words: 
     text, count = re.subn(old, new, log.read_text(), count=1)
     assert count == 1
     (tmp_path / "spoiled.log").write_text(text)
-    given = ("judge-log", SHAKER2, "--log", str(tmp_path / "spoiled.log"), "--only", "forward,torque")
+    given = ("verify", SHAKER2, str(tmp_path / "spoiled.log"), "--only", "forward,torque")
     assert words in refused(*given, status=1)
 
 
 def test_the_stand_under_another_name_is_known_by_its_physics(part: Path, tmp_path: Path) -> None:
     """C of another stand is refused, and C of this one under two names in one folder."""
-    message = refused("verify", DEMO3, "--against", str(part), status=1)
+    message = refused("verify", DEMO3, str(part), status=1)
     assert re.search(r': holds the C of stand "shakerp", physics [0-9a-f]{8}, expected that of "\w+", also', message)
     folder = generated(tmp_path / "two", "--only", "wrap", "--prefix", "shakerq")
     for name in ("shakerp.h", "shakerp.c"):
         (folder / name).write_bytes((part / name).read_bytes())
-    message = refused("verify", SHAKER2, "--against", str(folder), status=1)
+    message = refused("verify", SHAKER2, str(folder), status=1)
     assert 'holds C of this stand under the names "shakerp" and "shakerq": move all but one' in message
 
 

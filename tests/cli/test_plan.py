@@ -54,10 +54,7 @@ def test_numbers_that_move_are_printed_and_the_stand_is_written(tmp_path: Path) 
     )
     assert told.exit_code == 0, told.output
     assert "left.unbalance.static" in told.stdout and "status: OK\n" in told.stdout
-    judged = [
-        run("verify-programme", stand, "--motion", motion, "--programme", str(programme)).exit_code
-        for stand in (str(new), SHAKER)
-    ]
+    judged = [run("verify", stand, str(programme), "--motion", motion).exit_code for stand in (str(new), SHAKER)]
     assert judged == [0, 1]
 
 
@@ -71,8 +68,8 @@ def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
     told = run("plan", sat4, "--motion", str(motion), "-o", str(programme))
     assert told.exit_code == 0 and "duration: 6 s" in told.stdout and "status: OK\n" in told.stdout
     assert load_programme(programme).carrier is not None
-    judged = run("verify-programme", sat4, "--motion", str(motion), "--programme", str(programme), "--json")
-    names = {each["name"] for each in json.loads(judged.stdout)["findings"] if each["passed"]}
+    judged = run("verify", sat4, str(programme), "--motion", str(motion), "--json")
+    names = {each["item"] for each in json.loads(judged.stdout)["findings"] if each["verdict"] == "ok"}
     assert judged.exit_code == 0 and names >= {"slew start", "slew end", "slew path", "slew rest", "motor torque"}
     motion.write_text(json.dumps(keys | {"duration": 1}), encoding="utf-8")
     short = run("plan", sat4, "--motion", str(motion), "-o", str(tmp_path / "q.json"))

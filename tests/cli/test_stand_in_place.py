@@ -13,7 +13,6 @@ from cli.run import BENCH8, DEMO3, refused
     ("arguments", "expected"),
     [
         (("judge", DEMO3, "--fmu", "a.fmu", "--map"), "a map of variables"),
-        (("verify", DEMO3, "--against", "c", "--servo"), "a servo file"),
     ],
     ids=lambda value: f"{value[0]} {value[-1]}" if isinstance(value, tuple) else "",
 )

@@ -127,7 +127,7 @@ def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp
     board = str(tmp_path / "board")
     assert run("generate", files["sat.toml"], "-o", board).exit_code == 0
     assert run("generate", *arguments(files), "-o", board).exit_code == 0
-    judge = ["verify", files["sat.toml"], "--servo", files["S.toml"], "--against", board, "--motion", files["M.json"]]
+    judge = ["verify", files["sat.toml"], board, "--servo", files["S.toml"], "--motion", files["M.json"]]
     said = run(*judge, "--programme", files["P.json"], "--states", "20", "--json")
     assert said.exit_code == 0, said.output
     ticks = [row for row in json.loads(said.stdout)["rows"] if row["judged"] == "SERVO_TICKS"]
@@ -136,7 +136,7 @@ def test_the_servos_of_a_slew_are_exported_and_judged(files: dict[str, str], tmp
     text = json.loads(Path(files["P.json"]).read_text())
     Path(files["P.json"]).write_text(json.dumps(text | {"motion": "other"}))
     assert "programme of another motion" in refused(*judge, "--programme", files["P.json"])
-    only = [*judge[:6], "--programme", files["P.json"]]
+    only = [*judge[:5], "--programme", files["P.json"]]
     assert "needs --motion M.json, which is missing" in refused(*only)
 
 

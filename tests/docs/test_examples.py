@@ -38,7 +38,7 @@ TOOLS = {
     "target m4": [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("qemu-system-arm", "qemu-system-arm")],
     "target m7": [("arm-none-eabi-gcc", "gcc-arm-none-eabi"), ("qemu-system-arm", "qemu-system-arm")],
     "--targets": [("qemu-system-arm", "qemu-system-arm"), ("qemu-system-riscv64", "qemu-system-misc")],
-    "mahovik cost": [("qemu-system-arm", "qemu-system-arm")],
+    "--cost": [("qemu-system-arm", "qemu-system-arm")],
 }
 """What blocks with these words need, and the Debian packages that have it."""
 

@@ -1,4 +1,4 @@
-"""`mahovik import` as used from the command line: files, messages, and refusals that write nothing."""
+"""`mahovik new` of a model as used from the command line: files, messages, and refusals that write nothing."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def somewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_urdf_becomes_a_stand_that_is_checked_and_generated() -> None:
-    said = run("import", "urdf", URDF).output
-    assert said.startswith("small_sat.toml   carrier base_link, 4 flywheels, 1 point\n")
+    said = run("new", URDF).output
+    assert said.startswith("files: small_sat.toml\ncarrier base_link, 4 flywheels, 1 point\n")
     assert "agrees with the original in Pinocchio" in said
     assert os.listdir() == ["small_sat.toml"]
     assert run("check", "small_sat.toml").exit_code == 0
@@ -34,7 +34,7 @@ def test_a_urdf_becomes_a_stand_that_is_checked_and_generated() -> None:
 
 
 def test_an_mjcf_too() -> None:
-    said = run("import", "mjcf", MJCF, "-o", "new/other.toml", "--name", "other", "--instruments").output
+    said = run("new", MJCF, "-o", "new/other.toml", "--name", "other", "--instruments").output
     assert "carrier hub, 1 instrument, 3 flywheels, 2 points" in said
     assert "agrees with the original in MuJoCo" in said
     assert run("check", "new/other.toml").output.startswith("other ")
@@ -45,31 +45,28 @@ def test_what_alone_was_compared_is_told() -> None:
     wheel = '<joint name="j" axis="0 0 1"/><inertial pos="1e-3 0 0" mass="1" diaginertia=".01 .01 .015"/>'
     hub = f'<body name="b"><inertial pos="0 0 0" mass="3" diaginertia=".1 .1 .1"/><body name="w">{wheel}</body></body>'
     Path("held.xml").write_text(f'<mujoco model="held"><worldbody>{hub}</worldbody></mujoco>', encoding="utf-8")
-    said = run("import", "mjcf", "held.xml", "--carrier", "b").output
+    said = run("new", "held.xml", "--carrier", "b").output
     assert "at 20 random states in tau alone, since it is fixed on the world there" in said
 
 
 def test_nothing_is_overwritten() -> None:
     Path("small_sat.toml").write_text("mine")
-    assert refused("import", "urdf", URDF) == "error: small_sat.toml: exists already, nothing was written\n"
+    assert refused("new", URDF) == "error: small_sat.toml: exists already, nothing was written\n"
     assert Path("small_sat.toml").read_text() == "mine"
 
 
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("urdf", "no.urdf"), "no.urdf: no such file"),
-        (("urdf", MJCF), "sat.xml: its root element is <mujoco>: is an MJCF: mahovik import mjcf"),
-        (("mjcf", URDF), "sat.urdf: its root element is <robot>: is a URDF: mahovik import urdf"),
-        (("urdf", URDF, "--name", "a b"), '--name: "a b" is not a C identifier'),
-        (("urdf", URDF, "--name", "math"), '--name: "math" is the name of a standard header of C'),
-        (("urdf", URDF, "--carrier", "wheel4"), "--carrier wheel4: turns"),
-        (("urdf", URDF, "--gravity", "0", "0", "nan"), "--gravity: expected three finite numbers"),
-        (("sdf", URDF), 'no such command "sdf"'),
+        (("no.urdf",), "no.urdf: no such file"),
+        ((URDF, "--name", "a b"), '--name a b: "a b" is not a C identifier'),
+        ((URDF, "--name", "math"), '--name math: "math" is the name of a standard header of C'),
+        ((URDF, "--carrier", "wheel4"), "--carrier wheel4: turns"),
+        ((URDF, "--gravity", "0,0,nan"), "--gravity 0,0,nan: expected three finite numbers"),
     ],
 )
 def test_refused(arguments: tuple[str, ...], said: str) -> None:
-    text = refused("import", *arguments)
+    text = refused("new", *arguments)
     assert said in text
     assert text.count("\n") == 1
     assert os.listdir() == []
@@ -77,7 +74,7 @@ def test_refused(arguments: tuple[str, ...], said: str) -> None:
 
 def test_without_pinocchio_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "pinocchio", None)
-    said = run("import", "urdf", URDF).output
+    said = run("new", URDF).output
     assert "not compared with the original: pinocchio is not installed: pip install pin" in said
     assert os.listdir() == ["small_sat.toml"]
 
@@ -87,7 +84,7 @@ def test_a_stand_that_disagrees_is_not_written(monkeypatch: pytest.MonkeyPatch) 
     from mahovik.out.foreign import urdf
 
     monkeypatch.setattr(urdf, "rotation_from_rpy", lambda *_: np.eye(3))
-    said = refused("import", "urdf", URDF, status=1)
+    said = refused("new", URDF, status=1)
     assert said.startswith("error: sat.urdf: the stand differs from the original in Pinocchio")
     assert os.listdir() == []
 

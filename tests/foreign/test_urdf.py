@@ -212,7 +212,7 @@ def test_fixed_on_the_world_but_taken_as_free(tmp_path: Path) -> None:
         ("<robot><link>", "not XML:"),
         ("\x00\x01", "not XML:"),
         ('<?xml version="1.0" encoding="klingon"?><robot/>', "not XML:"),
-        ("<mujoco/>", "its root element is <mujoco>: is an MJCF: mahovik import mjcf"),
+        ("<mujoco/>", "its root element is <mujoco>: is an MJCF: mahovik new"),
         ("<sdf/>", "its root element is <sdf>: is an SDF, which has no reader here"),
         ("<html/>", "its root element is <html>: expected <robot>"),
     ],

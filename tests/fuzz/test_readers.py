@@ -266,9 +266,9 @@ COMMANDS = {
     "report": ("report", "{}", "-o", "{out}"),
     "generate": ("generate", "{}", "-o", "{out}"),
     "verify": ("verify", "{}"),
-    "verify --against": ("verify", DEMO3, "--against", "{}"),
+    "verify, folder": ("verify", DEMO3, "{}"),
     "eval": ("eval", "{}"),
-    "cost": ("cost", "{}", "-o", "{out}"),
+    "verify --cost": ("verify", "{}", "--cost", "{out}"),
     "generate --project m7": ("generate", "{}", "--project", "m7", "-o", "{out}"),
     "generate --project fuzz": ("generate", "{}", "--project", "fuzz", "-o", "{out}"),
     "simulate": ("simulate", "{}", "--until", "0.001", "-o", "{out}/x.csv"),
@@ -276,8 +276,6 @@ COMMANDS = {
     "start": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--start", "{}"),
     "replay": ("replay", "--log", "{}"),
     "replay, stand": ("replay", DEMO3, "--log", "{}"),
-    "judge-log": ("judge-log", "--log", "{}"),
-    "judge-log, stand": ("judge-log", DEMO3, "--log", "{}"),
 }
 PLACES = ("missing", "folder", "empty", "/dev/zero", "a/b", "blank", "closed")
 

@@ -133,8 +133,8 @@ def _planned() -> tuple[Any, Path, Any]:
 def _plan(stand: str, motion: str) -> Answers:
     path = place(stand).parent / motion
     result = mahovik.plan(place(stand), motion=path, seed=0)
-    verdict = mahovik.verify_programme(place(stand), path, result)
-    return {"status": result["status"], "effort": _plain(result["effort"]), "passed": verdict.passed}
+    verdict = mahovik.verify(place(stand), programme=result, motion=path)
+    return {"status": result["status"], "effort": _plain(result["effort"]), "passed": verdict.ok}
 
 
 def _follow() -> Answers:

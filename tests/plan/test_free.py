@@ -63,7 +63,7 @@ def judged(stand: Stand, found: Any, motion: dict[str, Any]) -> None:
     """The literal reference accepts the programme on the stand that results, read anew from its own keys."""
     assert found.ok and found["status"] == "OK", found.messages
     again = Stand.from_dict(found["stand"])
-    assert mahovik.verify_programme(again, motion, found).passed
+    assert mahovik.verify(again, programme=found, motion=motion).ok
     refused = {
         item.quantity
         for item in verify_programme(stand, read_motion(json.dumps(motion), stand), programme_of(found))

@@ -1,4 +1,4 @@
-"""mahovik cost: figures that repeat, agree with one another, and hold the limits that are promised."""
+"""verify --cost: figures that repeat, agree with one another, and hold the limits that are promised."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetC
 def test_figures_and_text_repeat(tmp_path: Path) -> None:
     """Measured twice, the same page and bytes; a rise above 2 % fails and can be accepted."""
     target("m7")
-    arguments = ("cost", DEMO3, "--targets", "m7", "--real", "float", "-o", str(tmp_path))
+    arguments = ("verify", DEMO3, "--cost", "--targets", "m7", "--real", "float", "-o", str(tmp_path))
     printed = run(*arguments, "--accept")
     assert printed.exit_code == 0
     first = {file.name: file.read_bytes() for file in tmp_path.iterdir()}
@@ -149,15 +149,14 @@ def test_usage() -> None:
         ("m3", "float"),
         ("m4", "float"),
     ]
-    assert "frames of the stack are known of gcc only" in refused("cost", DEMO3, "--targets", "m7-clang")
-    assert "one of them" in refused("cost", DEMO3, "--check", "--accept")
-    assert "no such file" in refused("cost", DEMO3, "--check", "-o", "nowhere")
+    assert "frames of the stack are known of gcc only" in refused("verify", DEMO3, "--cost", "--targets", "m7-clang")
+    assert "which is missing" in refused("verify", DEMO3, "--cost", "--accept")
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"targets": [{}]}', '{"targets": 3}'])
 def test_other_files_are_refused(text: str, tmp_path: Path) -> None:
     (tmp_path / "cost.json").write_text(text)
-    assert "no figures of `mahovik cost`" in refused("cost", DEMO3, "--check", "-o", str(tmp_path))
+    assert "no figures of `mahovik verify --cost`" in refused("verify", DEMO3, str(tmp_path), "--cost")
 
 
 @pytest.mark.slow

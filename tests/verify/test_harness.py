@@ -240,5 +240,5 @@ def test_the_conclusion_says_the_worst_of_what_has_the_limit_of_the_report() -> 
 
 def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:
     run("generate", DEMO3, "--real", "float", "-o", str(tmp_path))
-    said = refused("verify", DEMO3, "--against", str(tmp_path), "--real", "double")
+    said = refused("verify", DEMO3, str(tmp_path), "--real", "double")
     assert said == f"error: {tmp_path / 'demo3.h'}: its C is float, expected double: give --real float\n"

@@ -200,3 +200,19 @@ def by_flywheel(
     if len(given) != len(names):
         raise UsageError(f"{name}: {len(given)} numbers, but the stand has {len(names)} flywheels")
     return [quantity(f"{name} of {own}", value, dimension) for own, value in zip(names, given, strict=True)]
+
+
+def refuse_stand_file(name: str, path: str | Path, expected: str) -> None:
+    """Raise UsageError where a stand file is given in the place of another file.
+
+    Readers of other files would list every key of it as unknown, and not say what the file is.
+    """
+    import tomllib
+
+    if Path(path).suffix == ".toml" and Path(path).is_file():
+        try:
+            found = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return  # the reader says what is wrong with it
+        if "schema" in found and "carrier" in found:
+            raise UsageError(f"{name} {path}: this is a stand file, expected {expected}")

@@ -59,17 +59,20 @@ import click
 from mahovik import __version__
 from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.cli import OLD, old_command, old_ends  # until each is a function
 
 if TYPE_CHECKING:
     from mahovik.out.result import Result
 
 COMMANDS: dict[str, dict[str, str]] = {
     "A stand": {
+        "new": "Copy an example stand, or make one of a model.",
         "check": "Validate a stand; print its figures.",
     },
     "Its C, and the evidence": {
         "generate": "Write the C of a stand, or a project around it.",
+        "verify": "Judge the C, a programme or a board's log.",
+        "judge": "Judge a program of yours, and find its fault.",
+        "evidence": "Collect the evidence for the C in one folder.",
         "eval": "Evaluate states from standard input.",
     },
     "Motion and vibration": {
@@ -173,7 +176,7 @@ def _is_stream(hint: Any) -> bool:
 def _split(hint: Any) -> tuple[str | None, list[Any]]:
     """Word for the value of an annotation, and its alternatives without None."""
     if typing.get_origin(hint) is typing.Annotated:
-        inside, word = typing.get_args(hint)
+        inside, *_, word = typing.get_args(hint)
         return word, _split(inside)[1]
     if typing.get_origin(hint) in (typing.Union, types.UnionType):
         parts = [_split(part) for part in typing.get_args(hint) if part is not type(None)]
@@ -358,11 +361,9 @@ class _Commands(click.Group):
     """The group, whose commands are made when they are asked for."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        return list(chain.from_iterable((COMMANDS | OLD).values()))
+        return list(chain.from_iterable(COMMANDS.values()))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        if cmd_name in chain.from_iterable(OLD.values()):
-            return old_command(cmd_name)
         return make_command(cmd_name) if cmd_name in self.list_commands(ctx) else None
 
     def resolve_command(
@@ -375,7 +376,7 @@ class _Commands(click.Group):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Commands under their headings; the options are in the usage line."""
         width = max(map(len, self.list_commands(ctx)))
-        for title, commands in (COMMANDS | {title: dict.fromkeys(names, "") for title, names in OLD.items()}).items():
+        for title, commands in COMMANDS.items():
             formatter.write_heading(title)
             formatter.indent()
             formatter.write_dl([(name.ljust(width), words) for name, words in commands.items()])
@@ -386,7 +387,7 @@ class _Commands(click.Group):
             return super().make_context(*given, **more)
 
     def invoke(self, ctx: click.Context) -> Any:
-        with _ends(), old_ends(ctx):
+        with _ends():
             return super().invoke(ctx)
 
 

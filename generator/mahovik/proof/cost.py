@@ -237,7 +237,7 @@ def read_accepted_costs(folder: Path, stand: Stand) -> dict[str, Any] | None:
             return dict(costs)
     except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
         pass
-    raise UsageError(f"{path}: no figures of `mahovik cost` for {stand.name}: restore it, or move it away")
+    raise UsageError(f"{path}: no figures of `mahovik verify --cost` for {stand.name}: restore it, or move it away")
 
 
 def require_place(folder: Path, stand: Stand) -> None:

@@ -182,7 +182,7 @@ def _run_selftest(subject: Subject) -> str:
         f"cc -std=c99 -O2 -ffp-contract=off -D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest} -o selftest"
     )
     some = f" --only {','.join(subject.only)}" if subject.only else ""
-    return f"{build} && ./selftest > selftest.log; mahovik judge-log {subject.file} --log selftest.log{some}"
+    return f"{build} && ./selftest > selftest.log; mahovik verify {subject.file} selftest.log{some}"
 
 
 LEAST_BRANCHES = 82
@@ -267,7 +267,7 @@ PIECES: tuple[Piece, ...] = (
         name="selftest",
         title="Self-test that travels with the C",
         shows="Every public function has the bits of the interpreter: compiler and processor changed nothing.",
-        limits="That equations are right: it compares the C with its own program. `mahovik judge-log` judges boards.",
+        limits="That equations are right: it compares the C with its own program. `mahovik verify` judges boards.",
         command=_run_selftest,
         figure=r"\A(?:PASS)?\s*(.*)",
         kept=("selftest.log",),
@@ -296,7 +296,7 @@ PIECES: tuple[Piece, ...] = (
             "a machine that bends, leaks or slips. Errors are relative to how much an answer moves with its inputs."
         ),
         command=lambda s: (
-            f"mahovik verify {s.file} --against c --states {2000 if s.full else 200} --junit junit.xml --all"
+            f"mahovik verify {s.file} c --states {2000 if s.full else 200} --junit junit.xml --all"
         ),
         kept=("junit.xml", "*-worst.jsonl"),
         needs=lambda _: (program("gcc"), *map(module, ("numpy", "casadi", "sympy"))),
@@ -306,7 +306,7 @@ PIECES: tuple[Piece, ...] = (
         title="Rounding, bounded",
         shows="Ball arithmetic encloses the exact answer at each state: the error of the C is known, not estimated.",
         limits="States that were not sampled: it is a measurement with a rigorous ruler, not a bound for all inputs.",
-        command=lambda s: f"mahovik verify {s.file} --rigorous --states {300 if s.full else 60} --against c",
+        command=lambda s: f"mahovik verify {s.file} c --rigorous --states {300 if s.full else 60} ",
         needs=lambda _: (program("gcc"), module("flint", "python-flint", "rigorous")),
     ),
     Piece(
@@ -373,8 +373,8 @@ PIECES: tuple[Piece, ...] = (
         name="targets",
         title="The same bits on processors",
         shows="The self-test and a sweep give on each of these, on emulators, the bits that they give on the host.",
-        limits="Real silicon: run the self-test on the board, and judge its log by `mahovik judge-log`.",
-        command=lambda s: f"mahovik verify {s.file} --targets {_targets(s)} --against c",
+        limits="Real silicon: run the self-test on the board, and judge its log by `mahovik verify`.",
+        command=lambda s: f"mahovik verify {s.file} c --targets {_targets(s)}",
         needs=lambda s: _target_tools(_targets(s), s.real),
     ),
     Piece(
@@ -382,7 +382,7 @@ PIECES: tuple[Piece, ...] = (
         title="Instructions, stack, code",
         shows="What a call costs at ordinary states, counted on emulators; the stack over the graph of calls.",
         limits="Time: instructions are not cycles. The worst case of all inputs, which branches may exceed.",
-        command=lambda s: f"mahovik cost {s.file} -o c --targets {_COST_TARGETS[s.real]} --real {s.real}",
+        command=lambda s: f"mahovik verify {s.file} c --cost --targets {_COST_TARGETS[s.real]} --real {s.real}",
         figure=r"\A[\s\S]*?^\| `forward` \| ([\d,]+) \|",
         words="forward {} instructions",
         needs=lambda s: _target_tools(_COST_TARGETS[s.real], s.real),

@@ -3,6 +3,6 @@ mahovik evidence --check out
 echo more >> out/c/demo3.c
 mahovik evidence --check out
 mahovik evidence $STANDS/demo3.toml --only deliver -o other
-mahovik cost $STANDS/demo3.toml --targets m8
-mahovik cost $STANDS/demo3.toml --check
+mahovik verify $STANDS/demo3.toml --cost --targets m8
+mahovik verify $STANDS/demo3.toml --cost --accept
 ONLY_PATH=/nowhere mahovik check --tools | grep -v 'extra\|───'

@@ -4,7 +4,7 @@ cat > m.json <<END
 END
 plan="mahovik plan $STANDS/shaker2.toml --motion"
 $plan m.json --free "*t.unbalance.static" --stand new.toml -o p.json
-mahovik verify-programme new.toml --motion m.json --programme p.json | tail -1
+mahovik verify new.toml p.json --motion m.json | tail -1
 sed 's/3 kg mm/3 mm/' m.json > bad.json
 $plan bad.json --free "*t.unbalance.static"
 $plan m.json --free "left.center_of_mass[0]"

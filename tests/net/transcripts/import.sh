@@ -5,9 +5,9 @@ cat > car.urdf <<END
  <joint name="spin" type="continuous"><parent link="body"/><child link="rotor"/><origin xyz="0 0 0.1"/><axis xyz="0 0 1"/></joint>
 </robot>
 END
-mahovik import urdf car.urdf
+mahovik new car.urdf
 mahovik check car.toml
 sed 's/continuous/prismatic/' car.urdf > slider.urdf
-mahovik import urdf slider.urdf -o slider.toml
-mahovik import mjcf car.urdf -o mjcf.toml
-mahovik import urdf missing.urdf
+mahovik new slider.urdf -o slider.toml
+mahovik new car.urdf -o mjcf.toml
+mahovik new missing.urdf

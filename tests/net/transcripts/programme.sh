@@ -2,9 +2,9 @@ mahovik new shaker2
 spin="--motion shaker2_spin.motion.json"
 mahovik plan shaker2.toml $spin -o p.json
 # where a residual that is nearly 0 is largest depends on the machine
-mahovik verify-programme shaker2.toml $spin --programme p.json | sed '/^ *\(residual\|simulation\|0\.0\)/d'
-mahovik verify-programme shaker2.toml --motion shaker2.motion.json --programme p.json | sed '/^ *\(residual\|simulation\|0\.0\)/d'
-mahovik verify-programme shaker2.toml --motion p.json --programme shaker2_spin.motion.json
+mahovik verify shaker2.toml p.json $spin | sed '/^ *\(residual\|simulation\|0\.0\)/d'
+mahovik verify shaker2.toml p.json --motion shaker2.motion.json | sed '/^ *\(residual\|simulation\|0\.0\)/d'
+mahovik verify shaker2.toml shaker2_spin.motion.json --motion p.json
 mahovik plan shaker2.toml --motion missing.json -o q.json
 mahovik plan shaker2.toml $spin -o q.json --stand n.toml
 mahovik plan shaker2.toml $spin -o q.json --method guess

@@ -1,4 +1,4 @@
-"""The C of servos is judged by `verify --servo --against`, the matrix of a trim from its definition; faults fail."""
+"""The C of servos is judged by `verify FOLDER --servo`, the matrix of a trim from its definition; faults fail."""
 
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
         judged(tmp_path, "")
     for wrong in ("{", "[]", text.replace('"double"', '["double"]')):
         facts.write_text(wrong)
-        with pytest.raises(UsageError, match="not as `mahovik export servo` writes it"):
+        with pytest.raises(UsageError, match="not as `mahovik generate --servo` writes it"):
             judged(tmp_path, "")
     facts.write_text(text)
     source.write_text("#error no\n")
@@ -136,16 +136,15 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     (tmp_path / "S.toml").write_text(HEAD + TRIM)
     given = ["verify", str(path("shaker2")), "--servo", str(tmp_path / "S.toml")]
     spin = str(path("shaker2").with_name("shaker2_spin.motion.json"))
-    good = run(*given, "--against", str(tmp_path), "--motion", spin, "--junit", str(tmp_path / "j.xml"))
+    good = run(*given, str(tmp_path), "--motion", spin, "--junit", str(tmp_path / "j.xml"))
     assert good.exit_code == 0, good.output
     assert "trim_step" in good.output
     assert 'failures="0"' in (tmp_path / "j.xml").read_text()
     source.write_text(changed(r"found - design->matrix", "found + design->matrix")(source.read_text()))
-    bad = run(*given, "--against", str(tmp_path), "--json")
+    bad = run(*given, str(tmp_path), "--json")
     assert bad.exit_code == 1
     assert '"quantity": "wanted"' in bad.output
-    assert "--servo: no C is given; give its folder, as --against DIR" in refused(*given)
-    assert "-o: not with --servo" in refused(*given, "--against", str(tmp_path), "-o", "w.jsonl")
+    assert "--servo: its C is in a FOLDER, which is missing" in refused(*given)
     assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
 
 

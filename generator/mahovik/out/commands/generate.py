@@ -277,9 +277,9 @@ def _result(
         ),
         rows="files",
         index="file",
-        meta={"folder": str(folder), "texts": {name: text for name, text in texts.items() if isinstance(text, str)}},
+        meta={"folder": str(folder)},
         messages=lines,
-        details=("folder", "texts"),
+        details=("folder",),
     )
 
 

@@ -13,8 +13,8 @@ from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError
 
 ROOTS = {
-    "robot": "a URDF: mahovik import urdf",
-    "mujoco": "an MJCF: mahovik import mjcf",
+    "robot": "a URDF: mahovik new",
+    "mujoco": "an MJCF: mahovik new",
     "sdf": "an SDF, which has no reader here",
 }
 """Kinds of files by their root element."""

@@ -173,7 +173,7 @@ def _check_folder(folder: Path, stand: Stand, real: str) -> None:
     header = read_header(folder, stand.name)
     if header is None or not path.with_suffix(".c").is_file():
         missing = path if header is None else path.with_suffix(".c")
-        raise UsageError(f"{missing}: no such file; --against wants the folder with {stand.name}.h and {stand.name}.c")
+        raise UsageError(f"{missing}: no such file; expected a folder with {stand.name}.h and {stand.name}.c")
     expected = identities(stand)
     for kind in ("structure", "physics"):
         have, want = getattr(header, kind), getattr(expected, kind)

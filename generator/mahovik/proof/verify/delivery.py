@@ -33,7 +33,7 @@ from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.writing import write_all
 
 COST_PAGE = "COST.md"
-"""Measured cost of the C whose SHA-256 it names; `mahovik cost` writes it, the manifest does not list it."""
+"""Measured cost of the C whose SHA-256 it names; `mahovik verify --cost` writes it, the manifest does not list it."""
 
 FIGURES = "cost.json"
 """Accepted figures, with which later C is compared; as unlisted."""
@@ -186,7 +186,7 @@ def deliver(
         if "/" not in name.removeprefix(VERIFICATION):  # a manifest may name anything
             stale[folder / name] = "is no longer delivered"
     if is_cost_page(folder, stand) and not _is_measured_on(folder, files.get(f"{stand.name}.c", "")):
-        stale[folder / COST_PAGE] = "was measured on other C: measure again with `mahovik cost`"
+        stale[folder / COST_PAGE] = "was measured on other C: measure again with `mahovik verify --cost`"
     paths = write_all(folder, written)
     if made_by:
         paths += write_all(folder, {PROVENANCE: made_by})
@@ -209,7 +209,7 @@ def is_cost_page(folder: Path, stand: Stand) -> bool:
     """Whether a folder has a COST.md of this stand."""
     path = folder / COST_PAGE
     return path.is_file() and path.read_bytes().startswith(
-        f"# Cost of {stand.name}\n\nWritten by `mahovik cost`".encode()
+        f"# Cost of {stand.name}\n\nWritten by `mahovik verify --cost`".encode()
     )
 
 

@@ -6,25 +6,28 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.contract.functions import ALL_WANTS
-from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.core.stand.state import State
-from mahovik.errors import CheckError, UsageError, above_zero
-from mahovik.nearest import suggestion
-from mahovik.out.api.stands import Stand
-from mahovik.out.arguments import Number, time
-from mahovik.out.functions.evidence import Verification
-from mahovik.out.notices import OnProgress, Progress, tell, warn
+from mahovik.errors import CheckError, UsageError, above_zero, whole_number
+from mahovik.nearest import names_in, suggestion
+from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, refuse_stand_file, time
+from mahovik.out.commands.verify import report_result
+from mahovik.out.notices import Progress, tell, warn
+from mahovik.out.result import Result
 
 if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand as CoreStand
+    from mahovik.core.stand.state import State
     from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.verify.check import Report
-    from mahovik.proof.verify.foreign import Attitude, Program
+    from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.states import Request
 
-States = Sequence[tuple[str, State]]
+StandPath = Annotated[str | Path, "STAND.toml"]
+Command = Annotated[str, "COMMAND"]
+
+States = Sequence[tuple[str, "State"]]
 Answers = Callable[["Request"], Mapping[str, Any]]
 
 ROWS_OF_FAULTS = 14
@@ -61,67 +64,110 @@ class Judged:
 
 
 def judge(
-    stand: str | Path,
-    command: str | None = None,
+    stand: StandPath,
     *,
-    log: str | Path | None = None,
-    fmu: str | Path | None = None,
-    variables: str | Path | None = None,
-    attitude: Attitude | None = None,
+    with_: Command | None = None,
+    fmu: FilePath | None = None,
+    map: FilePath | None = None,
+    log: FilePath | None = None,
+    attitude: Literal["quaternion", "angles"] | None = None,
+    want: Names = (),
     explain: bool = False,
-    want: Sequence[str] = (),
-    states: int = STATES,
+    states: int | None = None,
     seed: int = 1,
     tolerance: float = 1e-12,
-    timeout: Number = 300.0,
-    progress: OnProgress | None = None,
-) -> Verification:
-    """Judge a program that implements the contract of `eval`, an FMU, or a log of states, and find its fault.
+    timeout: Seconds | None = None,
+    junit: FilePath | None = None,
+    worst: FilePath | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Judge a program, an FMU or a log by the reference, and find its fault.
 
-    stand      path of the stand file, which the program reads; `{stand}` in `command` stands for it
-    log        CSV or Parquet file in place of a program, with the columns of `simulate`; all its rows are judged
-    fmu        FMU in place of a program; variables: the file that maps its variables
-    attitude   how a program is given attitudes, "quaternion" or "angles"; default: some states each way
-    explain    name the fault where it differs; want: wants it must offer, default those that it offers
-    tolerance  relative to the natural scale; timeout of the program, s, or a text with a unit
+    Starts a program, gives it states, and compares every quantity that it offers with the literal reference. With
+    --explain a program that differs gets more states, and its error is compared with wrong readings, then with wrong
+    numbers of the stand file; where none is the cause, the few wrong terms are found whose sum is the error. An FMU is
+    a program too. A log has states of its own: all its rows are compared. `mahovik new adapter` writes a program to
+    begin with, which says what the contract of both is. Exit status 1 where it does not agree.
 
-    A program that dies or hangs gives a result with an `error`. Raises StandError, DataError, UsageError where it
-    cannot start.
+    Args:
+        stand: the stand file, which the program reads.
+        with_: start this program; {stand} stands for the stand file.
+        fmu: judge this FMU instead, with --map.
+        map: read from this file what the variables of the FMU are.
+        log: judge this log of states and accelerations instead, with the columns of `simulate`.
+        attitude: give attitudes in this form; default some states each way.
+        want: wants that the program must offer; default those that it offers.
+        explain: name the fault in its equations if it differs.
+        states: number of states; default 200.
+        seed: seed of the random states.
+        tolerance: accepted difference, relative to the natural scale.
+        timeout: limit of the time of the program, s or "5 min"; default 5 min.
+        junit: write the table as JUnit XML too.
+        worst: write the states of the largest differences, for `eval`.
+
+    Raises:
+        UsageError: options that contradict one another, a program that cannot be started.
+        DataError: a log that cannot be read.
     """
-    own, longest, wants = Stand.of(stand), time("timeout", timeout), tuple(want)
+    from mahovik.out.api.stands import Stand
+
+    own, wants = Stand.of(stand), names_in("want", want) if want else ()
+    longest = 300.0 if timeout is None else time("timeout", timeout)
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
-    if unknown := [each for each in want if each not in ALL_WANTS]:
+    whole_number("states", 1 if states is None else states)
+    if unknown := [each for each in wants if each not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
-    judged = [name for name, each in (("--with", command), ("--log", log), ("--fmu", fmu)) if each is not None]
+    for name in ("with_", "fmu", "map", "log"):
+        given = {"with_": None, "fmu": "an FMU", "map": "a map of variables", "log": "a log"}[name]
+        path = {"with_": None, "fmu": fmu, "map": map, "log": log}[name]
+        if given is not None and path is not None:
+            refuse_stand_file(name, path, given)
+    judged = [name for name, each in (("with_", with_), ("log", log), ("fmu", fmu)) if each is not None]
     if len(judged) != 1:
-        raise UsageError(f"--with, --log, --fmu: found {' and '.join(judged) or 'none'}, expected one of them")
-    if (fmu is None) != (variables is None):
-        raise UsageError("--fmu, --map: one is missing, expected both")
-    if attitude is not None and command is None:
-        raise UsageError("--attitude: only of a program, --with; a map and a log have their own attitudes")
-    if attitude not in (None, "quaternion", "angles"):
-        raise UsageError(f'attitude: found "{attitude}", expected "quaternion" or "angles"')
+        found_words = " and ".join(judged) if judged else "none"
+        raise UsageError(f"with_, log, fmu: found {found_words}, expected one of them")
+    if (fmu is None) != (map is None):
+        raise UsageError("fmu, map: one is missing, expected both")
+    if attitude is not None and with_ is None:
+        raise UsageError("attitude: only of a program, --with; a map and a log have their own attitudes")
+    if log is not None and (states is not None or timeout is not None):
+        raise UsageError(f"{'timeout' if states is None else 'states'}: not with --log, of which all rows are judged")
     from mahovik.proof.verify.fmu import fmu_program
     from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
-        tell(progress, Progress(f"judge {next(x for x in (command, log, fmu) if x is not None)}"))
+        tell(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:
-            return _explained(own, _judge_log(own, Path(log), wants, tolerance), explain, seed, progress)
-        if fmu is not None and variables is not None:
-            program = fmu_program(Path(fmu), Path(unpacked), Path(variables), own, str(stand))
+            return _result(
+                *_explained(own, _judge_log(own, Path(log), wants, tolerance), explain, seed, progress), junit, worst
+            )
+        if fmu is not None and map is not None:
+            program = fmu_program(Path(fmu), Path(unpacked), Path(map), own, str(stand))
         else:
-            program = program_of(str(command), str(stand), attitude)
+            program = program_of(str(with_), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(own, program, longest))
-        found = verify_program(own, program, wants=wants, seed=seed, count=states, timeout=longest, tolerance=tolerance)
+        count = STATES if states is None else states
+        found = verify_program(own, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance)
 
         def answers(requests: Sequence[Request]) -> Answers:
             results = answers_of_program(program, requests, longest)
             by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
             return lambda request: by_id[request.id]
 
-        return _explained(own, Judged(found, answers, tolerance, program=program), explain, seed, progress)
+        judged_program = Judged(found, answers, tolerance, program=program)
+        return _result(*_explained(own, judged_program, explain, seed, progress), junit, worst)
+
+
+def _result(found: Report, diagnosis: Diagnosis | None, junit: Any, worst: Any) -> Result:
+    """The verdict, with the diagnosis in JSON and in sentences."""
+    if diagnosis is None:
+        return report_result(found, everything=True, junit=junit, worst=worst)
+    from mahovik.proof.diagnose.diagnosis import as_object, sentences
+
+    more = {"diagnosis": as_object(diagnosis)}
+    words = sentences(diagnosis)
+    return report_result(found, more=more, words=words, everything=True, junit=junit, worst=worst)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -166,15 +212,17 @@ def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: 
     return Judged(found, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
 
 
-def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: OnProgress | None) -> Verification:
+def _explained(
+    stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: Progressing
+) -> tuple[Report, Diagnosis | None]:
     """The verdict with its diagnosis, where one is asked for and possible."""
     if not explain or judged.found.error:
-        return Verification(judged.found)
+        return judged.found, None
     tell(progress, Progress("distinguish faults"))
     try:
-        return Verification(judged.found, _diagnosis(stand, judged, seed))
+        return judged.found, _diagnosis(stand, judged, seed)
     except CheckError as error:
-        return Verification(replace(judged.found, error=str(error)))
+        return replace(judged.found, error=str(error)), None
 
 
 def _diagnosis(stand: CoreStand, judged: Judged, seed: int) -> Diagnosis:
@@ -191,6 +239,8 @@ def _diagnosis(stand: CoreStand, judged: Judged, seed: int) -> Diagnosis:
     if not offered:
         return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
     rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
+    from mahovik.out.api.stands import Stand
+
     document = Stand.of(stand).to_dict()
     diagnoser = Diagnoser(
         stand, document, seed=seed, wants=offered, states=rows, tolerance=judged.tolerance, program=program

@@ -1,0 +1,114 @@
+"""`evidence`: all evidence for the C of a stand, in one folder."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Literal
+
+from mahovik.errors import CheckError, UsageError, whole_number
+from mahovik.out.arguments import Folder, Progressing, StandGiven, Text
+from mahovik.out.notices import Progress, tell
+from mahovik.out.result import Result, column
+
+FUZZ_SECONDS = (20, 600)
+"""s of fuzzing: quick, full."""
+
+
+def evidence(
+    stand: StandGiven | None = None,
+    *,
+    output: Folder | None = None,
+    full: bool = False,
+    only: Text | None = None,
+    without: Text | None = None,
+    seconds: int | None = None,
+    real: Literal["double", "float"] | None = None,
+    against: Folder | None = None,
+    check: Folder | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Collect the evidence for the C of a stand.
+
+    One folder to hand over: the C, every check that was run with its output and the command to repeat it, an index
+    page to read offline, and the SHA-256 of every file.
+
+    Exit status 1 if a piece failed, or none was run. A missing tool is listed with the command that installs it; it
+    counts as a failure if the environment has CI=true.
+
+    Args:
+        stand: the stand file.
+        output: write into this folder; default ./NAME-evidence of the stand.
+        full: run everything, possibly for hours; else fewer states, drivers and processors, for minutes.
+        only: run only these pieces, names between commas, and list the others as left out.
+        without: run all pieces but these.
+        seconds: fuzz for this number of seconds; default 20, with --full 600.
+        real: element type; default double.
+        against: use the prefix, element type, functions and additions of this folder.
+        check: check the SHA-256 sums of this folder only.
+
+    Raises:
+        UsageError: options that contradict one another.
+        CheckError: a piece failed, or none was run.
+    """
+    from mahovik.proof.evidence import PIECES, Verdict, as_dicts, collect, conclusion, failures, select_pieces
+    from mahovik.proof.evidence import check as differences
+
+    if check is not None:
+        if stand is not None or output is not None:
+            raise UsageError("check: checks a folder, without a stand file and -o")
+        if found := differences(Path(check)):
+            raise CheckError("\n".join(found))
+        return Result(f"{check}: every file is as it was written", meta={"folder": str(check)}, details=("folder",))
+    if not isinstance(stand, str | Path):
+        raise UsageError("stand: expected the path of a stand file, or --check DIR")
+    from mahovik.core.stand import load
+    from mahovik.core.stand.content import content
+    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
+
+    if seconds is not None:
+        whole_number("seconds", seconds, 1, 1_000_000)
+    own, options = load(stand), Options(real or "double")
+    if against is not None:
+        delivered = delivered_options(Path(against))
+        if delivered is None:
+            raise UsageError(f"against {against}: no manifest.json, expected a folder of `mahovik generate`")
+        if real is not None and real != delivered.real:
+            raise UsageError(f"against {against}: its C is {delivered.real}, expected {real}: leave --real out")
+        own, options = stand_in(Path(against), own), delivered
+    wanted = select_pieces(PIECES, only, without)
+    folder = Path(output) if output is not None else Path(f"{own.name}-evidence")
+    order = [each.name for each in PIECES if each.name in wanted]
+
+    def say(name: str, what: str) -> None:
+        """A line a piece where no terminal shows the progress."""
+        now = f"{order.index(name) + 1} of {len(order)}: {name}"
+        tell(progress, Progress(f"{now}, {what}" if what else now))
+        if not what and progress is not None and not sys.stderr.isatty():
+            print(now, file=sys.stderr)
+
+    outcomes = collect(
+        own, content(Path(stand)), folder, PIECES, options, full=full, seconds=seconds or FUZZ_SECONDS[full],
+        wanted=wanted, say=say,
+    )  # fmt: skip
+    strict = os.environ.get("CI", "").lower() in ("true", "1")
+    messages, bad = [conclusion(outcomes), str(folder / "index.html")], failures(outcomes, strict)
+    none = not any(outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for outcome in outcomes)
+    if none:
+        messages.append("no piece was run, so nothing is shown: install what the page names, or choose other pieces")
+    elif bad:
+        messages.append(f"{', '.join(bad)}: failed, or not run because a tool is missing")
+    return Result(
+        f"evidence for {own.name}",
+        (
+            column("piece", "", [each.piece.name for each in outcomes]),
+            column("verdict", "", [each.verdict.value for each in outcomes]),
+            column("figure", "", [each.figure for each in outcomes]),
+        ),
+        rows="table",
+        meta={"folder": str(folder), "conclusion": conclusion(outcomes), "pieces": as_dicts(outcomes)},
+        messages=messages,
+        ok=not (none or bad),
+        details=("folder", "conclusion", "pieces"),
+    )

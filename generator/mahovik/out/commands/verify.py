@@ -1,0 +1,442 @@
+"""`verify`: our C by two derivations, a delivered folder, a programme, the log of a board; what calls cost."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from textwrap import shorten
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from mahovik.errors import CheckError, UsageError, whole_number
+from mahovik.nearest import names_in
+from mahovik.out.arguments import (
+    FileGiven,
+    FilePath,
+    Names,
+    Progressing,
+    StandGiven,
+    Text,
+    motion_of,
+    programme_of,
+    servo_of,
+)
+from mahovik.out.notices import Progress, tell, warn
+from mahovik.out.result import Column, Result, column
+
+if TYPE_CHECKING:
+    from mahovik.core.stand.model import Stand
+    from mahovik.proof.verify.check import Check, Report
+
+MOST_FUNCTIONS = 20
+"""Functions in the short table; a check that failed is always there."""
+
+QUANTITY = 40
+"""Most columns of a quantity in it."""
+
+Subject = Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"]
+
+
+def verify(
+    stand: StandGiven,
+    subject: Subject | None = None,
+    *,
+    motion: FileGiven | None = None,
+    programme: FileGiven | None = None,
+    servo: FilePath | None = None,
+    name: Text = "programme",
+    only: Names = (),
+    states: int = 200,
+    seed: int = 1,
+    real: Literal["double", "float"] | None = None,
+    tolerance: float | None = None,
+    targets: Text | None = None,
+    cost: bool = False,
+    accept: bool = False,
+    judges: bool = False,
+    rigorous: bool = False,
+    all: bool = False,
+    junit: FilePath | None = None,
+    worst: FilePath | None = None,
+    progress: Progressing = None,
+) -> Result:
+    """Judge the C of a stand, a programme or a board's log.
+
+    Without a second argument, generates the C, compiles it with warnings as errors, evaluates random and extreme
+    states, and compares every quantity with the literal reference (worst), and that with the second derivation,
+    relative to its measured scale. A FOLDER of `mahovik generate` is judged as it is, with the name, element type and
+    functions that it has; with --programme or --servo the C of these there: every function by the law in plain NumPy.
+    A PROGRAMME.json is judged with its --motion by the literal reference and an adaptive integration, independent of
+    planning. A LOG is what the self-test printed on a board: every function must report PASS, and have the bits of this
+    machine.
+
+    --targets runs the self-test on emulated processors: the same bits? --cost counts instructions, stack, code and
+    constants there, into COST.md and cost.json of FOLDER; exit status 1 if a figure is more than 2 % above the accepted
+    one of the same compiler.
+
+    Exit status: 0 only if all agree; 2 also where a compiler or an emulator is missing.
+
+    Args:
+        stand: the stand file.
+        subject: folder, programme or log; default a fresh copy of the C.
+        motion: required motion of a programme.
+        programme: judge this programme, and its C in FOLDER; or along it the servos.
+        servo: judge the C of these servos in FOLDER.
+        name: name of the programme in C.
+        only: functions that a LOG has, as `generate --only` was given; default those of its default.
+        states: number of states.
+        seed: seed of the random states.
+        real: element type; default that of FOLDER, else double; of --targets both, of --cost that of each FPU.
+        tolerance: accepted relative residual of a programme, and 20 times it in simulation; default 1e-6, with damping
+            of V|V| 1e-5.
+        targets: processors, all, quick or m7,rv64gc,...; of --cost m4, m7, rv32imafc, rv64gc by default.
+        cost: measure what calls cost.
+        accept: accept the figures of --cost for later comparison.
+        judges: judge by Pinocchio and MuJoCo, without the laws that they do not know.
+        rigorous: bound the true error of the C by enclosures of the exact answer.
+        all: print every check, not a line for each function.
+        junit: write the table as JUnit XML too.
+        worst: write the states of the largest differences, for `eval`.
+
+    Raises:
+        UsageError: options that contradict one another.
+        ToolchainError: the C does not compile, or a tool is missing.
+        CheckError: C of another stand in FOLDER.
+    """
+    from mahovik.out.api.stands import Stand
+
+    own = Stand.of(stand)
+    whole_number("states", states)
+    whole_number("seed", seed, 0)
+    ways = {"targets": targets, "cost": cost, "judges": judges, "rigorous": rigorous, "servo": servo}
+    chosen = [way for way, value in ways.items() if value and not (way == "targets" and cost)]
+    if len(chosen) > 1:
+        raise UsageError(f"{', '.join(chosen)}: each is a verification of its own, expected one of them")
+    path = None if subject is None else Path(subject)
+    if path is not None and path.suffix == ".json":
+        return _programme(own, path, motion, tolerance, None, name, progress, junit)
+    if path is not None and path.is_file():
+        return _log(own, path, names_in("only", only))
+    if path is not None and not path.is_dir() and not cost:
+        raise UsageError(f"{path}: no such file or folder, expected a folder of C, a programme or a log")
+    if only:
+        raise UsageError("only: of a LOG, which is missing")
+    if path is None and servo is not None:
+        raise UsageError("servo: its C is in a FOLDER, which is missing")
+    if cost:
+        return _cost(own, path, targets, real, accept, progress)
+    if servo is not None and path is not None:
+        found = _servo(own, path, servo, programme, motion, name, seed, states)
+        return report_result(found, by="part", everything=True, junit=junit)
+    if programme is not None:
+        return _programme(own, programme, motion, tolerance, path, name, progress, junit)
+    found = _c(own, stand, path, ways, states, seed, real, progress)
+    by = "target" if targets else ""
+    if targets and not found.passed and not any(row.verdict == "FAILED" for row in found.rows):
+        from mahovik.errors import ToolchainError
+        from mahovik.proof.verify.check import conclusion
+
+        raise ToolchainError(f"{own.name}: {conclusion(found)}")
+    return report_result(found, by=by, everything=all or judges or bool(targets), junit=junit, worst=worst)
+
+
+def _c(
+    own: Stand, stand: Any, folder: Path | None, ways: Mapping[str, Any], states: int, seed: int, real: str | None,
+    progress: Progressing,
+) -> Report:  # fmt: skip
+    """The report on the C, of a folder or a fresh copy. Raises CheckError, ToolchainError, UsageError."""
+    from mahovik.out.api.stands import Stand
+    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
+
+    document: Mapping[str, Any] = Stand.of(own).to_dict()
+    if isinstance(stand, str | Path):
+        from mahovik.proof.second.reading import load_tables
+
+        document = load_tables(Path(stand))
+    there = Options()
+    if folder is not None:
+        own, there = stand_in(folder, own), delivered_options(folder) or Options()
+
+    def on_state(done: float, *_: object) -> None:
+        tell(progress, Progress(f"verify {own.name}", done, states))
+
+    if ways["judges"]:
+        if folder is not None or real == "float":
+            raise UsageError("judges: judge a fresh copy in double, not a FOLDER")
+        from mahovik.proof.verify.judges import verify_judges
+
+        return verify_judges(own, seed=seed, count=states, progress=on_state)
+    if ways["targets"]:
+        from mahovik.proof.verify.selftest import SWEEP, parse_targets, verify_targets
+
+        reals = (real or there.real,) if real or folder is not None else None
+        pairs = parse_targets(ways["targets"], reals)
+        return verify_targets(own, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
+    if ways["rigorous"]:
+        try:
+            from mahovik.proof.verify.rounding import measure_rounding
+        except ImportError as error:
+            if (error.name or "").partition(".")[0] != "flint":
+                raise
+            raise UsageError("rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
+        chosen = real or there.real
+        return measure_rounding(own, seed=seed, count=states, real=chosen, against=folder, progress=on_state)
+    from mahovik.proof.verify.harness import verify_c
+
+    chosen = real or there.real
+    return verify_c(own, seed=seed, count=states, against=folder, real=chosen, progress=on_state, document=document)
+
+
+def _servo(
+    own: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
+) -> Report:
+    """The report on the C of servos in a folder."""
+    from mahovik.proof.verify.exported import verify_servo
+    from mahovik.proof.verify.programme.verification import motion_check
+
+    if programme is not None and motion is None:
+        raise UsageError("programme: needs --motion M.json, which is missing")
+    course = None if programme is None else programme_of(programme)
+    required = None if motion is None else motion_of(motion, own, course)
+    if required is not None and course is not None and (other := motion_check(required, course)).failed:
+        raise UsageError(f"programme: {other.words}")
+    return verify_servo(
+        own, servo_of(servo, own), folder, motion=required, programme=course, name=name, seed=seed, count=states
+    )
+
+
+def _programme(
+    own: Stand, programme: Any, motion: Any, tolerance: float | None, folder: Path | None, name: str,
+    progress: Progressing, junit: Any,
+) -> Result:  # fmt: skip
+    """The result on a programme, and with `folder` on its C there."""
+    from mahovik.proof.verify.check import report
+    from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
+
+    if motion is None:
+        raise UsageError("motion: missing, expected --motion M.json, the required motion of the programme")
+    if tolerance is not None and not 1e-12 <= tolerance <= 0.1:
+        raise UsageError(f"tolerance {tolerance:g}: expected 1e-12 to 0.1")
+    course = programme_of(programme)
+    required = motion_of(motion, own, course)
+    tell(progress, Progress("by the reference"))
+    checks = verify_programme(own, required, course, tolerance=tolerance)
+    if folder is not None and not any(item.failed for item in checks):
+        from mahovik.proof.verify.exported import verify_compiled
+
+        checks += verify_compiled(own, ProgrammeCase.of(own, required, course, tolerance), folder, name)
+    failed = [item.quantity for item in checks if item.failed]
+    words = f"REFUSED: {', '.join(failed)}" if failed else "the programme is right"
+    if junit is not None:
+        _write_junit(junit, report(own, "programme", 0, len(checks), tolerance or 0.0, checks))
+    return Result(
+        f"programme of {required.name} on {own.name}",
+        (
+            column("item", "", [item.quantity for item in checks]),
+            column("value", "", [item.value for item in checks]),
+            column("limit", "", [item.limit for item in checks]),
+            column("verdict", "", ["FAILED" if item.failed else "ok" for item in checks]),
+            column("words", "", [item.words for item in checks]),
+        ),
+        rows="findings",
+        meta={"stand": own.name, "motion": required.name, "passed": not failed},
+        messages=[*(f"{item.quantity}: {item.words}" for item in checks if item.failed and item.words), words],
+        ok=not failed,
+        details=("stand", "motion", "passed", "words"),
+    )
+
+
+def _log(own: Stand, path: Path, only: tuple[str, ...]) -> Result:
+    """The result on the output of the self-test of a board. Raises CheckError with every problem."""
+    from mahovik.core.stand.content import TABLE, content
+    from mahovik.proof.verify.selftest import judge_log
+
+    found = judge_log(content(path, TABLE).decode("utf-8", "replace"), str(path), own, only)
+    if found.problems:
+        raise CheckError("\n".join(f"{path}: {line}" for line in found.problems))
+    return Result(
+        f"{'PASS' if not found.unchecked else 'not all of it was checked'}   {path}",
+        (
+            column("stand", "", [run.stand for run in found.runs]),
+            column("real", "", [run.real for run in found.runs]),
+            column("structure", "", [run.structure for run in found.runs]),
+            column("physics", "", [run.physics for run in found.runs]),
+            column("functions", "", [len(run.functions) for run in found.runs]),
+            column("sweep", "", [run.sweep for run in found.runs]),
+        ),
+        rows="runs",
+        meta={"checked": found.checked, "unchecked": found.unchecked},
+        messages=[f"not checked: {line}" for line in found.unchecked],
+        ok=not found.unchecked,
+        details=("unchecked",),
+    )
+
+
+def _cost(
+    own: Stand, folder: Path | None, targets: str | None, real: str | None, accept: bool, progress: Progressing
+) -> Result:
+    """What calls cost on processors, compared with accepted figures; written into a folder of the stand's C."""
+    from mahovik.proof import cost
+    from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, Options, delivered_options, stand_in
+    from mahovik.writing import write_all
+
+    if accept and folder is None:
+        raise UsageError("accept: the figures are those of a FOLDER, which is missing")
+    options = (delivered_options(folder) if folder is not None else None) or Options()
+    in_float = real is None and options.real == "float"
+    pairs, absent = cost.available(cost.parse_targets(targets, "float" if in_float else real))
+    for line in absent:
+        warn(f"left out: {line}")
+    before = None
+    if folder is not None:
+        own = stand_in(folder, own, UsageError)
+        cost.require_place(folder, own)
+        accepted = cost.read_accepted_costs(folder, own)
+        before = None if accepted is None else accepted["targets"]
+    tell(progress, Progress(f"cost of {own.name}"))
+    found = cost.measure(own, pairs, lambda *_: None, options.only, "recorder" in options.additions)
+    usual = targets is None and real is None and not absent
+    compared: Sequence[str] = ()
+    if before is not None and not accept:
+        result = cost.compare(found, before, () if in_float or not usual else cost.USUAL)
+        compared = result.compared
+        if result.rises or result.missing:
+            what = "the cost has risen" if result.rises else "not all figures are accepted"
+            lines = [*(f"rise: {x}" for x in result.rises), *(f"not accepted: {x}" for x in result.missing)]
+            raise CheckError("\n".join([*lines, f"{own.name}: {what}; nothing was written; --accept accepts it"]))
+    if folder is not None:
+        files = {COST_PAGE: cost.page(found)} if usual else {}
+        if accept or (before is None and usual):
+            files[FIGURES] = cost.as_json(found, before or ())
+        write_all(folder, files)
+    figures = json.loads(cost.as_json(found))
+    rows = [(target, function) for target in figures["targets"] for function in target["functions"]]
+    names = [key for key in (rows[0][1] if rows else {}) if key != "function"]
+    return Result(
+        f"cost of {own.name}: instructions and bytes",
+        (
+            column("target", "", [target["target"] for target, _ in rows]),
+            column("real", "", [target["real"] for target, _ in rows]),
+            column("function", "", [function["function"] for _, function in rows]),
+            *(column(key, "", [function[key] for _, function in rows]) for key in names),
+        ),
+        rows="functions",
+        meta=figures,
+        messages=[f"no rise on {'; '.join(compared)}"] if compared else [],
+        details=tuple(figures),
+    )
+
+
+def report_result(
+    found: Report, *, by: str = "", more: Mapping[str, Any] | None = None, words: Sequence[str] = (),
+    everything: bool = False, junit: Any = None, worst: Any = None,
+) -> Result:  # fmt: skip
+    """The result of a report: a line for each function in text, `rows` with every check in JSON.
+
+    by          head of the column of what is judged; more, words: further entries and sentences
+    everything  the text has every check too
+    """
+    from mahovik.contract.functions import ALL_WANTS, is_public
+    from mahovik.proof.verify.check import as_json, conclusion, worst_lines
+    from mahovik.writing import write
+
+    about = json.loads(as_json(found))
+    about.pop("rows")
+    named = {row.judged for row in found.rows if row.judged}
+    by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
+    if junit is not None:
+        _write_junit(junit, found)
+    messages = [f"error: {found.error}"] if found.error else []
+    if found.left_out:
+        messages.append(f"the stand without: {', '.join(found.left_out)}")
+    messages += [*words, "FAILED" if found.error else conclusion(found)]
+    if worst is not None and (lines := worst_lines(found)):
+        write(Path(worst), lines)
+        messages.append(f"worst states: {worst}")
+    checks = Result("", _check_columns(found.rows, by))
+    short, absent = _shortest(found.rows)
+    if not everything and absent:
+        text = f"not compared, --all says why: {', '.join(dict.fromkeys(absent))}"
+        messages.insert(0, shorten(text, 100, placeholder=" ..."))
+    return Result(
+        f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}",
+        () if everything else _short_columns(short, by),
+        rows="nearest",
+        meta=about | {"rows": checks} | dict(more or {}),
+        messages=messages,
+        ok=found.passed,
+        details=(*about, *(() if everything else ("rows",)), *(more or {})),
+        drawings=(_draw_shares,),
+    )
+
+
+def _write_junit(path: Any, found: Report) -> None:
+    from mahovik.proof.verify.check import as_junit
+    from mahovik.writing import write
+
+    write(Path(path), as_junit(found))
+
+
+def _check_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
+    """All there is to say of every check; the judged is named so in JSON, whatever heads it in text."""
+    return (
+        column("judged", "", [row.judged for row in rows]),
+        column("quantity", "", [row.quantity for row in rows]),
+        column("states", "", [row.states for row in rows]),
+        column("skipped", "", [row.skipped for row in rows]),
+        column("value", "", [row.value for row in rows]),
+        column("limit", "", [row.limit for row in rows]),
+        column("second", "", [row.second for row in rows]),
+        column("state", "", [row.state for row in rows]),
+        column("verdict", "", [row.verdict for row in rows]),
+        column("words", "", [row.words for row in rows]),
+    )
+
+
+def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
+    """Of each function the check that is nearest to its limit, with all that failed; names of what is not compared."""
+    groups: dict[str, list[Check]] = {}
+    for row in rows:
+        groups.setdefault(row.judged, []).append(row)
+    nearest: list[Check] = []
+    failed = [row for row in rows if row.failed]
+    absent = [row.judged or row.quantity for row in rows if row.verdict == "not compared"]
+    for name, group in groups.items():
+        good = [row for row in group if row.verdict == "ok"]
+        if name and good and not any(row.failed for row in group):
+            nearest.append(max(good, key=lambda row: row.share))
+        elif not name:
+            nearest += [row for row in good if not row.failed]
+        if any(row.verdict != "not compared" for row in group):
+            absent = [other for other in absent if other != name]
+    nearest.sort(key=lambda row: -row.share)
+    return [*failed, *nearest[:MOST_FUNCTIONS]], absent
+
+
+def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
+    def figures(row: Check) -> tuple[float, float]:
+        """The difference that is nearest to its limit, of the C or of the second derivation."""
+        if row.second is not None and row.second * row.limit > row.value * row.accepted_of_second:
+            return row.second, row.accepted_of_second
+        return row.value, row.limit
+
+    return (
+        column(by, "", [row.judged for row in rows]),
+        column("states", "", [row.states for row in rows]),
+        column("worst", "", [figures(row)[0] for row in rows]),
+        column("limit", "", [figures(row)[1] for row in rows]),
+        column("nearest to its limit", "", [shorten(row.quantity, QUANTITY, placeholder=" ...") for row in rows]),
+        column("verdict", "", [f"{row.verdict} {row.words if row.failed else ''}".strip() for row in rows]),
+    )
+
+
+def _draw_shares(found: Result, ax: Any) -> None:
+    """Differences over their limits, a bar each."""
+    import numpy as np
+
+    rows = [row for row in found.meta["rows"]._objects() if row["limit"]]
+    shares = [max(row["value"] or 0.0, row["second"] or 0.0) / row["limit"] for row in rows]
+    ax.barh(np.arange(len(rows)), np.maximum(shares, 1e-8))
+    ax.set_yticks(np.arange(len(rows)), [f"{row['judged']} {row['quantity']}" for row in rows], fontsize=5)
+    ax.set(xscale="log", title="difference as a share of its limit")
+    ax.axvline(1.0, color="black", linewidth=0.6)
