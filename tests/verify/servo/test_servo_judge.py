@@ -145,7 +145,7 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     assert bad.exit_code == 1
     assert '"quantity": "wanted"' in bad.output
     assert "--servo: its C is in a FOLDER, which is missing" in refused(*given)
-    assert "--name: no servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
+    assert "--name: no programme or servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
 
 
 def difference() -> float:

@@ -119,6 +119,8 @@ def verify(
         return _log(own, path, names_in("only", only))
     if path is not None and not path.is_dir() and not cost:
         raise UsageError(f"{path}: no such file or folder, expected a folder of C, a programme or a log")
+    if name != "programme" and servo is None and programme is None:
+        raise UsageError("name: no programme or servos are judged; give --programme or --servo")
     if only:
         raise UsageError("only: of a LOG, which is missing")
     if path is None and servo is not None:
