@@ -37,17 +37,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_877b601f
-#define bench8_default            bench8_default_f64_877b601f
-#define bench8_default_options    bench8_default_options_f64_877b601f
-#define bench8_forward            bench8_forward_f64_877b601f
-#define bench8_momentum           bench8_momentum_f64_877b601f
-#define bench8_torque             bench8_torque_f64_877b601f
-#define bench8_coupled            bench8_coupled_f64_877b601f
-#define bench8_step               bench8_step_f64_877b601f
-#define bench8_inverse            bench8_inverse_f64_877b601f
-#define bench8_inverse_fast       bench8_inverse_fast_f64_877b601f
-#define bench8_prepare            bench8_prepare_f64_877b601f
+#define bench8_default_parameters bench8_default_parameters_f64_31de59fe
+#define bench8_default            bench8_default_f64_31de59fe
+#define bench8_default_options    bench8_default_options_f64_31de59fe
+#define bench8_forward            bench8_forward_f64_31de59fe
+#define bench8_momentum           bench8_momentum_f64_31de59fe
+#define bench8_torque             bench8_torque_f64_31de59fe
+#define bench8_coupled            bench8_coupled_f64_31de59fe
+#define bench8_step               bench8_step_f64_31de59fe
+#define bench8_inverse            bench8_inverse_f64_31de59fe
+#define bench8_inverse_fast       bench8_inverse_fast_f64_31de59fe
+#define bench8_prepare            bench8_prepare_f64_31de59fe
 #endif
 
 #ifdef __cplusplus

@@ -25,6 +25,7 @@ from mahovik.out.commands.judge import judge as judge
 from mahovik.out.commands.modes import modes as modes
 from mahovik.out.commands.new import new as new
 from mahovik.out.commands.plan import plan as plan
+from mahovik.out.commands.replay import replay as replay
 from mahovik.out.commands.report import report as report
 from mahovik.out.commands.simulate import simulate as simulate
 from mahovik.out.commands.verify import verify as verify

@@ -42,7 +42,7 @@ BLOCKS = ("simulink", "basilisk")
 
 
 @dataclass
-class _Made:
+class _Contents:
     """What is to be written: files of the folder, those of which a user's own stay, files beside its manifest."""
 
     files: dict[str, str]
@@ -132,7 +132,7 @@ def generate(
     added = tuple(dict.fromkeys((*added, *(["batch"] if batch else []), *(there.additions if there else ()))))
     tell(progress, Progress(f"generate {own.name}"))
     if programme is not None and (folder / f"{own.name}.h").is_file():
-        made = _Made({})  # the C is there, and stays as it is
+        made = _Contents({})  # the C is there, and stays as it is
     else:
         made = _files(own, project, attitude, real or (there.real if there else None), chosen, added)
     if programme is not None:
@@ -141,7 +141,7 @@ def generate(
         return _compared(folder, own, made)
     if project is None and made.files:
         _warn(own, made, chosen)
-    return _written(folder, own, made, stand)
+    return _deliver(folder, own, made, stand)
 
 
 def _refuse_contradictions(
@@ -169,26 +169,26 @@ def _default_name(stand: Stand, project: str | None, attitude: Any) -> str:
 
 def _files(
     stand: Stand, project: str | None, attitude: Any, real: str | None, only: tuple[str, ...], added: tuple[str, ...]
-) -> _Made:
+) -> _Contents:
     """The files of the folder. Raises UsageError, StandError."""
     if attitude is None and project in BLOCKS:
         from mahovik.out.export.fmu import export_block
 
         if real == "float":
             raise UsageError(f"real: the block of {project} computes in double, leave it out")
-        return _Made(export_block(stand, project))
+        return _Contents(export_block(stand, project))
     if attitude is None and project in (None, "cmake", "fuzz"):
         if project == "cmake":
             from mahovik.out.export.cmake import cmake_project
 
-            return _Made(cmake_project(stand, real or "double", only, added))
+            return _Contents(cmake_project(stand, real or "double", only, added))
         if project == "fuzz":
             from mahovik.core.toolchain.fuzzing import fuzz_project
 
-            return _Made(fuzz_project(stand, real or "double"))
+            return _Contents(fuzz_project(stand, real or "double"))
         from mahovik.core.emit.delivery import delivery
 
-        return _Made(delivery(stand, real or "double", only, added))
+        return _Contents(delivery(stand, real or "double", only, added))
     from mahovik.core.toolchain.targets import TARGETS
     from mahovik.out.export.target import exportable
     from mahovik.out.export.target import project as board_project
@@ -201,11 +201,11 @@ def _files(
     if attitude is None:
         if added:
             raise UsageError("with_: a board has the self-test and nothing else")
-        return _Made(board_project(stand, board, real or board.real or "double", only), ("main.c",))
+        return _Contents(board_project(stand, board, real or board.real or "double", only), ("main.c",))
     from mahovik.out.export.attitude import attitude_project
 
     loop = attitude_project(stand, board, _loop_options(attitude), real or board.real or "double")
-    return _Made(loop.files, lines=tuple(loop.design.lines))
+    return _Contents(loop.files, lines=tuple(loop.design.lines))
 
 
 def _loop_options(attitude: Any) -> Any:
@@ -225,7 +225,7 @@ def _loop_options(attitude: Any) -> Any:
 
 
 def _add_programme(
-    made: _Made, stand: Stand, folder: Path, programme: Any, motion: Any, servo: Any, table: str, name: str,
+    made: _Contents, stand: Stand, folder: Path, programme: Any, motion: Any, servo: Any, table: str, name: str,
     real: str | None,
 ) -> None:  # fmt: skip
     """Add the files of a programme, and of its servos. Raises CheckError, UsageError."""
@@ -250,7 +250,7 @@ def _add_programme(
     refuse_foreign(folder, stand, "programme", made.programme, name)
 
 
-def _written(folder: Path, stand: Stand, made: _Made, given: Any) -> Result:
+def _deliver(folder: Path, stand: Stand, made: _Contents, given: Any) -> Result:
     from mahovik.core.stand.content import content
     from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.writing import write_all
@@ -283,7 +283,7 @@ def _result(
     )
 
 
-def _compared(folder: Path, stand: Stand, made: _Made) -> Result:
+def _compared(folder: Path, stand: Stand, made: _Contents) -> Result:
     """Whether a folder is as the stand file gives it. A file that is the user's to change is not compared."""
     from mahovik.proof.verify.delivery import differences
 
@@ -298,7 +298,7 @@ def _compared(folder: Path, stand: Stand, made: _Made) -> Result:
     return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
 
 
-def _warn(stand: Stand, made: _Made, only: tuple[str, ...]) -> None:
+def _warn(stand: Stand, made: _Contents, only: tuple[str, ...]) -> None:
     """Warn of what float does not resolve, of tasks out of reach, of a singular (12), as `mahovik check` does."""
     import json
 

@@ -100,10 +100,10 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
     texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
     if called not in (None, name):
         texts[target.name] = texts[target.name].replace(f'\nname = "{name}"\n', f'\nname = "{called}"\n', 1)
-    return _written(write_all(target.parent, texts), messages, alone)
+    return _list_of(write_all(target.parent, texts), messages, alone)
 
 
-def _written(paths: Any, messages: Any, through: bool = False) -> Result:
+def _list_of(paths: Any, messages: Any, through: bool = False) -> Result:
     """The files; to a device or a FIFO, which may be standard output, nothing more is said."""
     files = [str(path) for path in paths]
     return Result("", meta={"files": files}, messages=messages, details=("files",) if through else ())
@@ -129,7 +129,7 @@ def _adapter(path: Path, called: str | None) -> Result:
         if shape != ("m",) and name not in ("angles", "wrench")
     ]
     write(path, template(f"adapter{suffix}.j2").render(contract=text_lines(), zeros=zeros, file=path.name))
-    return _written([path], (), is_written_through(path))
+    return _list_of([path], (), is_written_through(path))
 
 
 def _import(
@@ -176,7 +176,7 @@ def _import(
     stand = made.stand
     parts = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
     words = [f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in parts if n or noun == "flywheel"]
-    return _written([target], [f"carrier {made.carrier}, {', '.join(words)}", *made.notes, comparison])
+    return _list_of([target], [f"carrier {made.carrier}, {', '.join(words)}", *made.notes, comparison])
 
 
 def _vector(gravity: Any) -> Any:
