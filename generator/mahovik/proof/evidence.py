@@ -296,9 +296,9 @@ PIECES: tuple[Piece, ...] = (
             "a machine that bends, leaks or slips. Errors are relative to how much an answer moves with its inputs."
         ),
         command=lambda s: (
-            f"mahovik verify {s.file} c --states {2000 if s.full else 200} --junit junit.xml --all"
+            f"mahovik verify {s.file} c --states {2000 if s.full else 200} --junit junit.xml --worst worst.jsonl --all"
         ),
-        kept=("junit.xml", "*-worst.jsonl"),
+        kept=("junit.xml", "worst.jsonl"),
         needs=lambda _: (program("gcc"), *map(module, ("numpy", "casadi", "sympy"))),
     ),
     Piece(
@@ -306,7 +306,7 @@ PIECES: tuple[Piece, ...] = (
         title="Rounding, bounded",
         shows="Ball arithmetic encloses the exact answer at each state: the error of the C is known, not estimated.",
         limits="States that were not sampled: it is a measurement with a rigorous ruler, not a bound for all inputs.",
-        command=lambda s: f"mahovik verify {s.file} c --rigorous --states {300 if s.full else 60} ",
+        command=lambda s: f"mahovik verify {s.file} c --rigorous --states {300 if s.full else 60}",
         needs=lambda _: (program("gcc"), module("flint", "python-flint", "rigorous")),
     ),
     Piece(
