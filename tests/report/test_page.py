@@ -14,8 +14,8 @@ from mahovik.core.stand import load
 from mahovik.out.api.stands import Stand
 from mahovik.out.commands.check import check
 from mahovik.out.commands.report import limits_part, modes_part, report, requirements_part, vibration_part
-from mahovik.out.report.page import Part, figure, page, picture, table, write_page
-from mahovik.out.report.plots import Line, Mark, Panel
+from mahovik.out.report.page import Part, figure, page, picture, table
+from mahovik.out.report.plots import Line, Panel
 from report.chromium import Opened, launched
 from report.reports import read, words
 
@@ -30,7 +30,7 @@ def stand_of(name: str) -> Stand:
 @pytest.mark.parametrize(
     ("value", "text"),
     [
-        (0.0, "0"), (-0.0, "0"), (-12.5, "−12.5"), (0.00012345678, "0.00012346"), (123456.7, "123\u202f457"),
+        (0.0, "0"), (-0.0, "0"), (-12.5, "−12.5"), (0.00012345678, "0.00012346"), (123456.7, "1.2346·10<sup>5</sup>"),
         (1234.5678, "1234.6"), (9.999999, "10"), (1e7, "1·10<sup>7</sup>"), (-2.5e-9, "−2.5·10<sup>−9</sup>"),
         (math.inf, "∞"), (-math.inf, "−∞"), (math.nan, "–"),
     ],
@@ -39,15 +39,13 @@ def test_a_figure_is_printed_as_one_writes_it(value: float, text: str) -> None:
     assert figure(value) == text
 
 
-def test_text_is_escaped_and_nothing_is_loaded(tmp_path: Path) -> None:
+def test_text_is_escaped_and_nothing_is_loaded() -> None:
     evil, x = '<script>alert("&")</script>', np.arange(3.0)
-    drawn = (Panel(evil, (Line(evil, x, x, tag=evil),), note=evil, abscissa=evil, marks=(Mark(1.0, 1.0, evil),)),)
+    drawn = (Panel(evil, (Line(evil, x, x, tag=evil),), note=evil, abscissa=evil, marks=((1.0, 1.0),)),)
     part = Part(evil, f"{evil} `{evil}`", (evil, "n, kg>"), ((evil, "&"),), drawn, notes=(evil,), summary=evil,
                 failures=(evil,))  # fmt: skip
     stand = load(stands.path("bench8"))
-    write_page(tmp_path / "p.html", evil, [part], stand=stand, files=[("data", evil)])
-    html = (tmp_path / "p.html").read_text(encoding="utf-8")
-    assert html == page(evil, [part], stand, [("data", evil)])
+    html = page(evil, [part], stand, [("data", evil)])
     assert "<script" not in html and read(html).wrong == []
     addresses = re.sub(r'(xmlns(:\w+)?|about)="http[^"]*"', "", html)  # names, which nobody asks for
     assert not re.search(r"(https?:|file:|@import|//[a-z])", addresses)

@@ -14,9 +14,10 @@ from scipy import stats
 
 from mahovik.out.campaign.designs import IN_BLOCKS
 from mahovik.out.campaign.file import Campaign
-from mahovik.out.report.page import Part, write_page
+from mahovik.out.report.page import Part, page
 from mahovik.out.report.plots import Line, Panel
 from mahovik.out.result import Result, column
+from mahovik.writing import write
 
 Array = NDArray[np.float64]
 
@@ -124,4 +125,4 @@ def write_report(campaign: Campaign, result: Result, path: Path) -> None:
         html=result._repr_html_(),
         panels=tuple(each for each in result.drawings if isinstance(each, Panel)),
     )
-    write_page(path, campaign.name, [part], stand=campaign.stand, files=[("campaign", campaign.path.name)])
+    write(path, page(campaign.name, [part], campaign.stand, [("campaign", campaign.path.name)]))

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.errors import CheckError
 from mahovik.nearest import names_in
 from mahovik.out.arguments import FileGiven, Names, StandGiven, state_of
-from mahovik.out.report.plots import Mark, Panel, stems
+from mahovik.out.report.plots import Panel, stems
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -126,8 +126,8 @@ def _pictures(found: Any) -> tuple[Panel, Panel]:
     modes = found.modes
     swinging = [(k, mode) for k, mode in enumerate(modes, start=1) if mode.frequency > 0.0 and mode.kind != "free"]
     lines = [stems(f"mode {k}", [mode.frequency], np.array([mode.damping]), k - 1) for k, mode in swinging]
-    marks = [Mark(mode.eigenvalue.real, mode.eigenvalue.imag, f"mode {k}") for k, mode in enumerate(modes, start=1)]
+    marks = tuple((mode.eigenvalue.real, mode.eigenvalue.imag) for mode in modes)
     return (
         Panel("damping ratio of the modes", tuple(lines), abscissa="frequency, Hz"),
-        Panel("eigenvalues, imaginary part, 1/s", (), abscissa="real part, 1/s", marks=tuple(marks)),
+        Panel("eigenvalues, imaginary part, 1/s", (), abscissa="real part, 1/s", marks=marks),
     )

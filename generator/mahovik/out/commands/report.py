@@ -20,7 +20,7 @@ from mahovik.out.commands.modes import modes
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.notices import Progress, tell
 from mahovik.out.report.page import Part, figure, inline, page, table
-from mahovik.out.report.plots import Line, Mark, Panel
+from mahovik.out.report.plots import Line, Panel
 from mahovik.out.report.plots import require as require_drawing
 from mahovik.out.result import Result
 from mahovik.writing import format_of, probe, write
@@ -182,7 +182,7 @@ def modes_part(stand: Stand) -> Part | None:
     try:
         found = modes(stand)
     except (CheckError, UsageError) as error:
-        return Part("Modes", f"{_sentence(error)}: there is no pose to be linear about.")
+        return Part("Modes", f"{error}: there is no pose to be linear about.")
     swinging = np.flatnonzero(np.nan_to_num(found["frequency"]) > 0.0)
     still = found.count - len(swinging)
     words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
@@ -214,7 +214,7 @@ def campbell_panel(found: Campbell) -> Panel:
         lines.append(Line("", x, n * x / 60.0, None, dashed=True, tag=f"{n}×" if x[1] > 0.15 * end else ""))
     return Panel(
         "natural frequency, Hz", tuple(lines), abscissa="common speed, rpm", height=1.3, top=top, span=(0.0, end),
-        marks=tuple(Mark(RPM * each.speed, each.frequency, f"{each.order}×") for each in found.crossings),
+        marks=tuple((RPM * each.speed, each.frequency) for each in found.crossings),
         note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
     )  # fmt: skip
 
@@ -228,9 +228,9 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
     for point in points:
         quantity: Literal["acceleration"] | None = None if point.startswith("hold.") else "acceleration"
         try:
-            found = vibration(stand, speed=_all_speeds(stand), at=point, quantity=quantity, steps=STEPS)
+            found = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, quantity=quantity, steps=STEPS)
         except CheckError as error:
-            return Part("Vibration", f"{_sentence(error)}: there is no steady vibration to show.")
+            return Part("Vibration", f"{error}: there is no steady vibration to show.")
         rms, unit = np.linalg.norm(np.nan_to_num(found["rms"]), axis=1), found["largest"]["unit"]
         if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
@@ -248,15 +248,11 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
     return Part("Vibration", words, panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries))
 
 
-def _all_speeds(stand: Stand) -> str:
-    return f"0..{_fastest(stand)!r} rad/s"
-
-
 def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:
     """Limits of the angle of a point, over all common speeds."""
     if not require:
         return None
-    found = vibration(stand, speed=_all_speeds(stand), at=point, require=require, steps=4 * STEPS - 3)
+    found = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, require=require, steps=4 * STEPS - 3)
     verdicts = found["requirements"]
     rows = [
         [each["text"], f"{figure(100.0 * each['value'] / each['limit'], 4)} %", each["axis"],
@@ -289,7 +285,7 @@ def verification_part(stand: Stand) -> Part:
     try:
         found = verify_c(stand, seed=1, count=STATES, document=stand.to_dict())
     except MahovikError as error:
-        return Part("Verification", f"The C was not judged: {_sentence(error)}. `mahovik verify {file}`")
+        return Part("Verification", f"The C was not judged: {error}. `mahovik verify {file}`")
     checks = [check for check in found.rows if check.verdict != "not compared"]
     worst = [max(rows, key=lambda check: check.share) for _, rows in groupby(checks, key=lambda check: check.judged)]
     shown = sorted(worst, key=lambda check: -check.share)[:MOST_ROWS]
@@ -326,9 +322,3 @@ def cost_part(stand: Stand) -> Part:
             )
     words = "Operations of one call at most. `mahovik cost` measures instructions, stack and code on processors."
     return Part("Cost", words, ("function", "additions>", "products>", "divisions>", "all>"), tuple(rows))
-
-
-def _sentence(error: Exception) -> str:
-    """The words of an error, without the backticks of commands, with a capital letter."""
-    words = str(error).replace("`", "")
-    return words[:1].upper() + words[1:]

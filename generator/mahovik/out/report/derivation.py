@@ -10,7 +10,7 @@ import sympy as sp
 from markupsafe import Markup
 
 from mahovik.core.derive import carrier
-from mahovik.core.derive.document import Formula, Section, Table, held, number, numbers, sections, turns
+from mahovik.core.derive.document import HEAD, Formula, Section, Table, held, number, numbers, sections, turns
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.derive.wrench import weight as derive_weight
 from mahovik.core.emit.templates import template
@@ -27,9 +27,6 @@ from mahovik.out.report.page import Part, table
 
 ROUNDING = 1e-14
 """Part of the natural size of its kind below which a number is rounding."""
-
-COLUMNS = ("1", r"\cos\varphi", r"\sin\varphi", r"\cos 2\varphi", r"\sin 2\varphi")
-"""Heads of a flywheel's row of constants."""
 
 
 def derivation_parts(stand: Stand) -> list[Part]:
@@ -118,7 +115,7 @@ def document(stand: Stand) -> list[Section]:
     ]
     for wheel, row in zip(stand.flywheels, rows, strict=True):
         caption = f"{wheel.name} on {wheel.mount}: mass {wheel.mass:.6g} kg, about its axis {row['spin']:.6g} kg m2"
-        tables.append(Table(caption, ("", *COLUMNS), tuple(_harmonics(row, size[0] * size[5], size[5] ** 2))))
+        tables.append(Table(caption, ("", *HEAD), tuple(_harmonics(row, size[0] * size[5], size[5] ** 2))))
     found = [*general, matrices, *([Section("Numbers: flywheels", "(2), (9)", tuple(tables))] if rows else [])]
     if stand.hold is not None:
         S = twists(stand.hold)

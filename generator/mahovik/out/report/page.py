@@ -8,26 +8,18 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
 from mahovik import __version__
 from mahovik.out.report.plots import STYLE, Panel, make_figure, require
-from mahovik.writing import probe, write
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
 Cell = str | Markup
 Row = Sequence[Cell]
-
-DIGITS = 5
-"""Significant digits of a number, where nothing else is said."""
-
-LEAST, MOST = -4, 7
-"""Powers of ten of the first digit between which a number is printed without a power."""
 
 
 @dataclass(frozen=True)
@@ -62,18 +54,6 @@ class Part:
         notes = Markup("").join(map(Markup("<li>{}</li>").format, self.notes))
         words = paragraph(self.words) if self.words else Markup("")
         return words + Markup(self.html) + rows + drawn + (Markup("<ul>{}</ul>").format(notes) if notes else "")
-
-
-def write_page(
-    path: Path, title: str, parts: Sequence[Part], *, stand: Stand, files: Sequence[tuple[str, str]] = ()
-) -> None:
-    """Write a page on a stand, whole or not at all; arguments as of `page`.
-
-    Raises UsageError: matplotlib is missing, or the file cannot be written.
-    """
-    require("report")
-    probe(path)
-    write(path, page(title, parts, stand, files))
 
 
 def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[str, str]] = ()) -> str:
@@ -142,20 +122,9 @@ def table(head: Sequence[Cell], rows: Sequence[Row], caption: str = "") -> Marku
     )
 
 
-def figure(value: float, digits: int = DIGITS) -> Markup:
-    """A number to some significant digits as one prints it: minus sign, thousands apart, powers of ten; NaN as "–"."""
-    if not math.isfinite(value):
-        return Markup("–") if math.isnan(value) else Markup("−∞" if value < 0 else "∞")
-    text, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
-    power = int(exponent)
-    sign = "−" if value < 0 else ""
-    if LEAST <= power < MOST or value == 0.0:
-        whole, point, decimals = _without_zeros(f"{abs(value):.{max(0, digits - 1 - power)}f}").partition(".")
-        grouped = f"{int(whole):,}".replace(",", "\u202f") if len(whole) > 4 else whole
-        return Markup(sign + grouped + point + decimals)
-    return Markup(f"{sign}{_without_zeros(text)}·10<sup>{str(power).replace('-', '−')}</sup>")
-
-
-def _without_zeros(text: str) -> str:
-    """Without zeros at the end of decimals."""
-    return text.rstrip("0").rstrip(".") if "." in text else text
+def figure(value: float, digits: int = 5) -> Markup:
+    """A number to some significant digits as one prints it: minus sign, powers of ten; NaN as "–"."""
+    if math.isnan(value):
+        return Markup("–")
+    text, _, power = f"{value + 0.0:.{digits}g}".replace("-", "−").replace("inf", "∞").partition("e")
+    return Markup(f"{text}·10<sup>{power.lstrip('+').replace('−0', '−').lstrip('0')}</sup>" if power else text)

@@ -41,8 +41,8 @@ ARCSEC = 648000.0 / np.pi
 GREY, WIDTH, HEIGHT, LEGEND = "#777777", 8.6, 1.9, 9
 """Colour of levels and notes; inches: width of a picture, height of a panel; names in a column of the legend."""
 
-BINS, DECADES, LAST = 300, 4.0, 400
-"""Bins of long lines, whose extremes are drawn; powers of ten of a spectrum; samples of a motion that follows."""
+BINS, LAST = 300, 400
+"""Bins of long lines, whose extremes are drawn; samples that are shown of a motion that follows another."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,15 +57,6 @@ class Line:
     tag: str = ""
 
 
-@dataclass(frozen=True)
-class Mark:
-    """A place that is pointed out; `name` says what is there."""
-
-    x: float
-    y: float
-    name: str
-
-
 @dataclass(frozen=True, eq=False)
 class Panel:
     """Lines in one frame.
@@ -73,6 +64,7 @@ class Panel:
     quantity     above, with its unit; `note` at the right of it; `abscissa` below, where it is not time
     log          ordinate by powers of ten; `log_abscissa`: abscissa
     height       in those of other panels; `span`: first and last abscissa; `top`: the ordinate goes from 0 to it
+    marks        places with a dot
     """
 
     quantity: str
@@ -84,7 +76,7 @@ class Panel:
     span: tuple[float, float] | None = None
     top: float | None = None
     log_abscissa: bool = False
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[tuple[float, float], ...] = ()
 
     def __call__(self, of: Any, axes: Any) -> None:
         """Draw it on axes of matplotlib; it has all that it shows, and needs nothing of a result."""
@@ -127,28 +119,17 @@ _MEMBERS = re.compile(r"(|.+?[_. ])([xyzkmn])( \w+)?|(\w+) (\w+)")
 def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[Panel]:
     """Panels of columns over an index column; None: over the rows, counted from 1.
 
-    Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Over `frequency`, rows, or text:
-    stems.
+    Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Else stems, a panel a column.
     """
     numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in columns if _is_number(x)]
     if not numbers or not len(numbers[0][2]):
         raise UsageError("there are no rows of numbers to draw")
-    if not (index and index[0] in ("t", "time")):  # small angles
-        numbers = [(name, "arcsec", ARCSEC * y) if unit == "rad" else (name, unit, y) for name, unit, y in numbers]
     name, unit, x = index if index and _is_number(index[2]) else ("row", "", np.arange(1.0, 1.0 + len(numbers[0][2])))
-    x = np.asarray(x, dtype=np.float64)
     if name in ("t", "time"):
-        return _course(x, numbers)
-    lines: dict[str, list[Line]] = {}
-    largest = max(float(np.nanmax(np.abs(y), initial=0.0)) for _, _, y in numbers)
-    for column, of, y in numbers:
-        key, label = (f"amplitude, {of}", column) if name == "frequency" else (f"{column}, {of}".rstrip(", "), "")
-        kept = np.abs(y) > 10**-DECADES * largest if name == "frequency" else np.isfinite(y)
-        lines.setdefault(key, []).append(stems(label, x[kept], y[kept], len(lines.get(key, ()))))
-    low, high = (0.0, 1.1 * max(line.x.max(initial=1.0) for each in lines.values() for line in each))
-    span = (low, high) if name == "frequency" else (0.5, len(x) + 0.5) if name == "row" else None
-    words = f"{name}, {unit}".rstrip(", ")
-    return [Panel(quantity, tuple(drawn), abscissa=words, span=span) for quantity, drawn in lines.items()]
+        return _course(np.asarray(x, dtype=np.float64), numbers)
+    words, span = f"{name}, {unit}".rstrip(", "), (0.5, len(x) + 0.5) if name == "row" else None
+    return [Panel(f"{column}, {of}".rstrip(", "), (stems("", x, y),), False, "", words, span=span)
+            for column, of, y in numbers]  # fmt: skip
 
 
 def _is_number(values: Any) -> bool:
@@ -276,8 +257,8 @@ def _draw_panel(panel: Panel, axes: Any) -> None:
         axes.plot(line.x[kept], line.y[kept], color=colour, label=line.name or None, linewidth=1.2, linestyle=dashes)
         if line.tag:
             axes.annotate(line.tag, (line.x[-1], line.y[-1]), xytext=(2, 2), textcoords="offset points", color=GREY)
-    for mark in panel.marks:
-        axes.plot(mark.x, mark.y, "o", color="#1b1f24", markersize=3.5)
+    for place in panel.marks:
+        axes.plot(*place, "o", color="#1b1f24", markersize=3.5)
     axes.set(xscale="log" if panel.log_abscissa else "linear", yscale="log" if panel.log else "linear")
     if panel.span is not None:
         axes.set_xlim(*panel.span)
