@@ -174,6 +174,7 @@ def test_a_requirement_has_one_verdict_in_all_branches(
             assert found.ok is verdict
 
 
+@pytest.mark.filterwarnings("ignore:starts from rest, turned")
 @pytest.mark.parametrize(("stand", "most"), [("shaker2", 3000), ("bench8", 3000), ("auv6", 600)])
 def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int) -> None:
     """However coarse its grid: a dense sweep about the peak finds nothing larger by 2 %, and no speed is coarse."""
