@@ -266,7 +266,11 @@ def find_view(stand: Stand, name: str, quantity: str | None = None, usual: str =
         held = f", or {REACTION}" if stand.hold is not None else ""
         words = f"a flywheel, for the wrench of its mount on it{held}"
         raise UsageError(f"quantity {quantity}: {name} has none; expected {words}")
-    return View.of(places(stand, [name])[0], _choose(name, quantity, QUANTITIES, usual))
+    try:
+        place = places(stand, [name])[0]
+    except UsageError as error:
+        raise UsageError(f"at: {error}") from None
+    return View.of(place, _choose(name, quantity, QUANTITIES, usual))
 
 
 def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
