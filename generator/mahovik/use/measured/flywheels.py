@@ -19,9 +19,6 @@ REGISTERS = (1 << 8, 1 << 16, 1 << 32)
 UNSURE = 0.4
 """Part of a modulus between two samples, above which the direction of the step is not sure."""
 
-WHOLE = 0.02
-"""Relative distance from a whole number at which counts between pulses are none a turn."""
-
 DOUBLE = 0.4
 """Part of the usual interval below which a pulse is a second one of the same turn."""
 
@@ -55,7 +52,7 @@ def with_phases(
         if phase in found:
             found[phase] = _whole_turns(phase, found[phase].to_numpy(), expected, notes)
         elif counts is not None:
-            values = _of_counts(wheel, counts, turns.get(wheel.name), expected, pulses, notes)
+            values = _of_counts(wheel, counts.to_numpy(), turns.get(wheel.name), expected, notes)
             if values is not None:
                 found[phase] = values
                 counted.add(wheel.name)
@@ -71,24 +68,15 @@ def with_phases(
 
 
 def _of_counts(
-    wheel: Flywheel,
-    counts: pd.Series,
-    stated: int | None,
-    expected: Array | None,
-    pulses: Pulses | None,
-    notes: list[str],
+    wheel: Flywheel, values: Array, stated: int | None, expected: Array | None, notes: list[str]
 ) -> Array | None:
     """Phase of an encoder; None if its counts a turn are not known."""
-    label, values, encoder = f"{wheel.name}.count", counts.to_numpy(), wheel.encoder
+    label, encoder = f"{wheel.name}.count", wheel.encoder
     turn = stated if encoder is None else encoder.counts
     if stated and encoder is not None and abs(encoder.counts) != stated:
         turn = stated
         many = f"{stated} counts a turn in the header, {encoder.counts} in the stand file"
         notes.append(f"{label}: {many}: those of the header are taken")
-    if turn is None and pulses is not None:
-        turn = _seen_turn(counts, pulses)
-        if turn is not None:
-            notes.append(f"{label}: {turn} counts a turn, as seen between pulses of its tacho")
     if turn is None:
         words = "write the unit [1/4096 turn], or `encoder = { counts = 4096 }` into the stand file"
         notes.append(f"{label}: counts a turn are not known: left out; {words}")
@@ -98,18 +86,6 @@ def _of_counts(
         steps = None if expected is None else expected * turn / TURN
         values = _unwrap(label, values, modulus, f"{modulus} counts", steps, notes)
     return np.asarray((values - (0.0 if encoder is None else encoder.zero)) * (TURN / turn))
-
-
-def _seen_turn(counts: pd.Series, pulses: Pulses) -> int | None:
-    """Counts between the pulses of a tacho; None where they are no whole number."""
-    values = counts.to_numpy()
-    modulus = modulus_of(values, None)
-    whole = values if modulus is None else unwrap(values, modulus)[0]
-    there = np.isfinite(whole)
-    at = np.interp(pulses.times, counts.index.to_numpy()[there], whole[there])
-    ratio = (at[-1] - at[0]) / (pulses.turns[-1] - pulses.turns[0])
-    nearest = round(ratio)
-    return nearest if nearest and abs(ratio - nearest) < WHOLE * min(abs(ratio), 10.0) else None
 
 
 def _whole_turns(label: str, values: Array, expected: Array | None, notes: list[str]) -> Array:
