@@ -127,7 +127,7 @@ class Quantity:
         ):
             if word not in allowed:
                 raise UsageError(f"what: no {word} over {over}; expected one of {', '.join(allowed)}")
-        at = _place(stand, signal, table.at, over)
+        at = _place(stand, signal, table.at)
         axes = coordinates_of(stand).names if what == "error" else () if signal.place == "flywheel" else AXES
         if table.axis is not None and table.axis not in axes:
             raise UsageError(f"axis: {table.axis}: expected {'one of ' + ', '.join(axes) if axes else 'none'}")
@@ -169,13 +169,13 @@ def sensors(stand: Stand) -> tuple[str, ...]:
     return (*(p.name for p in stand.instruments), *(p.name for p in stand.points))
 
 
-def _place(stand: Stand, signal: Signal, at: str | None, over: str) -> str:
+def _place(stand: Stand, signal: Signal, at: str | None) -> str:
     """The name that a signal belongs to; "" for the motion of the carrier. Raises UsageError."""
     wheels = tuple(s.name for s in stand.flywheels)
     known = {
         "point": (*sensors(stand), stand.carrier.name),
         "sensor": sensors(stand),
-        "part": (*((HOLD,) if stand.hold is not None else ()), *(wheels if over != "speeds" else ())),
+        "part": (*((HOLD,) if stand.hold is not None else ()), *wheels),
         "flywheel": (*wheels, EVERY) if wheels else (),
         "": (),
     }[signal.place]

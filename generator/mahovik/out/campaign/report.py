@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -31,7 +31,9 @@ BINS, MOST_REASONS = 20, 20
 def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
     """The summary of the rows in tables of pyarrow, which are of so many chunks in a row from the first sample on."""
     rows = import_module("pyarrow").concat_tables(tables)
-    reasons = Counter(reason for reason in rows["error"].to_pylist() if reason)
+    reasons: dict[str, list[str]] = {}
+    for reason in filter(None, rows["error"].to_pylist()):
+        reasons.setdefault(re.sub(r"[-+.\d]+", "", reason), []).append(reason)  # the numbers of each sample differ
     values = {name: rows[name].to_numpy() for name in rows.column_names if name in campaign.units}
     figures = [_figures(values[each.name], campaign.design.kind not in IN_BLOCKS) for each in campaign.quantities]
     names = [each.name for each in campaign.quantities]
@@ -39,10 +41,11 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
     columns += [column(key, "", [each[key] for each in figures]) for key in figures[0]]
     meta: dict[str, Any] = {
         "samples": len(rows), "of_samples": campaign.design.samples, "chunks": chunks, "of_chunks": campaign.chunks,
-        "without_quantities": sum(reasons.values()),
+        "without_quantities": sum(map(len, reasons.values())),
     }  # fmt: skip
     if reasons:
-        texts, counts = zip(*reasons.most_common(MOST_REASONS), strict=True)
+        groups = sorted(reasons.values(), key=len, reverse=True)[:MOST_REASONS]
+        texts, counts = [group[0] for group in groups], [len(group) for group in groups]
         meta["reasons"] = Result(
             "why samples have no quantities", (column("reason", "", texts), column("samples", "", counts))
         )
