@@ -25,7 +25,7 @@ from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.api.model import build
+from mahovik.out.api.model import Model, build
 from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.stands import Stand, load
 from mahovik.out.campaign.designs import DESIGNS, IN_BLOCKS, MOST_HELD, Design
@@ -119,6 +119,10 @@ class Campaign:
         return found | {"version of mahovik": mahovik.__version__}
 
     @cached_property
+    def _model(self) -> Model:
+        return build(self.runner.stand)
+
+    @cached_property
     def runner(self) -> Runner:
         """What computes the quantities. Raises UsageError, and what the files raise that the campaign names."""
         try:
@@ -136,7 +140,7 @@ class Campaign:
             last = first + count - 1
             raise UsageError(f"rows: samples {first} to {last}, but the campaign has {self.design.samples}")
         values = self.draw.values(self.design.unit(first, count))
-        possible = possible_tables(build(self.runner.stand), values, count)
+        possible = possible_tables(self._model, values, count)
         columns = {each.name: np.full(count, np.nan) for each in self.quantities}
         errors = [possible.reasons.get(i, "") for i in range(count)]
         computed, reasons = self.runner.values(possible.tables)

@@ -349,12 +349,13 @@ def cross(a: Array, b: Array) -> Array:
 
 def rotation_vector(start: Array, q: Array) -> Array:
     """Rotation vector (..., 3, n), of length at most pi, from quaternions `start` (4, n) to others (..., 4, n)."""
-    (a, *u), (w, *v) = ([each[..., i, :] for i in range(4)] for each in (start, q))
-    real = a * w + u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-    turned = a * np.stack(v, axis=-2) - w[..., None, :] * np.stack(u, axis=-2)
-    turned = turned - cross(np.stack(u, axis=-2), np.stack(v, axis=-2))
-    sign = np.where(real < 0.0, -1.0, 1.0)
-    sine = np.sqrt(turned[..., 0, :] ** 2 + turned[..., 1, :] ** 2 + turned[..., 2, :] ** 2)
+    (a, b, c, d), (w, x, y, z) = ([each[..., i, :] for i in range(4)] for each in (start, q))
+    real = a * w + b * x + c * y + d * z
+    found = np.empty(q[..., 1:, :].shape)
+    found[..., 0, :] = a * x - b * w - c * z + d * y
+    found[..., 1, :] = a * y + b * z - c * w - d * x
+    found[..., 2, :] = a * z - b * y + c * x - d * w
+    sine = np.sqrt(found[..., 0, :] ** 2 + found[..., 1, :] ** 2 + found[..., 2, :] ** 2)
     small = sine < 1e-12
-    factor = np.where(small, 2.0, 2.0 * np.arctan2(sine, sign * real) / np.where(small, 1.0, sine))
-    return np.asarray((sign * factor)[..., None, :] * turned)
+    angle = 2.0 * np.arctan2(sine, np.abs(real)) / np.where(small, 1.0, sine)
+    return np.asarray(found * np.copysign(np.where(small, 2.0, angle), real)[..., None, :])

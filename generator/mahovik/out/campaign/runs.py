@@ -186,14 +186,17 @@ class TimeRunner:
     moments: int
     errors: Errors | None = None
 
+    def __post_init__(self) -> None:
+        self._made = compile_library(self.stand)
+
     def values(self, tables: Tables) -> Values:
         """Quantities of all samples of tables."""
-        n, made, names = len(tables), compile_library(self.stand), [q.name for q in self.quantities]
+        n, names = len(tables), [q.name for q in self.quantities]
         numbers, reasons = {name: np.full(n, np.nan) for name in names}, [""] * n
         size = max(PER_BLOCK, min(SIZE, MOST // self.moments // PER_BLOCK * PER_BLOCK))
         with np.errstate(all="ignore"):  # of samples that leave their ranges
             for first in range(0, n, size):
-                block = Block(self.stand, made, min(size, n - first), tables.block, first)
+                block = Block(self.stand, self._made, min(size, n - first), tables.block, first)
                 lost = self.begin(block, tables)
                 for name, column in zip(names, self._numbers(block), strict=True):
                     numbers[name][first : first + block.n] = column
@@ -299,7 +302,8 @@ class AtRest:
         self._least = 2.0 * accuracy(stand, self.nominal)[:, None]
         self._column = _column(stand, self.nominal)[:, None]
         S = np.eye(6) if stand.hold is None else twists(stand.hold)
-        block = Block(stand, compile_library(stand), 2 * S.shape[1])
+        self._made = compile_library(stand)
+        block = Block(stand, self._made, 2 * S.shape[1])
         block.x[:] = self._column
         self._displace(block.x, np.hstack([self.STEP * S, -self.STEP * S]))
         block.call("forward")
@@ -311,7 +315,7 @@ class AtRest:
     def __call__(self, block: Block, tables: Tables) -> Mapping[int, str]:
         """See `Begin`."""
         reasons, stand = dict[int, str](), self._stand
-        own = Block(stand, compile_library(stand), block.n, tables.block, block.first)
+        own = Block(stand, self._made, block.n, tables.block, block.first)
         own.x[:] = self._column
         for _ in range(self.MOST):
             own.call("forward")

@@ -10,7 +10,7 @@ import ctypes
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
@@ -310,7 +310,7 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
         steps = np.cumsum(counts[first : first + at_once])
         last = first + (max(1, int(np.searchsorted(steps, STEPS, "right"))) if first else 1)
         moments = course.memory(last - first)
-        kept = course.run(_rows(case, block, first, counts[first:last]), moments)
+        kept = course.run(_rows(case, block.inputs, block.x.dtype, first, counts[first:last].tobytes()), moments)
         if not first:
             course.rate[:] = block.given["phi_ddot"]
         t = case.times[first : first + kept]
@@ -328,8 +328,14 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
         first = last
 
 
-def _rows(case: Case, block: Block, first: int, counts: Array) -> dict[str, Array]:
-    """What the C reads of the steps that lead to moments of output from number `first` on: see `course.c`."""
+@lru_cache(maxsize=4)  # blocks of many samples have the same
+def _rows(case: Case, inputs: tuple[str, ...], real: Any, first: int, of_moments: bytes) -> Mapping[str, Array]:
+    """What the C reads of the steps that lead to moments of output from number `first` on: see `course.c`.
+
+    inputs      bodies that take a run-time wrench; real: type of the C
+    of_moments  numbers of steps to each moment, as bytes of int32
+    """
+    counts = np.frombuffer(of_moments, dtype=np.int32)
     ends = case.times[first : first + len(counts)]
     begins = np.append(case.times[first - 1] if first else 0.0, ends[:-1])
     lengths = (ends - begins) / np.maximum(counts, 1)
@@ -342,14 +348,13 @@ def _rows(case: Case, block: Block, first: int, counts: Array) -> dict[str, Arra
     middles = times[begin] + h / 2
     phi, speeds, _ = case.motion(times)
     mean = (speeds[begin + 1] - speeds[begin]) / h[:, None]
-    real = block.x.dtype
     found = {"phi": wrap_phases(phi), "phi_dot": speeds, "mean": mean, "between": mean, "halfway": mean}
     if case.regime.by_torque:
         halfway, middle_speeds, _ = case.motion(middles)
         found["halfway"] = wrap_phases(halfway)
         # not a difference of phases, which may be large
         found["between"] = (speeds[begin] + 4 * middle_speeds + speeds[begin + 1]) / 6
-    found |= {"wrench": case.wrenches(middles, block.inputs), "end_wrench": case.wrenches(ends, block.inputs)}
+    found |= {"wrench": case.wrenches(middles, inputs), "end_wrench": case.wrenches(ends, inputs)}
     found["end_phi_ddot"] = case.motion(ends)[2]
     double = {"begin": begins, "length": lengths}
     double |= {"command": case.regime.commands(middles), "end_command": case.regime.commands(ends)}
