@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -31,7 +32,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
 from mahovik.out.arguments import by_flywheel, motion_of, programme_of, regime_of, state_of
 from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, sensors, turn
-from mahovik.out.notices import warn_of_steps, warn_of_turn
+from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.coordinates import coordinates
@@ -126,7 +127,9 @@ def runner_of(stand: Stand, over: Any, quantities: Sequence[Quantity], folder: P
     if any(path.startswith(tuple(f"hold.{key}[" for key in PLACE_OF_HOLD)) for path in varied):
         # a state has other numbers where the carrier is held elsewhere: each sample is a run of its own stand
         def numbers_of(own: Stand) -> Mapping[str, float]:
-            runner = runner_of(own, over, quantities, folder, set())
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", MahovikWarning)
+                runner = runner_of(own, over, quantities, folder, set())
             numbers, (reason,) = runner.values(build(runner.stand).tables({}, 1))
             if reason:
                 raise StateError(reason)
