@@ -77,14 +77,14 @@ def chart_of(stand: Stand, rng: np.random.Generator) -> Chart:
     return Chart.at(Mechanics.of(stand), rng.normal(size=6) * 0.3)
 
 
-def turned(y: Array) -> Rotation:
+def turn_of(y: Array) -> Rotation:
     """The turn from the chart's pose: roll, pitch, yaw are coordinates 3 to 5, the last of them moves first."""
     return Rotation.from_euler("ZYX", y[5:2:-1])
 
 
 def literal_acceleration(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi_ddot: Array) -> Array:
     """V* (6) by the reference at one state y (12)."""
-    C = chart.frame.C @ turned(y).as_matrix()
+    C = chart.frame.C @ turn_of(y).as_matrix()
     a, b, c, w = Rotation.from_matrix(C).as_quat()
     zeros = (0.0,) * len(phi)
     O1 = chart.frame.O1 + chart.frame.C @ y[:3]
@@ -161,7 +161,7 @@ def test_course_is_that_of_an_adaptive_integration() -> None:
         turning = [w * p + b * r - c * q, w * q + c * p - a * r, w * r + a * q - b * p, -a * p - b * q - c * r]
         return np.concatenate([turn.apply(z[7:10]), 0.5 * np.array(turning), V_dot])
 
-    z0 = np.concatenate([y[:3], turned(y).as_quat(), y[6:]])
+    z0 = np.concatenate([y[:3], turn_of(y).as_quat(), y[6:]])
     end = solve_ivp(rate, (0.0, until), z0, method="DOP853", rtol=1e-11, atol=1e-13).y[:, -1]
     expected = np.concatenate([end[:3], Rotation.from_quat(end[3:7]).as_euler("ZYX")[::-1], end[7:]])
     assert abs(found - expected).max() <= 1e-8

@@ -135,14 +135,14 @@ class Improver:
                 break
             wider = max(1.0, TIGHTER * before)
             stage = self.stage(H, objective=MEANWHILE, wider=wider)
-            enough = _within((KNEE + 0.01) * wider)
+            enough = _uses_less((KNEE + 0.01) * wider)
             point = descend(stage.at(point.motion), Rules(STEPS_A_ROUND), budget, enough).point
             idle = idle + 1 if point.utilisation > GAIN * before and point.utilisation > 1.0 else 0
             if idle >= _IDLE_ROUNDS or budget.exhausted:
                 break
         if 1.0 < point.utilisation < NEAR:  # no margin: the knee stands right at the limit
             stage = self.stage(H, objective=MEANWHILE, wider=LAST)
-            point = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _within(0.999)).point
+            point = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _uses_less(0.999)).point
         return point
 
     def finish(self, found: Candidate, budget: Budget) -> Candidate:
@@ -256,6 +256,6 @@ def _limit_factor(used: float) -> float:
     return LAST if used <= 1.0 else used / KNEE
 
 
-def _within(used: float) -> Callable[[InHarmonics], bool]:
+def _uses_less(used: float) -> Callable[[InHarmonics], bool]:
     """Whether a point that solves (12) uses less than this of the bounds."""
     return lambda point: point.utilisation < used and size(point.c) < SOLVED

@@ -113,7 +113,7 @@ def solve(
 
 def shoot(start: Flight, goal: float, budget: Budget) -> tuple[Flight, int]:
     """Newton steps until the terminal error meets the goal or falls no more: the best flight, number of steps."""
-    run = descend(start.within(Bounds()), NEWTON, budget, lambda flight: flight.size <= goal)
+    run = descend(start.with_bounds(Bounds()), NEWTON, budget, lambda flight: flight.size <= goal)
     return run.point, run.steps
 
 
@@ -140,7 +140,7 @@ def _keep_bounds(problem: Problems, flight: Flight, bounds: Bounds, budget: Budg
                 break
             if flight.size > _COARSE:
                 break
-        inside = descend(flight.within(bounds), INSIDE, budget, lambda point: point.largest(bounds) <= KEEP).point
+        inside = descend(flight.with_bounds(bounds), INSIDE, budget, lambda point: point.largest(bounds) <= KEEP).point
         inside = shoot(inside, _COARSE, budget)[0]
         if inside.size <= _COARSE and inside.largest(bounds) < flight.largest(bounds):
             flight = inside

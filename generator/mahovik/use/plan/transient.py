@@ -281,7 +281,7 @@ class Flight:
         """Largest change of an addition, rad."""
         return float(np.abs(step).max(initial=0.0))
 
-    def within(self, bounds: Bounds) -> Flight:
+    def with_bounds(self, bounds: Bounds) -> Flight:
         """The same flight, whose hinge rows keep to bounds."""
         return replace(self, bounds=bounds)
 
