@@ -3,6 +3,7 @@ whether answers depend on a key of a state: a program or a log without it may st
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import cast
@@ -17,6 +18,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of
 from mahovik.proof.reference.rotation import AXES, attitude, carrier_rotation
+from mahovik.proof.reference.rotation import quaternion_of as quaternion
 
 ALLOWED = 1e-6
 """m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""
@@ -56,11 +58,10 @@ def home_attitude(stand: Stand) -> Quaternion:
 
 
 def quaternion_of(C: Array) -> Quaternion:
-    """Unit quaternion, w first, of a rotation C (3x3)."""
-    from scipy.spatial.transform import Rotation
-
-    x, y, z, w = Rotation.from_matrix(C).as_quat().tolist()
-    return w, x, y, z
+    """Unit quaternion, w first, of a rotation C (3x3); its largest component is positive."""
+    w, x, y, z = quaternion(C).tolist()
+    sign = math.copysign(1.0, max((w, x, y, z), key=abs))
+    return sign * w, sign * x, sign * y, sign * z
 
 
 def with_quaternion(stand: Stand, state: State) -> State:

@@ -18,7 +18,7 @@ from mahovik.core.stand.model import Hold, Stand, Vec3
 from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation, rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
 
@@ -42,21 +42,15 @@ def home(stand: Stand) -> State:
 
 def move(state: State, C: Array, step: Array) -> State:
     """The state moved by exp(step), a twist in E1 (6; m, rad): along its screw, so that a closed set is not left."""
-    from scipy.spatial.transform import Rotation
-
-    turned = C @ Rotation.from_rotvec(step[3:]).as_matrix()
+    turned = C @ (np.eye(3) + cross(step[3:]) @ _left_jacobian(step[3:]))  # exp of a rotation vector
     position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])
     return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=quaternion_of(turned))
 
 
 def displacement(start: State, C: Array, state: State) -> Array:
     """The twist in E1 (6; m, rad) along whose screw `move` leads from a start to a state of attitude C."""
-    from scipy.spatial.transform import Rotation
-
-    assert start.quaternion is not None
-    w, *vector = start.quaternion
-    C0 = Rotation.from_quat([*vector, w]).as_matrix()
-    turned = Rotation.from_matrix(C0.T @ C).as_rotvec()
+    C0 = quaternion_rotation(*(start.quaternion or (1.0, 0.0, 0.0, 0.0)))
+    turned = rotation_vector(C0.T @ C)
     moved = C0.T @ (np.array(state.position) - np.array(start.position))
     return np.concatenate([np.linalg.solve(_left_jacobian(turned), moved), turned])
 
