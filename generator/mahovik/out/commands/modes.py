@@ -52,7 +52,7 @@ def modes(
     from mahovik.use.numeric import uniform_stream
     from mahovik.use.study.linear import linear_model
     from mahovik.use.study.linear import modes as modes_of
-    from mahovik.use.study.linear.words import shape_words
+    from mahovik.use.study.linear.modes import shape_words
 
     own = Stand.of(stand)
     uniform_stream(own)

@@ -1,15 +1,13 @@
 """A, B, C, D: evolution of small deviations from a motion of the whole system, with exact derivatives.
 
-Channels name states, inputs and outputs; an output is the displacement of a point of the carrier from that motion. As a
-file a model is JSON, or .mat of MATLAB, Octave, SciPy.
+Channels name states, inputs and outputs; an output is the displacement of a point of the carrier from that motion.
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,7 +19,6 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.verify.states import encode
 from mahovik.use.numeric import (
     Array,
     Linear,
@@ -334,14 +331,3 @@ def _run_time(mechanics: Mechanics, state: State) -> tuple[Array, Array, Array]:
         by_phi[:, k] = L @ SPIN @ P
         about[k] = P[3]
     return total, by_phi, about
-
-
-MODEL_SUFFIXES = (".json", ".mat")
-
-FORMAT = 1
-
-
-def encode_lines(values: dict[str, Any]) -> str:
-    """JSON, one key per line; floats read back to the same bits."""
-    lines = [f" {json.dumps(name)}: {encode(value)}" for name, value in values.items()]
-    return "{\n" + ",\n".join(lines) + "\n}"

@@ -1,7 +1,9 @@
-"""Modes of a linear model: natural frequencies, damping ratios, shapes."""
+"""Modes of a linear model: natural frequencies, damping ratios, shapes, also in words."""
 
 from __future__ import annotations
 
+import cmath
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +23,12 @@ STIFF = 1e-10
 
 SLOWEST = 1e-6
 """1/s: slower modes always count as zero."""
+
+SMALL = 5e-4
+"""Part of the largest displacement of a shape: smaller ones are left out."""
+
+ALIGNED = 1.0
+"""deg: a phase this near to 0 or 180 deg is written as a sign."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,3 +122,18 @@ def _still(A: Array, places: list[int]) -> list[Array]:
     _, sizes, rows = np.linalg.svd(A[:, places])
     kept = sizes > max(STIFF * float(sizes.max(initial=0.0)), SLOWEST**2)
     return list(reduced_basis(rows[int(kept.sum()) :]))
+
+
+def shape_words(found: Modes, shape: Complex) -> str:
+    """Displacements of a shape, largest first, with their phases unless these are signs."""
+    given = sorted(zip(found.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
+    return "  ".join(f"{channel.name} {_number(x)}" for channel, x in given if abs(x) > SMALL)
+
+
+def _number(x: complex) -> str:
+    degrees = math.degrees(cmath.phase(x))
+    if abs(degrees) <= ALIGNED:
+        return f"{abs(x):.3g}"
+    if abs(degrees) >= 180.0 - ALIGNED:
+        return f"{-abs(x):.3g}"
+    return f"{abs(x):.3g} at {degrees:.0f} deg"
