@@ -17,8 +17,8 @@ import click
 
 from mahovik.contract.evaluation import text_lines
 from mahovik.contract.functions import CHOSEN, ROWS
-from mahovik.out.command_line import COMMANDS as SECTIONS
 from mahovik.out.command_line import main
+from mahovik.out.commands import COMMANDS as SECTIONS
 
 ROOT = Path(__file__).resolve().parents[1]
 COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"

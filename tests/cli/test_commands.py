@@ -18,7 +18,8 @@ import mahovik
 from cli.run import BENCH8, process, refused, run
 from mahovik import stands
 from mahovik.core.stand import load
-from mahovik.out.command_line import COMMANDS, make_command, read_docstring
+from mahovik.out.command_line import make_command, read_docstring
+from mahovik.out.commands import COMMANDS
 
 
 def test_help_fits_on_a_screen() -> None:

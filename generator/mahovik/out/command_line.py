@@ -1,6 +1,6 @@
 """The command line, made of the functions of `mahovik.out.commands`.
 
-A command is a typed function in a module of its name, and a line in `COMMANDS`:
+A command is a typed function in a module of its name, and a line in `out.commands.COMMANDS`:
 
     def modes(
         stand: StandGiven,
@@ -23,21 +23,19 @@ A command is a typed function in a module of its name, and a line in `COMMANDS`:
             CheckError: there is no equilibrium.
         '''
 
-Arguments before the star stand on the command line without a name, those behind it are options, `output` is `-o`. The
-type says what an option takes: bool is a flag, Literal a choice, a union with Sequence or Mapping may be repeated
-(NAME=VALUE makes a mapping), a union with float makes numbers of texts that are one; `Annotated` gives the word for the
-value. Types, readers of files, and quantities with units are in `mahovik.out.arguments`. An argument of type
-`Progressing` is no option: the command line shows the progress. All checks stand in the function: its messages begin
-with the name of the argument, and the command line writes it as the option. Heavy modules are imported in the function,
-so that help is there at once.
-
-The command line adds `--json`, and `-o FILE` that saves the result where the function has no `output`; it prints the
-`Result`, and exits with 0 if it is `ok`, else 1. A function that returns an iterator has its lines printed one by one,
-and its `Result` last. Errors are one line each on standard error: 2 bad input or usage, 1 a failed check, 130 Ctrl-C.
+Arguments before the star have no name on the command line, those behind it are options, `output` is `-o`. Of the type,
+bool is a flag, Literal a choice, a union with Sequence or Mapping may be repeated (NAME=VALUE makes a mapping), one
+with float makes numbers of texts that are one; `Annotated` has the word for the value. `out.arguments` has types,
+readers of files, and quantities with units. An argument `progress` is shown as a line. All checks stand in the
+function: messages begin with the name of the argument, which the command line writes as the option. Heavy modules are
+imported in the function, so that help is there at once. The command line adds `--json`, and `-o FILE` where the
+function has no `output`; it prints the `Result`, and exits with 0 if it is `ok`, else 1. A generator has its lines
+printed one by one, and its `Result` last. Errors are one line on standard error: 2 input, 1 a failed check, 130 Ctrl-C.
 """
 
 from __future__ import annotations
 
+import builtins
 import contextlib
 import inspect
 import json
@@ -59,43 +57,10 @@ import click
 from mahovik import __version__
 from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.out.commands import COMMANDS
 
 if TYPE_CHECKING:
     from mahovik.out.result import Result
-
-COMMANDS: dict[str, dict[str, str]] = {
-    "A stand": {
-        "new": "Copy an example stand, or make one of a model.",
-        "check": "Validate a stand; print its figures.",
-    },
-    "Its C, and the evidence": {
-        "generate": "Write the C of a stand, or a project around it.",
-        "verify": "Judge the C, a programme or a board's log.",
-        "judge": "Judge a program of yours, and find its fault.",
-        "evidence": "Collect the evidence for the C in one folder.",
-        "eval": "Evaluate states from standard input.",
-    },
-    "Motion and vibration": {
-        "simulate": "Simulate a stand, or a programme on it.",
-        "replay": "Replay a flight log bit for bit.",
-        "modes": "Find natural frequencies, damping, shapes.",
-        "vibration": "Find steady vibration; meet limits.",
-    },
-    "Programmes of the flywheels": {
-        "plan": "Find a programme that moves the carrier as required.",
-    },
-    "Many samples": {
-        "campaign": "Compute many samples whose numbers vary.",
-    },
-    "Pages": {
-        "report": "Write one page on a stand and its proof, or its derivation.",
-    },
-    "Measured data": {
-        "identify": "Estimate numbers from measured data.",
-        "balance": "Find correction weights of flywheels or of any rotor.",
-    },
-}
-"""Commands and what they do, under the headings of `--help`, in the order of use."""
 
 INTERRUPTED, CLOSED = 130, 141
 """Exit status after Ctrl-C, and where the reader of standard output has closed it: as in shells."""
@@ -108,16 +73,17 @@ INTERRUPTION = "error: interrupted; no file is half written"
 
 def make_command(name: str) -> click.Command:
     """The command of a name in `COMMANDS`."""
-    function = getattr(import_module(f"mahovik.out.commands.{name}"), name)
+    module = import_module(f"mahovik.out.commands.{name}")
+    function = getattr(module, name)
     words, entries = read_docstring(function)
-    hints = typing.get_type_hints(function, None, _Names(function), include_extras=True)
+    hints = typing.get_type_hints(function, None, _Names(vars(builtins) | vars(module)), include_extras=True)
     parameters = inspect.signature(function).parameters
     made = {key: _parameter(one, hints[key], entries.get(key, "")) for key, one in parameters.items()}
     params = [one for one in made.values() if one is not None]
-    if "output" not in made and not _is_stream(hints["return"]):
-        words_of_file = "Write the result to this file: .csv, .json, .parquet, .mat, .svg or .png."
-        params.append(click.Option(["-o", "save"], metavar="FILE", help=words_of_file))
-    if not _is_stream(hints["return"]):
+    if typing.get_origin(hints["return"]) is not Generator:
+        if "output" not in made:
+            formats = "Write the result to this file: .csv, .json, .parquet, .mat, .svg or .png."
+            params.append(click.Option(["-o", "save"], metavar="FILE", help=formats))
         params.append(click.Option(["--json", "as_json"], is_flag=True, help="Print JSON in place of tables."))
     return _Command(name, callback=partial(_run, function), params=params, help=words)
 
@@ -132,10 +98,8 @@ def read_docstring(function: Callable[..., Any]) -> tuple[str, dict[str, str]]:
             entries[name] = match[2]
         elif entries:
             entries[name] += f" {line.strip()}"
-    text = text.partition("\nRaises:\n")[0].rstrip()
-    return re.sub(r"\n\n(?= )", "\n\n\b\n", text), {
-        key: f"{words[0].upper()}{words[1:]}" for key, words in entries.items()
-    }
+    entries = {key: f"{words[0].upper()}{words[1:]}" for key, words in entries.items()}
+    return re.sub(r"\n\n(?= )", "\n\n\b\n", text.partition("\nRaises:\n")[0].rstrip()), entries
 
 
 class _Command(click.Command):
@@ -160,17 +124,8 @@ class _Command(click.Command):
 class _Names(dict[str, Any]):
     """Names in annotations; what is imported for type checkers alone is any object."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
-        super().__init__()
-        self._globals: dict[str, Any] = getattr(function, "__globals__", {})
-
-    def __missing__(self, name: str) -> Any:
-        builtins = vars(import_module("builtins"))
-        return self._globals.get(name, builtins.get(name, object))
-
-
-def _is_stream(hint: Any) -> bool:
-    return typing.get_origin(hint) in (Generator, Iterator)
+    def __missing__(self, _name: str) -> Any:
+        return object
 
 
 def _split(hint: Any) -> tuple[str | None, list[Any]]:
@@ -243,11 +198,9 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
     parameters = inspect.signature(function).parameters
     given = {key: value for key, value in values.items() if value not in (None, [], ())}
     if save is not None:
-        from mahovik.out.result import suffix_of
-        from mahovik.writing import probe
+        from mahovik.out.result import check_place
 
-        suffix_of(Path(save))
-        probe(Path(save))
+        check_place(Path(save))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -268,7 +221,7 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
             raise
         finally:
             for warning in caught:
-                _echo_warning(warning)
+                click.echo(f"warning: {warning.message}", err=True)
     if save is not None:
         found.save(save)
     if stream:
@@ -313,16 +266,6 @@ def _with_options(message: str, parameters: Mapping[str, inspect.Parameter]) -> 
     if not all(name in parameters and parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in names):
         return message
     return f"{', '.join(map(option_name, names))}{begin[len(', '.join(names)) :]}{colon}{rest}"
-
-
-def _echo_warning(warning: warnings.WarningMessage) -> None:
-    """Print a warning of ours as a line; others as Python shows them."""
-    from mahovik.out.notices import MahovikWarning
-
-    if issubclass(warning.category, MahovikWarning):
-        click.echo(f"warning: {warning.message}", err=True)
-    else:
-        warnings.showwarning(warning.message, warning.category, warning.filename, warning.lineno)
 
 
 # ---- all of them

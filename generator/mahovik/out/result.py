@@ -396,6 +396,14 @@ def suffix_of(path: Path) -> str:
     return found
 
 
+def check_place(path: Path) -> None:
+    """Raise UsageError, before anything is computed, where a result cannot be written to a file."""
+    from mahovik.writing import probe
+
+    suffix_of(path)
+    probe(path)
+
+
 def split_unit(text: str) -> tuple[str, str]:
     """Name and unit of the head of a column, "phi w1 [rad]"."""
     name, bracket, unit = text.partition(" [")
