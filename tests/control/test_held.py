@@ -57,8 +57,8 @@ def swinging(own: Stand) -> tuple[RequiredMotion, Programme]:
 
 def followed(own: Stand, text: str = SERVO, **options: Any) -> Any:
     required, programme = swinging(own)
-    servo: Any = read_servo(text, own)
-    return mahovik.simulate(own, motion=required, programme=programme, servo=servo, **{"periods": 11, **options})
+    given: dict[str, Any] = {"motion": required, "programme": programme, "servo": read_servo(text, own), "periods": 11}
+    return mahovik.simulate(own, **(given | options))
 
 
 def test_mismatch_swings_the_pendulum_by_the_linear_formula() -> None:
