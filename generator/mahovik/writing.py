@@ -130,11 +130,6 @@ def write_synced(path: Path) -> Iterator[Path]:
             _remove([draft], [])
 
 
-def drafts_below(folder: Path, pattern: str) -> list[Path]:
-    """Drafts of files of this pattern at any depth, which killed processes have left, or others write just now."""
-    return sorted(folder.rglob(f".{pattern}.{'[0-9a-f]' * 16}"))
-
-
 def _sync(path: Path) -> None:
     """Wait until a file or folder is on the disk. Raises OSError."""
     number = os.open(path, os.O_RDONLY)
