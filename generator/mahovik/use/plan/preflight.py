@@ -69,14 +69,14 @@ class Part(NamedTuple):
     basis: Array
     name: str | None = None
 
-    def along(self, x: Array) -> str:
+    def direction_words(self, x: Array) -> str:
         """Direction of numbers (k), in words."""
         return self.name or direction(x)
 
     def words(self, x: Array, size: float | None = None) -> str:
         """Numbers (k) as an amount along a direction; `size` in place of their own."""
         size = float(np.linalg.norm(x)) if size is None else size
-        return f"a {self.kind} along {self.along(x)} of {size:.4g} {self.unit}".rstrip()
+        return f"a {self.kind} along {self.direction_words(x)} of {size:.4g} {self.unit}".rstrip()
 
 
 def parts_of(problem: Problem) -> list[Part]:
@@ -194,7 +194,7 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
     found.refusal = Refusal(
         "SPAN",
         f"{what} is required, which these flywheels cannot give at any angles or speeds ({100 * share:.2g} % of the "
-        f"required wrench is outside their span); {_HELPS[part.kind].format(part.along(way))}",
+        f"required wrench is outside their span); {_HELPS[part.kind].format(part.direction_words(way))}",
     )
 
 
