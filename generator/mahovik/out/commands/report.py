@@ -29,19 +29,14 @@ if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.campbell import Campbell
 
-STATES = 16
-"""Random and extreme states at which the C is judged; `mahovik verify` takes more."""
-
-STEPS = 31
-"""Speeds of a sweep, rest among them."""
+STATES, STEPS = 16, 31
+"""Random and extreme states at which the C is judged, `mahovik verify` takes more; speeds of a sweep."""
 
 MOST_POINTS, MOST_ROWS = 3, 10
 """Points whose vibration is shown where none is asked for; rows of a table of verdicts, the worst."""
 
-STILL = 1e-10
-"""m/s2, N: less than this is rounding."""
-
-FAILED = Markup('<span class="bad">failed</span>')
+STILL, FAILED = 1e-10, Markup('<span class="bad">failed</span>')
+"""m/s2, N: less than this is rounding; what is not met."""
 
 COSTLY = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum", "step", "prepare")
 """Functions whose operations are shown, where the stand has them."""
@@ -95,14 +90,10 @@ def report(
         limits = (require,) if isinstance(require, str) else tuple(require)
         checked = check(own)
         sections: tuple[Callable[[], Part | None], ...] = (
-            lambda: bodies_part(own, checked),
-            lambda: modes_part(own),
-            lambda: vibration_part(own, points),
-            lambda: limits_part(checked),
-            lambda: requirements_part(own, points[0], limits),
-            lambda: verification_part(own),
-            lambda: cost_part(own),
-        )
+            lambda: bodies_part(own, checked), lambda: modes_part(own), lambda: vibration_part(own, points),
+            lambda: limits_part(checked), lambda: requirements_part(own, points[0], limits),
+            lambda: verification_part(own), lambda: cost_part(own),
+        )  # fmt: skip
         for done, section in enumerate(sections, start=1):
             part = section()
             made += [] if part is None else [part]

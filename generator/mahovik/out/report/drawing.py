@@ -12,20 +12,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import mount_of, placement
+from mahovik.core.stand.frames import pose
 from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import CarrierLaw
-from mahovik.core.stand.model import Body, Flywheel, Instrument, Stand
+from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.summary import summarize
+from mahovik.core.stand.task import places_of
 from mahovik.out.report.plots import COLOURS, GREY, STYLE, require
 
 Array = NDArray[np.float64]
 
-BARE = 0.04
-"""Radius of bodies without mass, as a share of the distance of the farthest body."""
-
-FAR = 2.5
-"""Times the stand's size: a tie to a ground point beyond is cut off."""
+BARE, FAR = 0.04, 2.5
+"""Radius of bodies without mass, length of a tie beyond which it is cut off, as shares of the stand's size."""
 
 WIDTH, HEIGHT = 6.4, 4.6
 """Inches that the three views may take."""
@@ -56,18 +54,6 @@ class Disc:
     dynamic: Array
 
 
-def placement_in_carrier(stand: Stand, body: Body) -> tuple[Array, Array]:
-    """Origin (3, m) and axes (3x3, columns) of a body in E1; a flywheel's at phi = 0."""
-    if not isinstance(body, Instrument | Flywheel):
-        return np.zeros(3), np.eye(3)
-    at, C = placement(body)
-    mount = mount_of(stand, body)
-    if mount is None:
-        return at, C
-    origin, axes = placement(mount)
-    return origin + axes @ at, axes @ C
-
-
 def ellipsoid(body: Body) -> Array:
     """Semi-axes (columns, m, in the body's axes) of the homogeneous ellipsoid with the body's mass and inertia.
 
@@ -85,7 +71,7 @@ def disc(stand: Stand, flywheel: Flywheel, mark: float) -> Disc:
 
     `mark`: radius (m) of a flywheel without mass.
     """
-    origin, C = placement_in_carrier(stand, flywheel)
+    origin, C = pose(stand, flywheel)
     mass, center = flywheel.mass, np.array(flywheel.center_of_mass)
     central, J = inertia_about_center(flywheel), inertia_about_origin(flywheel)
     real = mass > 0.0 and bool(central[0, 0] > 0.0)
@@ -102,10 +88,10 @@ def draw_stand(stand: Stand) -> tuple[Any, str]:
     bodies = [stand.carrier, *stand.instruments]
     solids = []
     for body in bodies:
-        at, C = placement_in_carrier(stand, body)
+        at, C = pose(stand, body)
         solids.append((at + C @ np.array(body.center_of_mass), C @ ellipsoid(body)))
     reach = [float(np.linalg.norm(at) + np.abs(axes).max()) for at, axes in solids]
-    reach += [float(np.linalg.norm(placement_in_carrier(stand, s)[0])) for s in stand.flywheels]
+    reach += [float(np.linalg.norm(pose(stand, s)[0])) for s in stand.flywheels]
     discs = [disc(stand, s, BARE * (max(reach) or 1.0)) for s in stand.flywheels]
     size = max([*reach, *(float(np.linalg.norm(d.center) + d.radius) for d in discs)]) or 1.0
     gravity = np.array(stand.gravity)
@@ -179,9 +165,7 @@ class _View:
         self._unbalance(discs)
         self._ties(stand)
         for point in stand.points:
-            frame = next((body for body in stand.instruments if body.name == point.mount), stand.carrier)
-            origin, C = placement_in_carrier(stand, frame)
-            self._mark(origin + C @ np.array(point.position), "x", "points")
+            self._mark(places_of(stand.instruments, stand.points)[point.name][0], "x", "points")
         middle = np.array(summarize(stand).center_of_mass)
         self._mark(middle, "$\\oplus$", "centre of mass of the whole")
         for k, name in enumerate("xyz"):

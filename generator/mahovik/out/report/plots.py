@@ -23,8 +23,6 @@ Array = NDArray[np.float64]
 Columns = Sequence[tuple[str, str, Any]]
 """Name, unit and values (M) of each column."""
 
-SUFFIXES = (".svg", ".png")
-
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d31")
 """Eight that people with any colour vision tell apart (Okabe and Ito), brown in place of yellow."""
 
