@@ -117,7 +117,8 @@ class Chain:
         """Amplitudes (S, L, 3) of what the structural modes move, by mount wrenches (S, L, N, 6) in E1 about O1."""
         if self.makers.structure is None:
             return np.zeros((*omega.shape, 3), dtype=np.complex128)
-        force = np.einsum("smi,tlsi->tlm", self.mount_modes, mounts)
+        modes = self.mount_modes.transpose(0, 2, 1).reshape(-1, self.mount_modes.shape[1])
+        force = mounts.reshape(*omega.shape, -1) @ modes.astype(np.complex128)
         q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
         return np.asarray((q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None])
 
@@ -174,9 +175,10 @@ class Chain:
     def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
         """Wrenches (S, L, N, 6) of wheels on their mounts by the carrier's motion: inertia and spin, to first order."""
         V = 1j * omega[..., None] * pose
-        inertial = -np.einsum("sij,tlj->tlsi", self.Theta, 1j * omega[..., None] * V)
-        turning = np.einsum("sij,tlj,ts->tlsi", self.gyro, V, speeds)
-        return np.asarray(inertial + turning)
+        shape = (*omega.shape, len(self.names), 6)
+        inertial = (1j * omega[..., None] * V @ self.Theta.reshape(-1, 6).T).reshape(shape)
+        turning = (V @ self.gyro.reshape(-1, 6).T).reshape(shape) * speeds[:, None, :, None]
+        return np.asarray(turning - inertial)
 
     def mount_reply(self, s: int, speeds: Array, omega: Array, pose: Complex) -> Complex:
         """Wrench (S, L, 6, P) of wheel s on its mount by the carrier's pose (S, L, 6, P), its weight among it."""
