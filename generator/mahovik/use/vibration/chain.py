@@ -118,7 +118,7 @@ class Chain:
         if self.makers.structure is None:
             return np.zeros((*omega.shape, 3), dtype=np.complex128)
         modes = self.mount_modes.transpose(0, 2, 1).reshape(-1, self.mount_modes.shape[1])
-        force = mounts.reshape(*omega.shape, -1) @ modes.astype(np.complex128)
+        force = mounts.reshape(*omega.shape, 6 * len(self.names)) @ modes.astype(np.complex128)
         q = np.where(force == 0.0, 0.0, force * self.makers.structure.compliance(omega))
         return np.asarray((q @ self.seen_modes.T) * self.seen.measure.derivative(omega)[..., None])
 
