@@ -23,7 +23,7 @@ def test_about_a_state(tmp_path: Path) -> None:
     assert found["A"][0][1] == 0.1  # -<omega>
     assert found["points"] == ["carrier"]
     rest = tmp_path / "rest.json"
-    rest.write_text(run("check", SHAKER2, "--json").stdout, encoding="utf-8")
+    rest.write_text(json.dumps(json.loads(run("check", SHAKER2, "--json").stdout)["rest"]["state"]), encoding="utf-8")
     assert run("modes", SHAKER2, "--at", str(rest), "-o", str(target)).exit_code == 0
     found = json.loads(target.read_text(encoding="utf-8"))
     assert len(found["states"]) == 12
@@ -35,6 +35,7 @@ def test_an_unstable_pose_is_named(tmp_path: Path) -> None:
     state = tmp_path / "state.json"
     for angle, unstable in ((90, True), (270, False)):
         phases = [part for name in ("left", "right") for part in ("--phase", f"{name}={angle} deg")]
-        state.write_text(run("check", SHAKER2, "--json", *phases).stdout, encoding="utf-8")
+        pose = json.loads(run("check", SHAKER2, "--json", *phases).stdout)["rest"]["state"]
+        state.write_text(json.dumps(pose), encoding="utf-8")
         said = run("modes", SHAKER2, "--flywheels", "free", "--at", str(state)).stdout
         assert ("warning: unstable" in said) == unstable
