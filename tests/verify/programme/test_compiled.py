@@ -78,7 +78,7 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
     with pytest.raises(UsageError, match="its physics is 00000001, expected"):
         judged(tmp_path, "spin")
     facts.write_text(right.replace('"double"', '"real"'))
-    with pytest.raises(UsageError, match="not as `mahovik export programme` writes it"):
+    with pytest.raises(UsageError, match="not as `mahovik generate --programme` writes it"):
         judged(tmp_path, "spin")
     facts.write_text(right)
     source.write_text("#error no\n")
