@@ -200,9 +200,7 @@ class Chain:
         omega = np.abs(speeds[:, s, None]) * table.order
         still = omega == 0.0
         size = table.amplitude[:, there] * np.where(still, 0.0, 1.0)[..., None] * (speeds[:, s] ** 2)[:, None, None]
-        forward, backward = (
-            self.unit_answers(s, there, speeds, np.where(still, 1.0, omega), back) for back in (False, True)
-        )  # (S, H, 3, P)
+        forward, backward = self.unit_answers(s, there, speeds, np.where(still, 1.0, omega))  # (S, H, 3, P) each
         sense = np.array(table.sense)[:, None, None]
         larger = np.where(np.isnan(forward) | (np.abs(backward) <= np.abs(forward)), forward, backward)
         answer = np.where(sense == "forward", forward, np.where(sense == "backward", backward, larger))
@@ -217,33 +215,56 @@ class Chain:
         frequency = np.repeat(omega / (2.0 * np.pi), len(parts), axis=1)
         return Lines(tuple(names), frequency, np.asarray(a, dtype=np.complex128)).select(kept)
 
-    def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array, backward: bool = False) -> Complex:
-        """Amplitudes (S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
+    def unit_answers(self, s: int, parts: Whole, speeds: Array, omega: Array) -> Complex:
+        """Amplitudes (2, S, L, 3, P) by parts of wheel s with amplitude 1 at omega (S, L; rad/s, above 0).
 
-        Radial parts turn with the wheel, or against it (`backward`).
+        Radial parts turn with the wheel in the first, against it in the second.
         """
-        sense = np.where((speeds[:, s] < 0.0) ^ backward, -1.0, 1.0)[:, None]
-        gains = self._part_gains(s, parts, sense * omega, speeds[:, s, None])  # (S, L, P)
-        basis = (self.own[s] @ PATTERNS[parts].T.astype(np.complex128)) + 0.0  # (6, P)
-        turned = np.where(sense[:, :, None] < 0.0, basis.conj(), basis)  # (S, 6, P)
         S, L = omega.shape
-        a = np.empty((S, L, 3, len(parts)), dtype=np.complex128)
+        used = np.flatnonzero(PATTERNS[parts].any(axis=0))  # axes of the mount: what is seen is linear in them
+        wrench, basis = self.own[s][:, used].astype(np.complex128), PATTERNS[parts][:, used].T + 0.0
+        sense = np.where(speeds[:, s] < 0.0, -1.0, 1.0)[:, None]
+        a = np.empty((2, S, L, 3, len(parts)), dtype=np.complex128)
         step = max(1, CHUNK // max(L * len(self.names) * max(len(self.seen_modes.T), 6), 1))
         for i in range(0, S, step):
             at = slice(i, i + step)
-            wrench = np.broadcast_to(turned[at, None], (*omega[at].shape, *turned.shape[1:]))
             motion = self.motion(speeds[at], omega[at], wrench, partial(_of_wheel, s, wrench))
-            a[at] = self.seen.linear(motion)
-            for p in range(len(parts) if self.makers.structure is not None else 0):
-                mounts = self.mounts(speeds[at], omega[at], motion.pose[..., p])
-                mounts[:, :, s] += wrench[..., p]
-                a[at, ..., p] += self.bent(omega[at], mounts)
-        return a * gains[:, :, None, :]
+            by_axis = self.seen.linear(motion)
+            if self.makers.structure is not None:
+                by_axis = by_axis + self._bent_by_axis(s, wrench, speeds[at], motion)
+            by_axis = by_axis.reshape(len(by_axis), 3 * L, len(used))
+            for k, side in enumerate((sense[at], -sense[at])):
+                turned = np.where(side[:, :, None] < 0.0, basis.conj(), basis)
+                a[k, at] = (by_axis @ turned).reshape(-1, L, 3, len(parts))
+        if self.names[s] in self.makers.inner:
+            for k, side in enumerate((sense, -sense)):
+                a[k] *= self._part_gains(s, parts, side * omega, speeds[:, s, None])[:, :, None]
+        return a
+
+    def _bent_by_axis(self, s: int, wrench: Complex, speeds: Array, motion: LinearMotion) -> Complex:
+        """`bent` (S, L, 3, P) by wrenches (6, P) of wheel s and the wheels' replies to the carrier's motion by them.
+
+        One transfer a line from motion and wrench to what is seen, whatever number of wrenches.
+        """
+        structure, omega, pose = self.makers.structure, motion.omega, motion.pose
+        assert structure is not None
+        (S, L), m = omega.shape, len(structure.omega)
+        way = np.einsum("km,smj->smkj", self.seen_modes, self.mount_modes).astype(np.complex128)
+        inertial = np.einsum("smkj,sji->mki", way, self.Theta).reshape(m, 18)
+        turning = np.tensordot(speeds, np.einsum("smkj,sji->smki", way, self.gyro), axes=1).reshape(S, m, 18)
+        compliance, w = structure.compliance(omega), omega[..., None]
+        by_pose = w**2 * (compliance @ inertial) + 1j * w * (compliance @ turning)
+        direct = (compliance @ (way[s] @ wrench).reshape(m, -1)).reshape(S, L, 3, -1)
+        a = (by_pose.reshape(S, L, 3, 6) @ pose + direct) * self.seen.measure.derivative(omega)[..., None, None]
+        for i, k in np.argwhere(np.isnan(compliance).any(axis=2)):  # met without damping: whether it is driven counts
+            for p in range(wrench.shape[1]):
+                mounts = self.mounts(speeds[i : i + 1], omega[i : i + 1, k : k + 1], pose[i : i + 1, k : k + 1, :, p])
+                mounts[0, 0, s] += wrench[:, p]
+                a[i, k, :, p] = self.bent(omega[i : i + 1, k : k + 1], mounts)[0, 0]
+        return np.asarray(a)
 
     def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
-        inner = self.makers.inner.get(self.names[s])
-        if inner is None:
-            return np.ones((*signed.shape, len(parts)), dtype=np.complex128)
+        inner = self.makers.inner[self.names[s]]
         kinds = {"radial force": "radial", "axial force": "axial", "radial moment": "rocking", "axial moment": ""}
         found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
         gains = np.stack(found, axis=-1)

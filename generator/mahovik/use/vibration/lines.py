@@ -115,11 +115,11 @@ class Lines:
         inside = in_band(self.frequency, band or (0.0, np.inf)) | ~self.is_finite[:, None]
         amplitude = np.where(inside[:, :, None], self.amplitude, 0.0)
         tied = np.array([name.source != MAKER for name in self.names], dtype=bool)
-        sizes, loose = np.abs(amplitude), np.abs(amplitude[:, ~tied])
-        groups = [np.abs(coherent(*row)[1]) for row in zip(self.frequency[:, tied], amplitude[:, tied], strict=True)]
-        square = np.array([(row**2).sum(axis=0) for row in groups]).reshape(-1, 3) + (loose**2).sum(axis=1)
-        peak = np.array([row.sum(axis=0) for row in groups]).reshape(-1, 3) + loose.sum(axis=1)
-        most = SIGMAS * np.sqrt(noise)
+        shared = np.abs(coherent(self.frequency[:, tied], amplitude[:, tied])[1])
+        sizes = np.abs(amplitude)
+        loose, most = sizes[:, ~tied], SIGMAS * np.sqrt(noise)
+        square = np.einsum("slk,slk->sk", shared, shared) + np.einsum("slk,slk->sk", loose, loose)
+        peak = shared.sum(axis=1) + loose.sum(axis=1)
         return Sums(np.sqrt(square / 2.0 + noise), peak + most, sizes.sum(axis=1) + most)
 
     def with_tolerances(self) -> Lines:
@@ -134,6 +134,15 @@ class Lines:
             np.concatenate([self.frequency, other.frequency], axis=1),
             np.concatenate([self.amplitude, other.amplitude], axis=1),
         )
+
+    def below(self, other: Lines) -> Lines:
+        """The same lines at other speeds, then at these."""
+        frequency = np.concatenate([other.frequency, self.frequency])
+        return Lines(self.names, frequency, np.concatenate([other.amplitude, self.amplitude]))
+
+    def at(self, steps: NDArray[np.int_] | list[int]) -> Lines:
+        """These lines at some of the speeds."""
+        return Lines(self.names, self.frequency[steps], self.amplitude[steps])
 
     def select(self, which: NDArray[np.bool_]) -> Lines:
         """Some of the lines: `which` (L) of bool."""
@@ -165,11 +174,14 @@ class Lines:
 
 
 def coherent(frequency: Array, amplitude: Complex) -> tuple[Array, Complex]:
-    """Frequencies (m, ascending, above 0) and sums of amplitudes (m, 3) of lines (L), (L, 3) that share one."""
-    order = np.argsort(frequency, kind="stable")
-    order = order[frequency[order] > 0.0]
-    f, a = frequency[order], amplitude[order]
-    if len(f) == 0:
-        return f, a
-    first = np.concatenate([[True], np.diff(f) > SAME * f[1:]])
-    return f[first], np.add.reduceat(a, np.flatnonzero(first), axis=0)
+    """Frequencies (S, L), ascending, and amplitudes (S, L, 3) of lines with those of one frequency added up.
+
+    The sum is at the first of them; at the others, and at a frequency of 0, the amplitude is 0.
+    """
+    order = np.argsort(frequency, axis=1, kind="stable")
+    f, a = np.take_along_axis(frequency, order, axis=1), np.take_along_axis(amplitude, order[..., None], axis=1)
+    total = np.zeros_like(a)
+    if f.size:
+        first = np.diff(f, axis=1, prepend=-1.0) > SAME * f
+        total[first] = np.add.reduceat(a.reshape(-1, 3), np.flatnonzero(first))
+    return f, np.where((f > 0.0)[..., None], total, 0.0)

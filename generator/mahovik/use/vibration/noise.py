@@ -42,9 +42,7 @@ def noise(chain: Chain, speeds: Array, bands: Sequence[Band | None]) -> Array:
         for s, name in enumerate(chain.names):
             table = chain.makers.noise.get(name)
             if table is not None:
-                forward, backward = (
-                    np.abs(chain.unit_answers(s, parts, rows, omega, back)) ** 2 for back in (False, True)
-                )
+                forward, backward = np.abs(chain.unit_answers(s, parts, rows, omega)) ** 2
                 gain = np.where(radial, (forward + backward) / 2.0, forward)
                 source = np.stack([np.interp(f, table.frequency, d, 0.0, 0.0) for d in table.density.T], axis=1)
                 density += (gain * source[:, None, :]).sum(axis=3)

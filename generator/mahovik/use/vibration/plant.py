@@ -84,17 +84,18 @@ class Plant:
     def pose(self, speeds: Array, omega: Array, wrench: Complex) -> Complex:
         """Pose (S, L, 6, P) by wrenches (S, L, 6, P) at omega (S, L; rad/s, above 0) and speeds (S, N; rad/s).
 
-        NaN at an undamped resonance.
+        Wrenches (6, P) are those of all lines. NaN at an undamped resonance.
         """
-        m, pose = self.S.shape[1], np.zeros(wrench.shape, dtype=np.complex128)
+        m, pose = self.S.shape[1], np.zeros((*omega.shape, *wrench.shape[-2:]), dtype=np.complex128)
         if not m:
             return pose
+        push = np.broadcast_to(self.mobility @ wrench, (*omega.shape, m, wrench.shape[-1]))
         step = max(1, CHUNK // max(omega.shape[1], 1))
         for i in range(0, len(omega), step):
             w = omega[i : i + step, :, None, None]
             b = self.carrier.damping(speeds[i : i + step])
             matrix = np.asarray(-(w**2) * np.eye(m) - 1j * w * b[:, None] - self.carrier.a, dtype=np.complex128)
-            pose[i : i + step] = self.S @ solve_many(matrix, self.mobility @ wrench[i : i + step])
+            pose[i : i + step] = self.S @ solve_many(matrix, push[i : i + step])
         return pose
 
     def reaction(self, speeds: Array, omega: Array, pose: Complex, wrench: Complex) -> Complex:

@@ -49,9 +49,13 @@ class Structure:
     def compliance(self, omega: Array) -> Complex:
         """(..., m): q by modal force at omega (...; rad/s); NaN for a mode without damping at its own frequency."""
         w = omega[..., None]
-        stiffness = self.mass * (self.omega**2 - w**2 + 2j * self.damping * self.omega * w)
-        met = self.is_resonant(omega)
-        return np.where(met, np.nan, 1.0 / np.where(met, 1.0, stiffness))
+        stiffness = np.empty((*omega.shape, len(self.omega)), dtype=np.complex128)
+        stiffness.real = self.mass * (self.omega**2 - w**2)
+        stiffness.imag = 2.0 * self.mass * self.damping * self.omega * w
+        if not self.damping.all():
+            stiffness[self.is_resonant(omega)] = np.nan
+        with np.errstate(invalid="ignore"):
+            return np.asarray(1.0 / stiffness)
 
     def is_resonant(self, omega: Array) -> Flags:
         """(..., m): whether a mode has no damping and its frequency is omega (...; rad/s)."""

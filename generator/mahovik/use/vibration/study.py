@@ -126,16 +126,15 @@ class Vibration:
 
     def largest(self, band: Band | None = None) -> Largest:
         """The largest amplitude in a band; lines of one frequency add up."""
-        found = Largest(0.0, 0, 0.0)
         tied = np.array([name.source != MAKER for name in self.lines.names], dtype=bool)
-        for i, (frequency, amplitude) in enumerate(zip(self.lines.frequency, self.lines.amplitude, strict=True)):
-            shared = coherent(frequency[tied], amplitude[tied])
-            f, a = (np.concatenate(x) for x in zip(shared, (frequency[~tied], amplitude[~tied]), strict=True))
-            size = np.where(in_band(f, band or (0.0, np.inf)), np.nan_to_num(np.linalg.norm(a, axis=1)), 0.0)
-            if size.max(initial=0.0) > found.value:
-                k = int(size.argmax())
-                found = Largest(float(size[k]), i, float(f[k]))
-        return found
+        shared = coherent(self.lines.frequency[:, tied], self.lines.amplitude[:, tied])
+        loose = self.lines.frequency[:, ~tied], self.lines.amplitude[:, ~tied]
+        f, a = (np.concatenate(x, axis=1) for x in zip(shared, loose, strict=True))
+        size = np.where(in_band(f, band or (0.0, np.inf)), np.nan_to_num(np.linalg.norm(a, axis=2)), 0.0)
+        if not size.any():
+            return Largest(0.0, 0, 0.0)
+        at = np.unravel_index(int(size.argmax()), size.shape)
+        return Largest(float(size[at]), int(at[0]), float(f[at]))
 
 
 def vibration(
@@ -184,6 +183,7 @@ class _Study:
         )
         self.solved: dict[float, Spectrum | str] = {}
         self.noises: dict[float, Array] = {}
+        self.known = np.zeros(0), Lines.none(0), Lines.none(0)
         self.cut = False
 
     def one(self, value: Array) -> Vibration:
@@ -252,12 +252,10 @@ class _Study:
         whole = {i: self.solved[float(x)] for i, x in enumerate(value) if float(x) in self.solved}
         spectra = {i: each for i, each in whole.items() if not isinstance(each, str)}
         problems = {i: each for i, each in whole.items() if isinstance(each, str)}
-        speeds = self.plan.rows(value)
-        omega, a = self.chain.first_orders(speeds, self.phases)
-        unbalance = Lines(tuple(LineName(name, 1.0) for name in self.plan.names), omega / (2.0 * np.pi), a)
+        unbalance, tabled = self.linear(value)
         lines = unbalance.with_whole(spectra)
         off = self.difference(unbalance, lines, list(spectra))
-        lines = self.without_tabled(lines).join(self.chain.table_lines(speeds))
+        lines = self.without_tabled(lines).join(tabled)
         lines.amplitude[list(problems)] = np.nan
         problems |= self.resonances(value, lines, problems)
         noises = self.noise(value, set(whole)) if noisy else np.zeros((len(self.bands), len(value), 3))
@@ -266,6 +264,23 @@ class _Study:
             spectra, problems, off,
         )  # fmt: skip
         return replace(found, problems=problems | self.inaccurate(found))
+
+    def linear(self, value: Array) -> tuple[Lines, Lines]:
+        """Lines of the linear equations at values (S) of the swept speed: first orders, those of makers' tables.
+
+        Those of a value that was asked for before are kept.
+        """
+        new = np.setdiff1d(value, self.known[0])
+        if len(new):
+            speeds = self.plan.rows(new)
+            omega, a = self.chain.first_orders(speeds, self.phases)
+            names = tuple(LineName(name, 1.0) for name in self.plan.names)
+            lines = Lines(names, omega / (2.0 * np.pi), a), self.chain.table_lines(speeds)
+            joined = [b.below(a) for a, b in zip(self.known[1:], lines, strict=True)] if len(self.known[0]) else lines
+            self.known = np.concatenate([self.known[0], new]), *joined
+        order = np.argsort(self.known[0])
+        steps = order[np.searchsorted(self.known[0], value, sorter=order)]
+        return self.known[1].at(steps), self.known[2].at(steps)
 
     def difference(self, linear: Lines, lines: Lines, rows: list[int]) -> float:
         """Largest relative difference of the RMS, root of the sum of squares over the axes, at solved rows."""
@@ -311,7 +326,9 @@ class _Study:
 
     def inaccurate(self, found: Vibration) -> dict[int, str]:
         """Steps at which a solution leaves out too much, and how much."""
-        problems, worst = {}, np.linalg.norm(found.sums().worst, axis=1)
+        problems, rows = dict[int, str](), list(found.whole)
+        sums = found.lines.at(rows).sums(found.noises[None][rows])
+        worst = dict(zip(rows, np.linalg.norm(sums.worst, axis=1), strict=True))
         for i, each in found.whole.items():
             left = float(np.linalg.norm(each.left_out))
             known = np.isfinite(left)
