@@ -1,4 +1,3 @@
 mahovik report $STANDS/demo3.toml -o page.pdf
-mahovik report $STANDS/demo3.toml -o page.html --run missing.csv
-mahovik derive $STANDS/demo3.toml -o page.tex
-mahovik derive $STANDS/demo3.toml -o page.pdf
+mahovik report $STANDS/demo3.toml --derivation -o page.tex
+mahovik report $STANDS/demo3.toml --derivation -o page.pdf

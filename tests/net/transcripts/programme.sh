@@ -8,7 +8,7 @@ mahovik verify shaker2.toml shaker2_spin.motion.json --motion p.json
 mahovik plan shaker2.toml --motion missing.json -o q.json
 mahovik plan shaker2.toml $spin -o q.json --stand n.toml
 mahovik plan shaker2.toml $spin -o q.json --method guess
-mahovik plot --programme p.json -o p.svg
+mahovik plan shaker2.toml $spin -o p.svg
 printf 'schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n' > servo.toml
 follow="mahovik simulate shaker2.toml $spin --programme p.json"
 $follow --servo servo.toml --periods 11 --mismatch 2% -o run.csv

@@ -1,10 +1,7 @@
 printf 'schema = 1\ndefault = { speed = "300 rpm" }\n' > regime.toml
 mahovik simulate $STANDS/shaker2.toml --regime regime.toml --until "20 ms" --every "10 ms" -o run.csv
 mahovik simulate $INPUTS/pendulum.toml --until "20 ms" --every "10 ms" -o held.csv --backend scipy
-mahovik plot --run run.csv -o run.svg
-mahovik plot --run run.csv -o run.txt
-mahovik plot --run missing.csv -o run.svg
-mahovik plot -o run.svg
+mahovik simulate $STANDS/shaker2.toml --regime regime.toml --until "20 ms" --every "1 ms" -o run.svg
 mahovik simulate $STANDS/demo3.toml --until "20 mm" -o bad.csv
 mahovik simulate $STANDS/demo3.toml --until "20 ms" -o bad.txt
 sed 's/default/defalt/' regime.toml > bad.toml
