@@ -46,9 +46,6 @@ LISTS = {
 }
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 
-IN_SENTENCES = {"design": ("balancing.md", "identification.md", "measured-data.md")}
-"""Pages that another page links in a sentence, and belong below it."""
-
 
 def contents(page: str, folder: str) -> str:
     """The lists of links to pages in `folder` under the headings of a page, as tables of contents."""
@@ -74,9 +71,6 @@ def read(app: Sphinx, name: str, source: list[str]) -> None:
     """
     if name in LISTS:
         source[0] += contents(source[0], LISTS[name])
-    linked = [page for page in IN_SENTENCES.get(name, ()) if f"]({page})" in source[0]]
-    if linked:
-        source[0] += toctree("Balancing", linked)
     source[0] = re.sub(r"(?<=\]\()[^)#:]*\.md(?=\))", lambda link: outside(app, name, link[0]), source[0])
 
 
