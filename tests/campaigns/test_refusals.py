@@ -95,6 +95,7 @@ RUNS = {
     "regime = { default = { speed = 1 } }": "over, until: required, but missing",
     "speeds = { w1 = 100 }\nuntil = 1": 'over: unknown key "until"',
     'speeds = { w1 = "1..2 rpm" }': "over: speeds: a range of speeds",
+    'speeds = "1500 rpm"': 'over, speeds: expected a table, found "1500 rpm"',
     'programme = "p.json"': "over, motion: required, but missing",
     'states = "none.jsonl"': "none.jsonl",
 }

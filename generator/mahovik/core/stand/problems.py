@@ -55,7 +55,7 @@ class Problems:
                 )
             elif kind == "missing":
                 path, reason = location, "required, but missing"
-            elif kind in ("model_type", "model_attributes_type"):
+            elif kind in ("model_type", "model_attributes_type", "dict_type"):
                 path, reason = location, f"expected a table, found {show(item['input'])}"
             elif kind == "dataclass_type":
                 keys = ", ".join(keys_of(_table_at(table, location)))
