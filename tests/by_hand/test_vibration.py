@@ -28,7 +28,9 @@ from by_hand.stands import ACROSS, SPIN, stand, wheel
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.result import Result
 from mahovik.use.vibration.balance import balance
+from mahovik.use.vibration.lines import Sums
 from mahovik.use.vibration.noise import integral
+from mahovik.use.vibration.peaks import Resonances, mattering
 from mahovik.use.vibration.requirement import read_requirements
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.spectrum import left_out_of
@@ -141,3 +143,13 @@ def test_requirements_count_what_a_solution_leaves_out() -> None:
     (limit,) = read_requirements(["worst 1 um"], seen)
     verdict = replace(found, whole={0: solution}).judge(limit)
     assert verdict.value == pytest.approx((found.sums().worst[0] + left).max(), rel=1e-9)
+
+
+def test_resonances_of_tables_matter_where_a_sum_can_be_largest() -> None:
+    """Sums of 1 to 3 at three speeds; lines of 0.1 beside 1, of 0.1 beside 3, of 2 beside 1, two of 1 that add up."""
+    sums = np.array([1.0, 1.0, 3.0])[:, None] * np.ones(3)
+    at = np.array([0.5, 1.5, 0.25, 0.75, 0.75])
+    met = Resonances(at, np.full(5, 1e-3), np.zeros(5, dtype=int), np.ones(5))
+    size = np.array([0.1, 0.1, 2.0, 0.95, 0.95])[:, None] * np.ones(3)
+    kept = mattering(np.arange(3.0), Sums(sums, sums, sums), met, size)
+    assert kept.tolist() == [False, True, True, True, True]

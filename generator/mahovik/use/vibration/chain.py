@@ -192,10 +192,11 @@ class Chain:
         for s, name in enumerate(self.names):
             table = self.makers.harmonics.get(name)
             if table is not None:
-                found = found.join(self._wheel_lines(s, name, table, speeds))
+                found = found.join(self.wheel_lines(s, table, speeds))
         return found
 
-    def _wheel_lines(self, s: int, name: str, table: Harmonics, speeds: Array) -> Lines:
+    def wheel_lines(self, s: int, table: Harmonics, speeds: Array) -> Lines:
+        """Lines of wheel s by its table at speeds (S, N; rad/s), each part of each order by itself."""
         there = np.flatnonzero(table.amplitude.any(axis=0))
         omega = np.abs(speeds[:, s, None]) * table.order
         still = omega == 0.0
@@ -207,7 +208,7 @@ class Chain:
         a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
         parts = [list(PARTS)[i] for i in there]
         names = [
-            LineName(name, float(order), MAKER, part, float(tolerance))
+            LineName(self.names[s], float(order), MAKER, part, float(tolerance))
             for order, tolerance in zip(table.order, table.tolerance, strict=True)
             for part in parts
         ]

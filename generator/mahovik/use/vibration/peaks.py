@@ -1,18 +1,22 @@
 """Speeds that a sweep needs beside its even grid, so that its largest amplitude is the true one.
 
 First where an order of a flywheel meets a natural frequency, and a half width of the resonance to either side: a peak
-that is narrower than the grid is not missed. Then gaps beside the largest peaks are halved until a parabola through the
+that is narrower than the grid is not missed. Orders of makers' tables meet very many: of these only resonances that
+stand out or that a largest sum may be at. Then gaps beside the largest peaks are halved until a parabola through the
 logarithms says that nothing is between them: springs that stiffen move peaks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.use.numeric import Array
 from mahovik.use.vibration.campbell import crossings, natural_at
+from mahovik.use.vibration.lines import Sums
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
 
@@ -34,7 +38,31 @@ STEEP = 0.6
 ROUNDS = 16
 """Halvings of the speeds about a peak at most."""
 
+ROUNDING = 1e-6
+"""Part of the largest sum of all axes below which that of one is rounding."""
+
+CHUNK = 1_000_000
+"""Pairs of resonances treated at once."""
+
 TURN = 2.0 * np.pi
+
+
+class Resonances(NamedTuple):
+    """Values of the swept speed and half widths (C, rad/s) where an order of a wheel, by its number, is resonant."""
+
+    at: Array
+    width: Array
+    wheel: NDArray[np.int_]
+    order: Array
+
+    def some(self, which: NDArray[np.bool_]) -> Resonances:
+        """Those of which (C) is true."""
+        return Resonances(self.at[which], self.width[which], self.wheel[which], self.order[which])
+
+    @property
+    def values(self) -> Array:
+        """The values, and those a half width beside them."""
+        return np.concatenate([self.at - self.width, self.at, self.at + self.width])
 
 
 def resonances(
@@ -43,36 +71,52 @@ def resonances(
     steps: int,
     orders: Sequence[Iterable[float]],
     modes: Sequence[tuple[float, float]] = (),
-) -> Array:
-    """Values of the swept speed (rad/s), ascending, at resonances and a half width beside them.
+) -> Resonances:
+    """The resonances within a sweep.
 
     orders   by flywheel; modes: natural frequency (rad/s) and damping of others than the carrier's
     """
-    if plan.sweep is None:
-        return np.zeros(0)
-    low, high = sorted(plan.sweep)
+    low, high = sorted(plan.sweep or (0.0, 0.0))
     values = np.linspace(low, high, max(steps, GRID))
     natural = natural_at(scene, plan, values)[0] if scene.count else np.zeros((len(values), 0))
-    lines = {
-        (order * c * sign, order * k * sign)
-        for c, k, own in zip(plan.constant, plan.factor, orders, strict=True)
-        for order, sign in ((order, np.sign(c or k)) for order in own)
-        if c or k
-    }
-    near: list[float] = []
-    for c, k in sorted(lines):
-        met = crossings(scene, plan, values, natural, c, k)
-        at = [(each.speed, each.damping * each.frequency * TURN) for each in met]
-        if k:
-            at += [((sign * omega - c) / k, damping * omega) for omega, damping in modes for sign in (-1.0, 1.0)]
-        near += [x + side * width / abs(k or np.inf) for x, width in at for side in (-1.0, 0.0, 1.0)]
-    return np.array(sorted({x for x in near if low <= x <= high}))
+    rows: list[tuple[float, float, int, float]] = []
+    for s, (c, k) in enumerate(zip(plan.constant, plan.factor, strict=True)):
+        for order in orders[s] if c or k else ():
+            met = crossings(scene, plan, values, natural, order * c, order * k)
+            near = [(each.speed, each.damping * each.frequency * TURN) for each in met]
+            if k:
+                near += [((way * omega / order - c) / k, zeta * omega) for omega, zeta in modes for way in (-1.0, 1.0)]
+            rows += [(x, abs(width / (order * k or np.inf)), s, order) for x, width in near if low <= x <= high]
+    at, half, wheel, of = np.array(rows).reshape(-1, 4).T
+    return Resonances(at, half, wheel.astype(int), of)
+
+
+def mattering(values: Array, sums: Sums, met: Resonances, size: Array) -> NDArray[np.bool_]:
+    """(C): whether resonances whose lines have sizes (C, 3) matter beside sums at values (S, rad/s).
+
+    Such stand out of the root mean square beside them, or a largest sum may be at them: at most that beside them and
+    the resonances about them.
+    """
+    found: NDArray[np.bool_] = np.asarray(~np.isfinite(size).all(axis=1))
+    size, order = np.where(found[:, None], 0.0, size), np.argsort(values)
+    right = np.clip(np.searchsorted(values[order], met.at), 1, len(values) - 1)
+    width, more = np.maximum(met.width, 1e-300), np.zeros_like(size)
+    for rows in np.array_split(np.arange(len(size)), 1 + len(size) ** 2 // CHUNK):
+        more[rows] = 1.0 / np.hypot(1.0, (met.at[rows, None] - met.at) / width) @ size
+    for each in sums:
+        beside = np.maximum(each[order[right - 1]], each[order[right]])
+        bound, known = (np.column_stack([x, np.linalg.norm(x, axis=1)]) for x in (beside + more, each))
+        largest = np.nan_to_num(known).max(axis=0)
+        found |= (~(bound < LARGEST * largest) & (largest > ROUNDING * largest[3])).any(axis=1)
+        if each is sums.rms:
+            found |= np.linalg.norm(size, axis=1) > np.linalg.norm(beside, axis=1)
+    return found
 
 
 def merged(plan: SpeedPlan, values: Array, more: Array) -> Array:
     """Values of the swept speed with more between them, in the direction of the sweep; close ones are one."""
     low, high = sorted(plan.sweep or (0.0, 0.0))
-    kept = [x for x in more if np.abs(values - x).min() > NARROWEST * (high - low)]
+    kept = [x for x in more[(more >= low) & (more <= high)] if np.abs(values - x).min() > NARROWEST * (high - low)]
     found = np.unique(np.concatenate([values, kept]))
     return found if plan.sweep is None or plan.sweep[0] < plan.sweep[1] else found[::-1]
 

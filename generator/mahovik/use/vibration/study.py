@@ -22,7 +22,7 @@ from mahovik.use.vibration.campbell import orders_of
 from mahovik.use.vibration.chain import Chain, Makers, undamped_mode
 from mahovik.use.vibration.lines import MAKER, LineName, Lines, Spectrum, Sums, coherent
 from mahovik.use.vibration.noise import Band, noise
-from mahovik.use.vibration.peaks import ROUNDS, merged, resonances, unsettled
+from mahovik.use.vibration.peaks import LARGEST, ROUNDS, Resonances, mattering, merged, resonances, unsettled
 from mahovik.use.vibration.requirement import Requirement
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.spectrum import spectrum
@@ -195,7 +195,14 @@ class _Study:
         """A sweep, with speeds added until its largest values are the true ones."""
         tables = self.chain.makers.harmonics
         orders = [{*orders_of(self.scene), *(tables[s].order if s in tables else ())} for s in self.plan.names]
-        value = merged(self.plan, value, resonances(self.scene, self.plan, steps, orders, self.chain.modes))
+        met = resonances(self.scene, self.plan, steps, orders, self.chain.modes)
+        of_table = [
+            self.plan.names[s] in tables and order in tables[self.plan.names[s]].order
+            for s, order in zip(met.wheel, met.order, strict=True)
+        ]
+        tabled = np.array(of_table, dtype=bool)
+        value = merged(self.plan, value, met.some(~tabled).values)
+        value = merged(self.plan, value, self.mattering(value, met.some(tabled)).values)
         value, _ = self.refine(value, lambda value: self.result(value, noisy=False))
         rows = np.linspace(0, len(value) - 1, COMPARED).astype(int).tolist()
         self.solve(value[self.largest(self.result(value)) + rows])
@@ -206,6 +213,25 @@ class _Study:
             return replace(found, coarse=float(value[found.largest().step]) if self.cut else None)
         value, coarse = self.refine(value, lambda value: self.result(value) if self.solve(value) else None)
         return replace(self.result(value), coarse=coarse)
+
+    def mattering(self, value: Array, met: Resonances) -> Resonances:
+        """Those of the resonances of makers' tables that matter in any band, with the tolerances of the tables."""
+        if not len(met.at):
+            return met
+        found, tables = self.result(value, noisy=False), self.chain.makers.harmonics
+        size, hertz, matters = np.zeros((len(met.at), 3)), np.zeros(len(met.at)), np.zeros(len(met.at), dtype=bool)
+        for s in np.unique(met.wheel):
+            rows, speeds = met.wheel == s, self.plan.rows(met.at[met.wheel == s])
+            lines = self.chain.wheel_lines(s, tables[self.plan.names[s]], speeds).with_tolerances()
+            own = np.array([name.order for name in lines.names]) == met.order[rows, None]
+            size[rows] = np.where(own[..., None], lines.sizes, 0.0).sum(axis=1)
+            hertz[rows] = np.abs(speeds[:, s]) * met.order[rows] / (2.0 * np.pi)
+        for band in self.bands:
+            inside = in_band(hertz, band or (0.0, np.inf))
+            sums = found.lines.with_tolerances().sums(0.0, band)
+            largest = np.linalg.norm(size, axis=1) >= LARGEST * found.largest(band).value
+            matters[inside] |= largest[inside] | mattering(value, sums, met.some(inside), size[inside])
+        return met.some(matters)
 
     def refine(self, value: Array, study: Callable[[Array], Vibration | None]) -> tuple[Array, float | None]:
         """Speeds with those that the largest peaks need, and one near which they may be higher; None: they are true."""
