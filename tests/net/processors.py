@@ -47,7 +47,7 @@ def accepted_costs(target: TargetCost) -> dict[str, Any]:
 
 
 def accepted(stand: str, costs: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """The accepted costs of a stand, a row for each target as `mahovik cost` keeps them."""
+    """The accepted costs of a stand, a row for each target as `mahovik verify --cost` keeps them."""
     for key, row in costs.get(stand, {}).items():
         target, real = key.split()
         functions = [

@@ -5,4 +5,4 @@ mahovik evidence --check out
 mahovik evidence $STANDS/demo3.toml --only deliver -o other
 mahovik verify $STANDS/demo3.toml --cost --targets m8
 mahovik verify $STANDS/demo3.toml --cost --accept
-ONLY_PATH=/nowhere mahovik check --tools | grep -v 'extra\|───'
+ONLY_PATH=/nowhere mahovik check --tools | grep -v 'extra\|───' | tr -s ' '

@@ -19,8 +19,8 @@ _SECONDS = 10.0
 CHECKERS = (
     ("frama-c", "frama-c-base", "proofs of the C: Eva"),
     ("cppcheck", "cppcheck", "static checks of the C"),
-    ("cmake", "cmake", "projects of export cmake"),
-    ("valgrind", "valgrind", "cost: instructions of the host"),
+    ("cmake", "cmake", "projects of generate --project cmake"),
+    ("valgrind", "valgrind", "verify --cost: instructions of the host"),
 )
 """Command, Debian package, what asks for it."""
 

@@ -311,5 +311,5 @@ def cost_part(stand: Stand) -> Part:
             rows.append(
                 [Markup("<code>{}</code>").format(function.name), *(f"{n:,}".replace(",", "\u202f") for n in numbers)]
             )
-    words = "Operations of one call at most. `mahovik cost` measures instructions, stack and code on processors."
+    words = "Operations of one call at most. `mahovik verify --cost` measures instructions, stack and code."
     return Part("Cost", words, ("function", "additions>", "products>", "divisions>", "all>"), tuple(rows))
