@@ -320,13 +320,18 @@ def _cost(
             column("target", "", [target["target"] for target, _ in rows]),
             column("real", "", [target["real"] for target, _ in rows]),
             column("function", "", [function["function"] for _, function in rows]),
-            *(column(key, "", [function[key] for _, function in rows]) for key in names),
+            *(column(key, "", [_figure(function.get(key)) for _, function in rows]) for key in names),
         ),
         rows="functions",
         meta=figures,
         messages=[f"no rise on {'; '.join(compared)}"] if compared else [],
         details=tuple(figures),
     )
+
+
+def _figure(figure: Any) -> Any:
+    """A figure of a function; names in one text."""
+    return ", ".join(figure) if isinstance(figure, list) else figure
 
 
 def report_result(
