@@ -148,7 +148,7 @@ def test_a_force_table_reads_the_unbalance_of_each_sample(tmp_path: Path) -> Non
 
 
 def test_a_pendulum_hangs_from_the_pivot_of_each_sample(tmp_path: Path) -> None:
-    """Off its axis: it hangs there with its weight on the pivot, and does not move."""
+    """The pivot is off the axis: the pendulum hangs from it with its weight, and does not move."""
     (tmp_path / "pendulum.toml").write_text(PENDULUM, encoding="utf-8")
     wanted = {"F": '"peak force"\nat = "hold.reaction"', "rate": '"peak rate"\nat = "carrier"'}
     over = "regime = { default = { hold = true } }\nuntil = 0.02"

@@ -74,10 +74,8 @@ def test_a_part_runs_on_targets_and_its_branches_are_counted(part: Path, tmp_pat
     result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "branches,targets,fuzz")
     assert result.exit_code == 0, result.output
     verdicts = {e["name"]: e for e in json.loads((out / "evidence.json").read_text())["pieces"]}
-    assert {name: verdicts[name]["verdict"] for name in ("branches", "targets")} == dict.fromkeys(
-        ("branches", "targets"), "passed"
-    )
-    assert verdicts["fuzz"]["figure"] == "the harness calls all functions, and this C has some of them"
+    pieces = ("branches", "targets", "fuzz")  # the last is of C with all functions
+    assert {name: verdicts[name]["verdict"] for name in pieces} == dict.fromkeys(pieces, "passed")
 
 
 def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path) -> None:

@@ -113,7 +113,7 @@ def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed
 
 
 def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed:
-    """As `summed`, of numbers."""
+    """The suspension of one stand, whose numbers are floats. Raises QuantityError."""
     K, home = _matrix(isolators, lambda each: each.stiffness), _home(stand)
     bearing = preload or any(each.damping_ratio is not None for each in isolators)
     x = _displacement(K, _weight(stand, home), stand) if bearing else [0.0] * 6

@@ -401,7 +401,7 @@ def _check_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
 
 
 def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
-    """Of each function the check that is nearest to its limit, with all that failed; names of what is not compared."""
+    """A check for each function, that nearest to its limit, and all that failed; names of what is not compared."""
     groups: dict[str, list[Check]] = {}
     for row in rows:
         groups.setdefault(row.judged, []).append(row)

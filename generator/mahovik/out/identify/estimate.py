@@ -307,7 +307,7 @@ def noise_of(measured: Array) -> Array:
 
 
 def shares_left(run: Run, residuals: Array) -> tuple[Array, NDArray[np.bool_], NDArray[np.bool_]]:
-    """Of channels (C): what is left as a share of the data, NaN of constant ones; has it a signal; is the fit bad?"""
+    """For each channel (C): residual as a share of the data (NaN where these are constant), has signal, fits badly."""
     spread, left = np.nanstd(run.measured, axis=0), np.sqrt(np.nanmean(residuals**2, axis=0))
     noise = np.maximum(np.minimum(run.noise, noise_of(residuals)), LEAST_NOISE)
     heard = spread > HEARD * noise

@@ -233,7 +233,7 @@ class Slopes:
 
 
 def slopes_of_residual(mechanics: Mechanics, at: Twists, given: Drive) -> Slopes:
-    """Of R, from the sums of the flywheels.
+    """Slopes of the residual R of (12) by pose, twist and its rate, from the sums of the flywheels.
 
     Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a law is
     undefined.
@@ -252,7 +252,7 @@ def slopes_of_residual(mechanics: Mechanics, at: Twists, given: Drive) -> Slopes
 
 
 def slopes_of_torques(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> Slopes:
-    """Of tau, at flywheel motions phi, phi' (M, N each; rad, s). Kinks as in `slopes_of_residual`."""
+    """Slopes of the drive torques tau at phi, phi' (M, N each; rad, rad/s). Kinks as in `slopes_of_residual`."""
     tables, (h, slopes) = mechanics.tables, waves(phi)
     Theta = np.einsum("hms,hsij->msij", h, tables.Theta)
     Theta_dot = np.einsum("hms,hsij->msij", slopes * phi_dot, tables.Theta)

@@ -107,7 +107,7 @@ class Amplitude:
 
     @staticmethod
     def of(chart: Chart, motion: RequiredMotion, programme: Programme) -> Amplitude:
-        """Of a periodic motion; for a carrier held still, what the flywheels can do at the period's frequency."""
+        """Amplitudes of a periodic motion; of one that holds the carrier still, what the flywheels can reach."""
         S = chart.frame.S
         root = np.asarray(np.linalg.cholesky(S.T @ chart.mechanics.mean_inertia @ S).T)
         M = max(64, 16 * max(motion.harmonics, default=1))
