@@ -143,16 +143,13 @@ def text_of_keys(keys: Keys, schema: bool = True) -> str:
 
 def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.inf, high: float = math.inf) -> float:
     """A number in SI of an argument `name`, from `low` to `high`. Raises UsageError."""
-    from mahovik.core.stand.numbers import exact
-    from mahovik.core.stand.units import QuantityError, number
+    from mahovik.core.stand.numbers import in_si
+    from mahovik.core.stand.units import QuantityError
 
     try:
-        found = float(value)
-    except ValueError:
-        try:
-            found = number(exact(value), dimension)
-        except QuantityError as error:
-            raise UsageError(f"{name}: {error}") from None
+        found = in_si(value, dimension)
+    except QuantityError as error:
+        raise UsageError(f"{name}: {error}") from None
     if not (math.isfinite(found) and low <= found <= high):
         raise UsageError(f"{name} {value}: out of range, expected {low:g} to {high:g} {dimension.si}".rstrip())
     return found

@@ -86,6 +86,14 @@ def exact(value: Any) -> Any:
     return Decimal(repr(float(value))) if isinstance(value, Real) else value
 
 
+def in_si(value: float | str, dimension: Dimension) -> float:
+    """A number that is in SI, also as a text, or a text with a unit. Raises QuantityError."""
+    try:
+        return float(value)
+    except ValueError:
+        return number(exact(value), dimension)
+
+
 def put(document: dict[str, Any], changes: Mapping[str, Any]) -> None:
     """Set values by path in the document, the keys of a stand file; a None takes a key away.
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from mahovik.core.motion.laws import MAX_SPEED
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.numbers import exact
-from mahovik.core.stand.units import SPEED, QuantityError, number
+from mahovik.core.stand.numbers import in_si
+from mahovik.core.stand.units import SPEED, QuantityError
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
 from mahovik.use.numeric import Array
@@ -202,12 +202,9 @@ def _range(name: str, text: str) -> tuple[float, float]:
 
 def _speed(name: str, text: float | str) -> float:
     try:
-        found = float(text)
-    except ValueError:
-        try:
-            found = number(exact(text), SPEED)
-        except QuantityError as error:
-            raise UsageError(f"speed {name}={text}: {error}") from None
+        found = in_si(text, SPEED)
+    except QuantityError as error:
+        raise UsageError(f"speed {name}={text}: {error}") from None
     if not math.isfinite(found):
         raise UsageError(f"speed {name}={text}: expected a finite speed, as {name}=1000 rpm")
     return found
