@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
 VERIFICATION = ROOT / "docs" / "verification.md"
 
-DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/tutorial-held-examples.md", "docs/howto/two-exciters.md")
+DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/howto/held-carriers.md", "docs/howto/two-exciters.md")
 """Pages whose own commands draw their pictures."""
 
 FUNCTIONS = "<!-- functions: tools/pages.py -->\n\n", "\n<!-- end of functions -->"
@@ -136,7 +136,7 @@ def draw(page: Path) -> None:
         session = Session(page, Path(scratch))
         for step in steps(page):
             session.run(step)
-        for shown in re.findall(r"!\[[^\]]*\]\(([\w/-]+\.svg)\)", page.read_text(encoding="utf-8")):
+        for shown in re.findall(r"!\[[^\]]*\]\(([\w/.-]+\.svg)\)", page.read_text(encoding="utf-8")):
             picture = Path(scratch) / Path(shown).name
             if picture.is_file():
                 (page.parent / shown).write_text(picture.read_text(encoding="utf-8"), encoding="utf-8")

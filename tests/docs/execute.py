@@ -5,13 +5,15 @@
 * A block of `python` is run as a script; names of the blocks before it on the page are there.
 * A block of `text` that comes next, under the same heading, is what the block before prints: all of it, or all that its
   last command prints. A line `...` stands for any lines, `...` inside a line for any text.
-* A block with a second word after the fence (```c main.c) is a file of that name, and only that.
+* A block with a second word after the fence (```c main.c) is a file of that name, and only that. Files of docs/held
+  that the page links to are there too.
 """
 
 from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -49,7 +51,10 @@ def steps(page: Path) -> Iterator[Step]:
 
 
 def files(page: Path, folder: Path) -> None:
-    """Writes the files that a page shows; `main.c` also where a whole program has no name."""
+    """Write the files that a page shows or links to; `main.c` also where a whole program has no name."""
+    for held in re.findall(r"\]\(\.\./held/([\w/.]+)\)", page.read_text(encoding="utf-8")):
+        (folder / held).parent.mkdir(exist_ok=True)
+        shutil.copyfile(ROOT / "docs" / "held" / held, folder / held)
     for block in blocks(page):
         if block.file or (block.language == "c" and "int main(" in block.text):
             (folder / (block.file or "main.c")).write_text(block.text, encoding="utf-8")

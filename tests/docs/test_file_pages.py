@@ -21,7 +21,6 @@ from mahovik.core.motion.motion_file import (
     read_motion_or_slew,
 )
 from mahovik.core.motion.programme import ProgrammeTable
-from mahovik.core.motion.regime import load as load_regime
 from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Encoder, Motor
@@ -125,12 +124,3 @@ def test_limits_of_the_verification_of_programmes() -> None:
     text = (DOCS / "programmes.md").read_text(encoding="utf-8")
     for size in (kinked.residual, kinked.error):
         assert f"accepted to {size:.0e}".replace("e-0", "e-") in text
-
-
-@pytest.mark.parametrize("name", sorted(file.stem for file in (DOCS / "held").glob("*.toml")))
-def test_held_stands_of_the_tutorial_are_those_of_their_folder(name: str) -> None:
-    shown = {block.file: block.text for block in blocks(DOCS / "tutorial-held-examples.md")}
-    stand, regime = DOCS / "held" / f"{name}.toml", DOCS / "held" / "regimes" / f"{name}.toml"
-    assert shown[f"{name}.toml"] == stand.read_text(encoding="utf-8")
-    assert shown[f"{name}.regime.toml"] == regime.read_text(encoding="utf-8")
-    assert len(load_regime(regime, load(stand), 10.0).flywheels) == len(load(stand).flywheels)

@@ -173,7 +173,7 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
     if stand.hold is not None:
         raise UsageError(
             f'stand "{stand.name}": hold: the loop demands a task, which a held carrier does not have; turn it '
-            "by `inverse_fast` and `torque` of its C, as `turn.c` of docs/tutorial-held-examples.md does, or take "
+            "by `inverse_fast` and `torque` of its C, as docs/held/turn.c does, or take "
             "[hold] out"
         )
     names = [task.name for task in stand.tasks]
