@@ -210,7 +210,9 @@ def _polar_of_arrays(length: Any, angle: Any, divisor: Any) -> tuple[Array, Arra
 
 
 def _exact(length: float, angle: float, divisor: float) -> tuple[float, float]:
-    import mpmath
+    if angle == 0.0:
+        return length / divisor + 0.0, 0.0
+    import mpmath  # takes as long to start as all else of a small stand
 
     with mpmath.workdps(_DIGITS):
         ratio, at = mpmath.mpf(length) / mpmath.mpf(divisor), mpmath.mpf(angle)

@@ -124,7 +124,7 @@ class Controller:
 @lru_cache(maxsize=4)
 def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
     """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
-    made = generate_all(stand, "double")
+    made = generate_all(stand, "double", ("torque",))
     form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim, held=stand.hold is not None))
     tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
     files = servo_code(stand, lower_servo(made.layout, form), form, tables)

@@ -203,6 +203,7 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
     if not rows:
         raise StateError(stopped or "")
     columns: dict[str, Array] = {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    columns["q"] = coordinates(case.real, columns["position"], columns["attitude"], columns["required"])
     controller = loop.controller
     return Record(
         case.reference, start, **columns, stopped=stopped, interrupted=interrupted, rounds=controller.rounds,
@@ -262,9 +263,10 @@ class _Loop:
         i = self._prepare(n)
         phi, phi_dot = self._measure(t)
         required = self._required[i]
-        q = coordinates(case.real, own.position[None], own.attitude[None], required[None])[0]
         phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
-        measured = q if self.controller.trims and n >= 0 else None
+        measured = None
+        if self.controller.trims and n >= 0:
+            measured = coordinates(case.real, own.position[None], own.attitude[None], required[None])[0]
         command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
         corrections = self.controller.corrections
         apart = self._distances(i, own.phi, phase, corrections)
@@ -274,7 +276,7 @@ class _Loop:
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
         self._command = command
         true = {name: np.copy(getattr(own, name)) for name in ("position", "attitude", "V", "phi", "phi_dot", "tau")}
-        row = {"t": t, **true, "q": q, "required": required, "apart": apart, "command": command}
+        row = {"t": t, **true, "required": required, "apart": apart, "command": command}
         return {**row, "corrections": corrections.copy()}
 
     def advance(self, n: int) -> None:

@@ -183,6 +183,7 @@ class Course:
         )
         self._answer = answers
         self._run = _compiled("float" if block.x.dtype == np.float32 else "double")
+        self._stretches: dict[int, tuple[dict[str, Array], Any]] = {}  # of `advance`, by number of steps
 
     def run(self, rows: Mapping[str, Array], moments: dict[str, Array]) -> int:
         """Step through the stretches of `rows`; put the moments at their ends into arrays of `memory`.
@@ -191,26 +192,35 @@ class Course:
         """
         for answer, name in zip(self._answer, self._names, strict=True):
             answer.to = moments[name].ctypes.data
-        passed = _Rows(len(rows["count"]), *(_address(rows[name]) for name in _ROWS))
-        before = self._c.left
-        done = int(self._run(ctypes.byref(self._c), ctypes.byref(passed)))
-        if self._c.left < before:
-            self.block.refuse(self.status, self._place, "")
+        done = self._make(_Rows(len(rows["count"]), *(_address(rows[name]) for name in _ROWS)))
         for name in self._records:  # of a function without batch
             K, components, n = moments[name].shape
             moments[name] = moments[name].reshape(K, n, components).transpose(0, 2, 1)
         return done
 
+    def _make(self, rows: Any) -> int:
+        before = self._c.left
+        done = int(self._run(ctypes.byref(self._c), ctypes.byref(rows)))
+        if self._c.left < before:
+            self.block.refuse(self.status, self._place, "")
+        return done
+
     def advance(self, command: Array, t: float, h: float, count: int) -> None:
         """Make steps of h s from the time t (s) on, under constant commanded torques (N, N m); no run-time wrench."""
-        N, W = len(command), len(self.block.given["wrench"])
-        real = self.block.x.dtype
-        rows: dict[str, Array] = {}
-        rows |= {name: np.zeros((count + 1, N), real) for name in ("phi", "phi_dot", "mean", "between", "halfway")}
-        rows |= {"wrench": np.zeros((count, W), real), "end_wrench": np.zeros(W, real)}
-        rows |= {"count": np.array([count], dtype=np.int32), "begin": np.array([t]), "length": np.array([h])}
-        rows |= {"command": np.tile(command, (count, 1)), "end_command": command, "end_phi_ddot": np.zeros(N, real)}
-        self.run(rows, self.memory(1))
+        if count not in self._stretches:
+            N, W, real = len(command), len(self.block.given["wrench"]), self.block.x.dtype
+            rows: dict[str, Array] = {}
+            rows |= {name: np.zeros((count + 1, N), real) for name in ("phi", "phi_dot", "mean", "between", "halfway")}
+            rows |= {"wrench": np.zeros((count, W), real), "end_wrench": np.zeros(W, real)}
+            rows |= {"count": np.array([count], dtype=np.int32), "begin": np.zeros(1), "length": np.zeros(1)}
+            rows |= {"command": np.zeros((count, N)), "end_command": np.zeros(N), "end_phi_ddot": np.zeros(N, real)}
+            self._stretches[count] = rows, _Rows(1, *(_address(rows[name]) for name in _ROWS))
+            self._memory = self.memory(1)
+        rows, passed = self._stretches[count]
+        rows["command"][:], rows["end_command"][:], rows["begin"][0], rows["length"][0] = command, command, t, h
+        for answer, name in zip(self._answer, self._names, strict=True):
+            answer.to = self._memory[name].ctypes.data
+        self._make(passed)
 
     def _place(self, j: int) -> str:
         return f"at t = {self.when[j]:.6g} s {self._functions[self.where[j]]}"
