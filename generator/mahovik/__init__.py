@@ -25,6 +25,7 @@ __all__ = [
     "StandError",
     "StateError",
     "States",
+    "Status",
     "ToolchainError",
     "UsageError",
     "__version__",
@@ -46,6 +47,7 @@ __all__ = [
     "replay",
     "report",
     "simulate",
+    "status_words",
     "verify",
     "vibration",
 ]
@@ -57,6 +59,7 @@ _PLACES = {
     "Result": "out.result",
     "Stand": "out.api.stands",
     "States": "out.api.states",
+    "Status": "out.api.calls",
     "balance": "out.commands.balance",
     "build": "out.api.model",
     "campaign": "out.commands.campaign",
@@ -75,6 +78,7 @@ _PLACES = {
     "replay": "out.commands.replay",
     "report": "out.commands.report",
     "simulate": "out.commands.simulate",
+    "status_words": "out.api.calls",
     "verify": "out.commands.verify",
     "vibration": "out.commands.vibration",
 }

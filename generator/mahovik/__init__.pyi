@@ -7,6 +7,8 @@ from mahovik.errors import StandError as StandError
 from mahovik.errors import StateError as StateError
 from mahovik.errors import ToolchainError as ToolchainError
 from mahovik.errors import UsageError as UsageError
+from mahovik.out.api.calls import Status as Status
+from mahovik.out.api.calls import status_words as status_words
 from mahovik.out.api.model import Model as Model
 from mahovik.out.api.model import build as build
 from mahovik.out.api.stands import Stand as Stand

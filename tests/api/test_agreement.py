@@ -14,7 +14,7 @@ from mahovik.core.stand import State
 from mahovik.core.stand.random import random_state, random_wrenches
 from mahovik.core.toolchain.compiled import Real
 from mahovik.errors import StateError
-from mahovik.out.api.results import Answer
+from mahovik.out.result import Result
 from mahovik.proof.verify.backends import KeptBackend
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.quick import quick
@@ -43,18 +43,18 @@ BY_WRENCH = ("momentum", "points")
 
 
 def offered(name: str) -> set[str]:
-    return {f.name for f in model(name).functions}
+    return set(model(name).functions["function"])
 
 
-def results(name: str, function: str, states: list[State]) -> Answer:
+def results(name: str, function: str, states: list[State]) -> Result:
     """Result of a function on all states at once."""
     x, inputs, wrench = given(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
-    call: Callable[..., Answer] = getattr(model(name), function)
+    call: Callable[..., Result] = getattr(model(name), function)
     return call(x, **{key: inputs[key] for key in ASKED[function][1]}, **more)
 
 
-def pairs(name: str, function: str, result: Answer, expected: dict[str, Any], j: int) -> Iterator[tuple[str, Any, Any]]:
+def pairs(name: str, function: str, result: Result, expected: dict[str, Any], j: int) -> Iterator[tuple[str, Any, Any]]:
     """Each quantity of the contract by name: its value for state j, and the expected one."""
     if function == "points":
         for k, sensor in enumerate(model(name).sensors):
@@ -93,8 +93,8 @@ def test_one_state_is_a_batch_of_one(name: str) -> None:
         if more and wrench is not None:
             more = {"wrench": {body: value[1] for body, value in wrench.items()}}
         one = getattr(model(name), function)(x.take(1), **alone, **more)
-        assert one.batch is None and one.status == many.status[1]
-        for key, value in many.to_dict().items():
+        assert one.single and one.status == many.status[1]
+        for key, value in many.items():
             assert np.array_equal(one[key], value[1]), (function, key)
             assert one[key].shape == value.shape[1:]
 
@@ -140,11 +140,11 @@ def test_options_of_inverse_reach_the_c() -> None:
     m = model("bench8")
     x, inputs, _ = given("bench8", random_states("bench8", 4))
     limited = m.inverse(x, inputs["V_dot"], limit=1.0)
-    assert np.abs(limited.phi_ddot).max() <= 1.0 and limited.has_status("LIMITED").any()
+    assert np.abs(limited.phi_ddot).max() <= 1.0 and (limited.status & mahovik.Status.LIMITED).any()
     heavy = m.inverse(x, inputs["V_dot"], weight={"w1": 1e3})
     free = m.inverse(x, inputs["V_dot"])
     assert (np.abs(heavy["phi_ddot", "w1"]) < np.abs(free["phi_ddot", "w1"])).all()
-    assert m.inverse(x, inputs["V_dot"], near_singular=1.0).has_status("NEAR_SINGULAR").all()
+    assert (m.inverse(x, inputs["V_dot"], near_singular=1.0).status & mahovik.Status.NEAR_SINGULAR).all()
     only = m.inverse(x, inputs["V_dot"], limit={"w3": 1.0})
     assert np.abs(only["phi_ddot", "w3"]).max() <= 1.0 and np.abs(only.phi_ddot).max() > 1.0
 

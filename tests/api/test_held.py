@@ -25,7 +25,7 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
     moved = model.forward(x, phi_ddot=3.0)
     assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
     found = model.inverse(x, V_dot=moved.V_dot)
-    assert {f.name: f.labels for f in found.fields}["residual"] == (("pitch",),)
+    assert {one.name: one.axes for one in found.columns}["residual"][0].labels == ("pitch",)
     assert abs(found["residual", "pitch"]) < 1e-9 and abs(found["phi_ddot", "w1"] - 3.0) < 1e-9
 
 

@@ -17,7 +17,6 @@ import mahovik
 from api import typed_script
 from api.models import model, stand
 from docs.pages import ROOT
-from mahovik.out.api.results import Answer
 
 RECORD = Path(__file__).parent / "public.txt"
 PUBLIC: tuple[str, ...] = tuple(vars(mahovik)["__all__"])
@@ -35,15 +34,13 @@ def signatures() -> list[str]:
                 lines += [f"{name}.{line}" for line in attributes(value)]
         else:
             lines.append(f"{name}{inspect.signature(value)}" if callable(value) else name)
-    for result in Answer.__subclasses__():
-        lines += [f"results.{result.__name__}.{field}" for field in result.__annotations__]
     return sorted(lines)
 
 
 def attributes(value: type) -> list[str]:
     """Public attributes of a class, its own and inherited, methods with their signatures."""
     found = []
-    for name in getattr(value, "_fields", dir(value)):
+    for name in getattr(value, "_fields", getattr(value, "__members__", dir(value))):
         attribute = inspect.getattr_static(value, name)
         if not name.startswith("_"):
             kind = isinstance(attribute, property)
@@ -115,5 +112,5 @@ def test_notebooks_show_tables() -> None:
     }
     for words, value in shown.items():
         html = value._repr_html_()
-        assert words.partition(";")[0] in html and html.count("<table>") == html.count("</table>") == 1
+        assert words.partition(";")[0] in html and html.count("<table>") == html.count("</table>") > 0
         assert len(repr(value)) < 100 and "\n" not in repr(value) and "<script" not in html

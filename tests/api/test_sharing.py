@@ -48,7 +48,7 @@ def test_threads_of_openmp_give_the_same_bits() -> None:
     one, many = mahovik.build(stand("demo3")), mahovik.build(stand("demo3"), threads=2)
     x = one.states(phi=np.random.default_rng(1).normal(size=(999, 3)), phi_dot=50.0)
     for function in ("forward", "coupled", "matrices", "momentum"):
-        for key, value in getattr(one, function)(x).to_dict().items():
+        for key, value in getattr(one, function)(x).items():
             assert np.array_equal(value, getattr(many, function)(x)[key])
 
 

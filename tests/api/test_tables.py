@@ -72,8 +72,8 @@ def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
             found = getattr(m, function)(x, **inputs, tables=tables)
             one = {key: value[j] if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
             expected = getattr(own, function)(x.array[j], **one)
-            for key, value in expected.to_dict().items():
-                assert value.tobytes() == np.ascontiguousarray(found.to_dict()[key][j]).tobytes(), (function, key, j)
+            for key, value in dict(expected).items():
+                assert value.tobytes() == np.ascontiguousarray(found[key][j]).tobytes(), (function, key, j)
 
 
 def test_units_and_values_for_all_samples() -> None:

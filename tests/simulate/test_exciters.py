@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 import mahovik
 from docs.pages import ROOT, blocks
 from mahovik.core.stand import loads
-from mahovik.out.api.simulate import Motion
+from mahovik.out.result import Result
 
 FILES = {block.file: block.text for block in blocks(ROOT / "docs/howto/two-exciters.md") if block.file}
 TWO_PI = 2 * np.pi
@@ -73,7 +73,7 @@ def lagrange(inertia: float, curves: list[Any], until: float, times: Array) -> A
 
 
 @lru_cache
-def run(inertia: str) -> Motion:
+def run(inertia: str) -> Result:
     document = tomllib.loads(FILES["motors.toml"])
     stand = mahovik.Stand.of(loads(FILES["screen.toml"].replace("[2, 2.5, 3]", f"[{inertia}, {inertia}, 3]")))
     model = mahovik.build(stand)

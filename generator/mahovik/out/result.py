@@ -14,6 +14,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
 from importlib import import_module
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -55,14 +56,27 @@ STYLES = {"ok": "green", "yes": "green", "passed": "green", "FAILED": "bold red"
 """Styles of words in a table on a terminal."""
 
 
+class Axis(NamedTuple):
+    """What an axis of a column counts: its name, and labels, of which there may be none."""
+
+    name: str
+    labels: tuple[Any, ...] = ()
+
+
 class Column(NamedTuple):
-    """Values under a name, one a row; `column` makes it of lists."""
+    """Values under a name, one a row; `column` makes it of lists.
+
+    axes     of values with more axes than that of the rows: what these count
+    shown    key of `UNITS` for people
+    meaning  frame and point of the values
+    """
 
     name: str
     unit: str
     values: Array
-    parts: tuple[str, ...] = ()
+    axes: tuple[Axis, ...] = ()
     shown: str = ""
+    meaning: str = ""
 
     @property
     def head(self) -> str:
@@ -71,10 +85,26 @@ class Column(NamedTuple):
 
     def flat(self) -> list[Column]:
         """Each part as a column of its own: `amplitude x`, `amplitude y`; without parts itself."""
-        parts = enumerate(self.parts)
-        return [Column(f"{self.name} {part}", self.unit, self.values[:, i], (), self.shown) for i, part in parts] or [
-            self
+        if not self.axes:
+            return [self]
+        sizes = self.values.shape[1:]
+        labels = product(*(axis.labels or range(size) for axis, size in zip(self.axes, sizes, strict=True)))
+        return [
+            Column(" ".join([self.name, *map(str, names)]), self.unit, self.values[:, *place], (), self.shown)
+            for place, names in zip(np.ndindex(*sizes), labels, strict=True)
         ]
+
+    def part(self, *labels: Any) -> tuple[Any, ...]:
+        """The index of the part that labels, numbers or slices name, of an array without rows. Raises InputError."""
+        if len(labels) > len(self.axes):
+            raise InputError(f"{self.name}: {len(labels)} labels, but it has {len(self.axes)} axes besides the rows")
+        found: list[Any] = []
+        for k, (axis, label) in enumerate(zip(self.axes, labels, strict=False)):
+            if isinstance(label, str) and label not in axis.labels:
+                hint = suggestion(label, axis.labels) if axis.labels else ", which has no labels, give a number"
+                raise InputError(f'{self.name}: no "{label}" on axis {k}{hint}')
+            found.append(axis.labels.index(label) if isinstance(label, str) else label)
+        return (Ellipsis, *found, *(slice(None) for _ in self.axes[len(found) :]))
 
 
 def column(
@@ -87,12 +117,13 @@ def column(
     shown   key of `UNITS` for people: "rpm" for a speed in rad/s; "": that of the unit
     """
     listed = values if isinstance(values, np.ndarray) else list(values)  # type: ignore[arg-type]
+    axes = (Axis(f"{name} part", tuple(parts)),) if parts else ()
     if len(listed) and any(isinstance(value, str) for value in listed):
-        return Column(name, unit, np.array([str(value) for value in listed], dtype=object), tuple(parts), shown)
+        return Column(name, unit, np.array([str(value) for value in listed], dtype=object), axes, shown)
     array = np.asarray(listed)
     if array.dtype == object:
         array = np.array([np.nan if value is None else value for value in listed], dtype=np.float64)
-    return Column(name, unit, array.reshape(-1, len(parts)) if parts else array, tuple(parts), shown)
+    return Column(name, unit, array.reshape(-1, len(parts)) if parts else array, axes, shown)
 
 
 def columns_of(
@@ -111,7 +142,9 @@ def columns_of(
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Result(Mapping[str, Any]):
-    """The answer of a command: a mapping of the arrays of its columns, by name, and of what stands in `meta`.
+    """The answer of a function: a mapping of the arrays of its columns, by name, and of what stands in `meta`.
+
+    `result["amplitude"]` and `result.amplitude` are the same; `result["amplitude", "x"]` is the part of that label.
 
     title      one line that says what it is of
     columns    the main table
@@ -124,6 +157,7 @@ class Result(Mapping[str, Any]):
     details    entries of `meta` that JSON has and tables for people leave out
     drawings   panels of its picture: `out.report.plots.Panel`, or functions of the result and axes of matplotlib;
                none: the columns of numbers over the index, or over `t`
+    single     one row, whose arrays come without the axis of rows
     """
 
     title: str
@@ -136,14 +170,28 @@ class Result(Mapping[str, Any]):
     ok: bool = True
     details: Sequence[str] = ()
     drawings: Sequence[Drawing] = ()
+    single: bool = False
 
-    def __getitem__(self, key: str) -> Any:
+    def __getitem__(self, key: str | tuple[Any, ...]) -> Any:
+        name, *labels = key if isinstance(key, tuple) else (key,)
         for one in self.columns:
-            if one.name == key:
-                return one.values
-        if key in self.meta:
-            return self.meta[key]
-        raise InputError(f"{key!r}: no such column or entry{suggestion(str(key), list(self))}")
+            if one.name == name:
+                values = one.values[0] if self.single else one.values
+                return values[one.part(*labels)] if labels else values
+        if name in self.meta:
+            return self.meta[name]
+        raise InputError(f"{name!r}: no such column or entry{suggestion(str(name), list(self))}")
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name in self.__dataclass_fields__:
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except InputError as error:
+            raise AttributeError(str(error)) from None
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(name for name in self if name.isidentifier())})
 
     def __contains__(self, key: object) -> bool:
         return key in self.meta or any(one.name == key for one in self.columns)
@@ -182,7 +230,7 @@ class Result(Mapping[str, Any]):
         if self.rows:
             found[self.rows] = self._objects()
         else:
-            found |= {one.name: plain(one.values) for one in self.columns}
+            found |= {one.name: plain(self[one.name]) for one in self.columns}
         return {**found, "units": units, "messages": list(self.messages), "ok": bool(self.ok)}
 
     def _objects(self) -> Any:
@@ -208,17 +256,17 @@ class Result(Mapping[str, Any]):
 
     def to_xarray(self) -> Any:
         """The columns as an xarray.Dataset, each with its unit in `attrs`. Raises UsageError without xarray."""
-        rows = self.index or "row"
-        found = {
-            one.name: (
-                (rows, f"{one.name} part") if one.parts else rows,
-                one.values,
-                {"units": one.unit} if one.unit else {},
-            )
-            for one in self.columns
-        }
-        places: dict[str, Any] = {rows: found.pop(rows) if self.index else np.arange(self.count)}
-        places |= {f"{one.name} part": list(one.parts) for one in self.columns if one.parts}
+        rows: list[str] = [] if self.single else [self.index or "row"]
+        found, places = {}, dict[str, Any]()
+        for one in self.columns:
+            dims: list[str] = []
+            for axis in one.axes:
+                dims.append(axis.name if axis.name not in dims else f"{axis.name} of {one.name}")
+                places |= {dims[-1]: list(axis.labels)} if axis.labels else {}
+            more = {"units": one.unit, "long_name": one.meaning}
+            found[one.name] = ([*rows, *dims], self[one.name], {key: text for key, text in more.items() if text})
+        if rows:
+            places[rows[0]] = found.pop(self.index) if self.index else np.arange(self.count)
         return _library("xarray", "frames").Dataset(found, coords=places)
 
     # ---- files
@@ -328,8 +376,13 @@ class Result(Mapping[str, Any]):
         return table
 
     def cells(self) -> tuple[list[str], list[list[str]], list[bool]]:
-        """Heads with units, the cells of the rows that are shown, and which columns are of numbers."""
+        """Heads with units, the cells of the rows that are shown, and which columns are of numbers.
+
+        Of arrays with more axes than one has in a table, and of a single row, there is a row an array.
+        """
         shown = [_fitted(one) for one in self.columns if one.name not in self.details]
+        if self.single or any(one.values.ndim > 2 for one in shown):
+            return ["name", "shape", "unit", "values", "meaning"], [self._about(one) for one in shown], [False] * 5
         columns = [part for one in shown for part in one.flat()]
         heads = [one.head.replace("_", " ") for one in columns]
         places: list[int | None] = [*range(self.count)]
@@ -337,6 +390,17 @@ class Result(Mapping[str, Any]):
             places = [*range(SHOWN - 10), None, *range(self.count - 9, self.count)]
         rows = [["..." if i is None else cell_text(one.values[i]) for one in columns] for i in places]
         return heads, rows, [one.values.dtype.kind in "iufc" for one in columns]
+
+    def _about(self, one: Column) -> list[str]:
+        """Name, shape, unit, numbers or their range, and meaning of the arrays of a column."""
+        values = one.values[0] if self.single else one.values
+        if values.size <= 12:
+            words = ", ".join(map(cell_text, np.ravel(values)))
+        else:
+            good = values[np.isfinite(values)]
+            words = f"{good.min():.4g} … {good.max():.4g}" if good.size else "not finite"
+            words += f", {values.size - good.size} not finite" if 0 < good.size < values.size else ""
+        return [one.name, " × ".join(map(str, np.shape(values))) or "number", one.unit, words, one.meaning]
 
     def _lines(self) -> Iterator[str]:
         """Entries of `meta` that are a number, a text or a short list of them, a line each."""

@@ -17,7 +17,7 @@ from mahovik.core.stand.hold import (
     twists,
     words,
 )
-from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.errors import InputError
 from mahovik.proof.verify.held import ALLOWED
 from mahovik.use.simulate.held import home
@@ -103,11 +103,6 @@ def of_coordinates(stand: Stand, q: Array, orientation: Array, q_dot: Array) -> 
     attitude = _product(at_home, turn)
     position = np.array(hold.position) + _rotate(at_home, w + pivot) - _rotate(attitude, pivot)
     return position, attitude, u @ S.T
-
-
-def twists_of(hold: Hold, u: Array) -> Array:
-    """V = S u (6, or n x 6) of u (m, or n x m)."""
-    return np.asarray(u @ twists(hold).T)
 
 
 def _product(a: Array, b: Array) -> Array:

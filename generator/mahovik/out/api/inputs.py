@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Hold
+from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.core.stand.units import TIME, QuantityError, number, show
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.held import blocked_twist
-from mahovik.proof.verify.states import ROUNDING
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]
 """Numbers for all components, one number for each of them, or numbers by name, of which the missing are zero."""
-
-_NUMBERS = "iuf"
 
 
 def numbers(given: Any, what: str) -> Array:
@@ -29,17 +24,22 @@ def numbers(given: Any, what: str) -> Array:
         found = np.asarray(given)
     except (ValueError, TypeError) as error:
         raise InputError(f"{what}: no array of numbers: {str(error).split('. ')[0]}") from None
-    if found.dtype.kind not in _NUMBERS:
+    if found.dtype.kind not in "iuf":
         if found.size == 0:
             return found.astype(np.float64)
         raise InputError(f"{what}: expected real numbers, found an array of {found.dtype}")
     return found
 
 
-def time(text: str, what: str) -> float:
-    """A time with its unit, in s. Raises InputError."""
+def is_count(n: Any) -> bool:
+    """Whether it is a whole number from 0."""
+    return isinstance(n, int | np.integer) and not isinstance(n, bool) and bool(n >= 0)
+
+
+def time(given: Any, what: str) -> Any:
+    """A text with a unit as a time in s; anything else as it is. Raises InputError."""
     try:
-        return number(text, TIME)
+        return number(given, TIME) if isinstance(given, str) else given
     except QuantityError as error:
         raise InputError(f"{what}: {error}") from None
 
@@ -47,7 +47,12 @@ def time(text: str, what: str) -> float:
 def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -> Array:
     """An array of shape (), (count,) or (n, count). Raises InputError. `names`: of the components, `noun`s."""
     if isinstance(given, Mapping):
-        return _by_name(given, what, names, noun)
+        parts = {i: numbers(value, f"{what} of {names[i]}") for i, value in places(given, what, names, noun).items()}
+        for i, part in parts.items():
+            if part.ndim > 1:
+                raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {part.shape}")
+        n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
+        return _side_by_side(parts, n, len(names), 1)
     found = numbers(given, what)
     if found.ndim == 0 or (found.ndim <= 2 and found.shape[-1] == count):
         return found
@@ -55,25 +60,12 @@ def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -
     raise InputError(f"{what}: expected shape ({count},) or (n, {count}){of}, found {found.shape}")
 
 
-def read_twist(given: Given, hold: Hold | None) -> Array:
-    """V of shape (), (6,) or (n, 6). Raises InputError; also for one that a hold does not allow."""
-    found = read(given, "V", 6, TWIST_LETTERS, "component")
-    if hold is not None and (reason := blocked_twist(hold, found * np.ones(6))):
-        raise InputError(reason)
-    return found
-
-
-def _by_name(given: Mapping[str, ArrayLike], what: str, names: Sequence[str], noun: str) -> Array:
-    parts: dict[int, Array] = {}
-    for i, value in places(given, what, names, noun).items():
-        parts[i] = numbers(value, f"{what} of {names[i]}")
-        if parts[i].ndim > 1:
-            raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {parts[i].shape}")
-    n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
-    found = np.zeros((len(names),) if n is None else (n, len(names)))
+def _side_by_side(parts: Mapping[int, Array], n: int | None, count: int, width: int) -> Array:
+    """Parts by place, each `width` numbers wide, as (count width,) or (n, count width); missing ones are 0."""
+    found = np.zeros((count, width) if n is None else (n, count, width))
     for i, part in parts.items():
-        found[..., i] = part
-    return found
+        found[..., i, :] = part[..., np.newaxis] if width == 1 else part
+    return found.reshape(*found.shape[:-2], count * width)
 
 
 def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
@@ -81,8 +73,7 @@ def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str)
     found = {}
     for name, value in given.items():
         if name not in names:
-            hint = suggestion(str(name), names)
-            raise InputError(f"{what}: no {noun} {show(name)}{hint}")
+            raise InputError(f"{what}: no {noun} {show(name)}{suggestion(str(name), names)}")
         found[list(names).index(name)] = value
     return found
 
@@ -112,56 +103,15 @@ def by_component(part: Array, count: int, n: int, real: np.dtype[Any]) -> Array:
 
 
 def lock_flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.int32]:
-    """Locks of flywheels from names, or from a flag for each."""
-    if isinstance(given, str):
-        given = (given,)
+    """Locks of flywheels from names, or from a flag for each. Raises InputError."""
+    given = (given,) if isinstance(given, str) else given
     if isinstance(given, Sequence) and all(isinstance(each, str) for each in given):
-        unknown = [str(each) for each in given if each not in names]
-        if unknown:
-            hint = suggestion(unknown[0], names)
-            raise InputError(f"locked: no flywheel {show(unknown[0])}{hint}")
-        return np.array([name in given for name in names], dtype=np.int32)
+        locked = places(dict.fromkeys(map(str, given)), "locked", names, "flywheel")
+        return np.array([i in locked for i in range(len(names))], dtype=np.int32)
     found = np.asarray(given)
     if found.shape != (len(names),) or found.dtype.kind not in "biu":
         raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {given!r:.60}")
     return np.asarray(found != 0, dtype=np.int32)
-
-
-def pack_states(parts: Mapping[str, tuple[Array, int]], n: int | None, real: np.dtype[Any]) -> Array:
-    """Arrays of shape (), (count,), (n, count) below one another, (components, n). Raises InputError."""
-    many = batch_size({name: part for name, (part, _) in parts.items()})
-    if n is not None and (isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 0):
-        raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
-    if n is not None and many not in (None, n):
-        raise InputError(f"states: n is {n}, but arrays of {many} states were given")
-    size = n if n is not None else many if many is not None else 1
-    memory = np.empty((sum(count for _, count in parts.values()), size), dtype=real)
-    row = 0
-    for part, count in parts.values():
-        with np.errstate(over="ignore"):  # beyond float is infinite, which the C refuses by name
-            memory[row : row + count] = part.T if part.ndim == 2 else part[:, np.newaxis] if part.ndim else part
-        row += count
-    return memory
-
-
-def attitudes(attitude: ArrayLike | None, angles: ArrayLike | None, quaternions: Callable[[Array], Array]) -> Array:
-    """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
-    if attitude is not None and angles is not None:
-        raise InputError("attitude, angles: both given, expected one of them")
-    if angles is not None:
-        given = read(angles, "angles", 3, ("psi", "theta", "phi"), "angle")
-        return quaternions(np.full(3, given) if given.ndim == 0 else given)
-    if attitude is None:
-        return np.array([1.0, 0.0, 0.0, 0.0])
-    found = numbers(attitude, "attitude")
-    if found.ndim not in (1, 2) or found.shape[-1] != 4:
-        raise InputError(f"attitude: expected shape (4,) or (n, 4) (w, x, y, z), found {found.shape}")
-    length = np.linalg.norm(found.astype(np.float64), axis=-1, keepdims=True)
-    wrong = np.flatnonzero(~(np.abs(length - 1.0) <= UNIT_LENGTH))
-    if wrong.size:
-        where = f" of state {wrong[0]}" if found.ndim == 2 else ""
-        raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
-    return np.where(np.abs(length - 1.0) <= ROUNDING, found, found / length)
 
 
 def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known: Sequence[str]) -> Array:
@@ -178,9 +128,4 @@ def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known
         if body not in bodies:
             raise InputError(f"wrench: the C takes none on {show(body)}: set `wrench_input = true` in the stand file")
         parts[body] = read(value, f"wrench of {body}", 6, WRENCH_LETTERS, "component")
-    n = batch_size(parts)
-    found = np.zeros((6 * len(bodies),) if n is None else (n, 6 * len(bodies)))
-    for body, part in parts.items():
-        first = 6 * list(bodies).index(body)
-        found[..., first : first + 6] = part
-    return found
+    return _side_by_side({list(bodies).index(body): x for body, x in parts.items()}, batch_size(parts), len(bodies), 6)

@@ -1,62 +1,30 @@
-"""Compiled functions of a stand for one state or many: what each takes and gives."""
+"""Compiled functions of a stand for one state or many."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from inspect import Parameter, Signature
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from mahovik.contract.functions import FUNCTIONS, PublicFunction
-from mahovik.contract.quantities import QUANTITIES, is_shared
+from mahovik.contract.functions import row_of, task_of
+from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.units import show
 from mahovik.core.toolchain.compiled import ELEMENT, Real
 from mahovik.errors import InputError
-from mahovik.nearest import suggestion
-from mahovik.out.api import results
-from mahovik.out.api.call import OnError
-from mahovik.out.api.coordinates import WithCoordinates
-from mahovik.out.api.core import Built, Locks, Wrenches
-from mahovik.out.api.fields import Array
-from mahovik.out.api.inputs import Given
-from mahovik.out.api.reaction import WithReaction
-from mahovik.out.api.results import Answer
-from mahovik.out.api.simulate import WithSimulation
-from mahovik.out.api.states import States
-from mahovik.out.api.tables import Tables
+from mahovik.out.api.calls import Array, Calls, How, Locks, OnError
+from mahovik.out.api.inputs import Given, is_count
+from mahovik.out.api.states import StateNumbers, States
+from mahovik.out.api.tables import Tables, make_tables
+from mahovik.out.result import Result, column
 
+if TYPE_CHECKING:
+    from mahovik.core.motion.regime import Regime
 
-def add_methods(model: type[Built]) -> None:
-    """Give a class of models a method for each function of states that it has none for."""
-    for row in FUNCTIONS.values():
-        if row.python and "x" in row.takes and not hasattr(model, row.name):
-            setattr(model, row.name, _method(row))
-
-
-def _method(row: PublicFunction) -> Callable[..., Answer]:
-    inputs = [name for name in row.takes if name not in ("x", "wrench") and not is_shared(name)]
-    positional, keyword = Parameter.POSITIONAL_OR_KEYWORD, Parameter.KEYWORD_ONLY
-    parameters = [Parameter(name, positional) for name in ("self", "x")]
-    parameters += [Parameter(name, positional, default=0.0) for name in inputs]
-    parameters += [Parameter("wrench", keyword, default=None)] if "wrench" in row.takes else []
-    parameters += [Parameter("tables", keyword, default=None), Parameter("on_error", keyword, default="raise")]
-    signature = Signature(parameters)
-
-    def method(*arguments: object, **named: object) -> Answer:
-        bound = signature.bind(*arguments, **named)
-        bound.apply_defaults()
-        given = dict(bound.arguments)
-        model, x, tables, on_error = (given.pop(name) for name in ("self", "x", "tables", "on_error"))
-        found: Answer = model._result(Answer, row.name, x, on_error, given.pop("wrench", None), tables, **given)
-        return found
-
-    results = (f"`{name}`" + (f", {q.unit}: {q.axes}" if (q := QUANTITIES.get(name)) else "") for name in row.gives)
-    method.__doc__ = f"{'; '.join(results)}. State by state. Raises InputError, RefusedError."
-    method.__name__ = row.name
-    method.__signature__ = signature  # type: ignore[attr-defined]  # inspect reads it
-    return method
+StatesLike = States | ArrayLike
+"""`States`, or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state."""
 
 
 def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, threads: int = 1) -> Model:
@@ -72,125 +40,248 @@ def build(stand: Stand, *, real: Real = "double", compiler: str | None = None, t
         raise InputError(f"build: expected a Stand, found {type(stand).__name__}: mahovik.load(path) reads one")
     if real not in ELEMENT:
         raise InputError(f'build: real: expected "double" or "float", found {real!r:.40}')
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+    if not is_count(threads) or threads < 1:
         raise InputError(f"build: threads: expected a number from 1, found {threads!r:.40}")
     return Model(stand, real, compiler, threads)
 
 
-class Model(WithReaction, WithCoordinates, WithSimulation):
+class Model:
     """Functions of a stand for one state or many; made by `mahovik.build`.
 
     `x` is `States` or an array of shape (n, 13 + 2 N), or (13 + 2 N,) of one state. Other inputs are arrays of shape
     (n, k), or (k,) for all states alike, or one number for all, or numbers by the name of the flywheel; what is not
-    given is zero. Results have the batch axis first, and none where all inputs are of one state.
+    given is zero. Each answers a `Result` of arrays with the batch axis first, and without it where all inputs are of
+    one state; its column `status` has what the C said of each state, see `mahovik.Status`.
 
-    A state that the C refuses raises RefusedError, which names it; with `on_error="nan"` its results are NaN.
-    With `tables=`, of `tables`, state j is of the stand of sample j; one state is of all of them.
-    Functions may be called from several threads at once; a model can be pickled, and is built again from the cache.
+    All take `wrench=`, N and N m, six numbers by the name of a body, in its frame about its origin (not `momentum` and
+    `points`); `tables=` of `Model.tables`: state j is of the stand of sample j; `on_error="nan"`: the results of a
+    state that the C refuses are NaN, in place of a RefusedError that names it. Shapes and names that do not fit raise
+    InputError. Functions may be called from several threads at once; a model can be pickled.
     """
 
-    # -- functions that have a batch ---------------------------------------------------------------------------------
+    def __init__(self, stand: Stand, real: Real, compiler: str | None, threads: int) -> None:
+        self._calls = Calls(stand, real, compiler, threads)
+        self._made_by = (stand, real, compiler, threads)
 
-    def forward(
-        self,
-        x: States | ArrayLike,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Forward:
-        """Acceleration of the carrier for given accelerations of the flywheels, (8).
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), self._made_by
 
-        phi_ddot  rad/s2
-        wrench    N, N m; by body, in the body's own frame about its origin
+    # -- what it is --------------------------------------------------------------------------------------------------
 
-        Gives `V_dot`. Batch C. Raises InputError, RefusedError.
+    @property
+    def stand(self) -> Stand:
+        """The stand it was built of."""
+        return self._calls.stand
+
+    @property
+    def compiler(self) -> str:
+        """Command of the compiler of its C."""
+        return " ".join(self._calls.made.compiler)
+
+    @property
+    def flywheels(self) -> tuple[str, ...]:
+        """Names of the flywheels, in the order of all arrays."""
+        return self._calls.flywheels
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Names of instruments and points, in the order of `points`."""
+        return self._calls.made.sensors
+
+    @property
+    def wrenches(self) -> tuple[str, ...]:
+        """Bodies that take a run-time wrench: those with `wrench_input = true` in the stand file."""
+        return self._calls.made.inputs
+
+    @property
+    def functions(self) -> Result:
+        """Functions of this stand's C: `takes`, `gives`, and `how`, many states in a register or one by one."""
+        made = self._calls.made
+        # a task is asked of `inverse`
+        known = {name: f for name, f in made.functions.items() if "x" in row_of(name).takes and not task_of(name)}
+        takes = [[a.name for a in f.arguments if a.direction == "in"] for f in known.values()]
+        gives = [
+            ["states"] if "next" in row_of(name).gives else [one.name for one in self._calls.columns[name]]
+            for name in known
+        ]
+        return Result(
+            repr(self).strip("<>"),
+            (
+                column("function", "", [*known]),
+                column("takes", "", [", ".join(name for name in names if name not in made.tables) for names in takes]),
+                column("gives", "", [", ".join(names) for names in gives]),
+                column("how", "", ["batch C" if f.wide else "C, state by state" for f in known.values()]),
+            ),
+        )
+
+    def tables(self, changes: Mapping[str, Any], n: int | None = None) -> Tables:
+        """Prepared tables of n stands that differ from the model's: arrays by path of the stand file.
+
+        `{"w1.unbalance.static": array, "gravity": array}`: paths as in `Stand.replace`, arrays with the samples first,
+        (n,) for a number, (n, 3) for a vector; SI, or `{"value": array, "unit": "g mm"}`; a number or a text is for all
+        samples. Table j has the bits of `Stand.replace` with the values of sample j.
+
+        Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere or to another structure,
+        StandError for a sample that cannot be, by its number.
         """
-        return self._result(results.Forward, "forward", x, on_error, wrench, tables, phi_ddot=phi_ddot)
+        calls = self._calls
+        return make_tables(calls.stand, calls.made, calls.real, calls.element, calls.threads, changes, n)
 
-    def coupled(
+    def __repr__(self) -> str:
+        calls, count = self._calls, self._calls.threads
+        how = f"{calls.real}, {count} thread{'' if count == 1 else 's'}"
+        return f"<Model of {calls.stand.name}: {len(calls.flywheels)} flywheels; {how}>"
+
+    def _repr_html_(self) -> str:
+        return self.functions._repr_html_()
+
+    # -- states ------------------------------------------------------------------------------------------------------
+
+    def state(self, **numbers: Unpack[StateNumbers]) -> States:
+        """One state; see `states`."""
+        x = self.states(None, **numbers)
+        if x.batch is not None:
+            raise InputError(f"state: {x.batch} states given, expected one: use states")
+        return x
+
+    def states(self, n: int | None = None, **numbers: Unpack[StateNumbers]) -> States:
+        """States: n of them, or as many as the arrays given have; one without batch axis where none has one.
+
+        position    m; of O1 in E0; left out, 0, or where a hold has O1 with this attitude
+        attitude    quaternion, w first, of x0 = C x1; made unit where it is within 1e-3 of that
+        angles      rad; of the sequence of the stand, instead of `attitude`; neither: aligned with E0, or the home pose
+        V           m/s, rad/s; twist in E1 about O1
+        u           m/s, rad/s; of a held carrier instead of `V`: the speeds of its freedoms
+        phi         rad; phases
+        phi_dot     rad/s; speeds
+
+        Raises InputError, also for a pose and a V that the hold of the carrier does not allow.
+        """
+        return self._calls.maker.states(n, numbers)
+
+    def state_from_coordinates(
         self,
-        x: States | ArrayLike,
-        tau: Given = 0.0,
+        q: Given = 0.0,
+        q_dot: Given = 0.0,
         *,
-        locked: Locks = (),
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Coupled:
-        """Motion of the whole system under given drive torques.
+        orientation: ArrayLike | None = None,
+        phi: Given = 0.0,
+        phi_dot: Given = 0.0,
+    ) -> States:
+        """A state of a held carrier, or as many as the arrays have, by coordinates of its freedoms; of `generalized`.
+
+        q             m, rad; one for each freedom, zero in the home pose; none of all three turns together
+        q_dot         m/s, rad/s; one for each freedom
+        orientation   of all three turns: the unit quaternion from the home pose, w first; left out: that pose
+        phi, phi_dot  as in `states`
+
+        Raises InputError.
+        """
+        return self._calls.maker.from_coordinates(q, q_dot, orientation, {"phi": phi, "phi_dot": phi_dot})
+
+    def states_of(self, array: ArrayLike) -> States:
+        """States of an array of all their numbers, (n, 13 + 2 N) or (13 + 2 N,), as `States.array` has them: a copy.
+
+        Quaternions are taken as they are: the C refuses those that are not unit within 1e-3. Raises InputError.
+        """
+        return self._calls.maker.of_array(array)
+
+    def carry(self, n: int | None = None) -> Array:
+        """A carry for `step` and `step_driven`, all zero: (n, 13 + 2 N), or (13 + 2 N,) of one state."""
+        if n is not None and not is_count(n):
+            raise InputError(f"carry: expected a number of states from 0, found {n!r:.40}")
+        components = self._calls.maker.components
+        return np.zeros(components if n is None else (n, components), self._calls.element)
+
+    # -- motion ------------------------------------------------------------------------------------------------------
+
+    def forward(self, x: StatesLike, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """`V_dot` (6) of the carrier for given accelerations of the flywheels, rad/s2, (8). Batch C."""
+        return self._calls.result("forward", x, how, phi_ddot=phi_ddot)
+
+    def coupled(self, x: StatesLike, tau: Given = 0.0, *, locked: Locks = (), **how: Unpack[How]) -> Result:
+        """`V_dot` (6) and `phi_ddot` (N) of the whole system under given drive torques. Batch C.
 
         tau     N m; mount on flywheel
         locked  names of flywheels that a lock holds at phi'' = 0, or a flag for each; the same for all states
-
-        Gives `V_dot`, `phi_ddot`. Batch C. Raises InputError, RefusedError.
         """
-        return self._result(results.Coupled, "coupled", x, on_error, wrench, tables, tau=tau, locked=locked)
+        return self._calls.result("coupled", x, how, tau=tau, locked=locked)
 
-    def torque(
-        self,
-        x: States | ArrayLike,
-        V_dot: Given = 0.0,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Torque:
-        """Drive torques for a given motion: V_dot m/s2, rad/s2; phi_ddot rad/s2. Of wrenches those on flywheels act.
-
-        Gives `tau`. Batch C. Raises InputError, RefusedError.
-        """
-        return self._result(results.Torque, "torque", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
+    def torque(self, x: StatesLike, V_dot: Given = 0.0, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """Drive torques `tau` (N) for a given motion, m/s2 and rad/s2. Of wrenches those on flywheels act. Batch C."""
+        return self._calls.result("torque", x, how, V_dot=V_dot, phi_ddot=phi_ddot)
 
     def step(
         self,
-        x: States | ArrayLike,
+        x: StatesLike,
         dt: float | str,
         tau: Given = 0.0,
         *,
         locked: Locks = (),
         order: Literal[2, 4] = 4,
-        wrench: Wrenches = None,
         carry: Array | None = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
+        **how: Unpack[How],
     ) -> States:
         """The states a time `dt` later, s or a text with a unit, under drive torques and wrenches held constant.
 
         order  4: Runge-Kutta; 2: midpoint rule
         carry  of `model.carry`: takes what rounding took from these states, and is changed in place
 
-        Batch C; with a carry state by state. Raises InputError, RefusedError.
+        Batch C; with a carry state by state.
         """
-        return self._step("step", x, dt, order, on_error, wrench, carry, tables, tau=tau, locked=locked)
-
-    # -- functions for one state, in a loop --------------------------------------------------------------------------
+        return self._calls.step("step", x, dt, order, carry, how, tau=tau, locked=locked)
 
     def step_driven(
         self,
-        x: States | ArrayLike,
+        x: StatesLike,
         dt: float | str,
         phi_ddot: Given = 0.0,
         *,
         order: Literal[2, 4] = 4,
-        wrench: Wrenches = None,
         carry: Array | None = None,
+        **how: Unpack[How],
+    ) -> States:
+        """The states a time `dt` later under given flywheel accelerations; else as `step`."""
+        return self._calls.step("step_driven", x, dt, order, carry, how, phi_ddot=phi_ddot)
+
+    def simulate(
+        self,
+        until: float | str,
+        *,
+        regime: Regime | Mapping[str, Any] | str | Path | None = None,
+        start: StatesLike | None = None,
+        dt: float | str = 1e-4,
+        every: float | str = 1e-3,
+        order: int = 4,
+        mounts: bool = False,
         tables: Tables | None = None,
         on_error: OnError = "raise",
-    ) -> States:
-        """The states a time `dt` (s) later, under given flywheel accelerations; `carry` as in `step`.
+    ) -> Result:
+        """The motion until a time (s, or a text with a unit), of all states and stands at once, in C.
 
-        Batch C; with a carry state by state.
+        regime    speeds or torques of the flywheels, wrenches: a file, its keys, or a Regime; the same for all samples.
+                  None: the flywheels keep the speeds of `start`
+        start     one state for all samples, or one for each; None: the static equilibrium of the model's stand
+        dt        the longest step; every: time between moments of output, the last of which is `until`
+        order     of the step: 4 or 2
+        mounts    also the wrench of the mount on each flywheel
+        tables    of `model.tables`: sample j is of stand j. One sample does not depend on which others there are
+        on_error  "raise": a state that the C refuses raises RefusedError; "nan": its numbers are NaN from then on
 
-        Raises InputError, RefusedError.
+        Arrays are (T, ...), of many samples (n, T, ...): `t`, the state, `V_dot`, `phi_ddot`, `tau` (whole drive
+        torques), `specific_force` and `rate` of sensors, `reaction` of a hold, in E1 about O1; `refused` says of each
+        sample why the C refused it, or "". Phases are not wrapped.
+        Raises InputError, UsageError, RegimeError, CheckError (no equilibrium to begin from), RefusedError.
         """
-        return self._step("step_driven", x, dt, order, on_error, wrench, carry, tables, phi_ddot=phi_ddot)
+        from mahovik.out.api.simulate import simulate
+
+        return simulate(self._calls, until, regime, start, dt, every, order, mounts, tables, on_error)
+
+    # -- inverse problems --------------------------------------------------------------------------------------------
 
     def inverse(
         self,
-        x: States | ArrayLike,
+        x: StatesLike,
         V_dot: Given | None = None,
         *,
         task: str | None = None,
@@ -203,10 +294,8 @@ class Model(WithReaction, WithCoordinates, WithSimulation):
         motor_speed: Given | None = None,
         near_singular: float | None = None,
         damping: float | None = None,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Inverse:
+        **how: Unpack[How],
+    ) -> Result:
         """Flywheel accelerations for a wanted motion of the carrier, (12): least residual, then least weighted phi''.
 
         task          name of a task of the stand, with `demand`, a number for each row, in place of V_dot
@@ -220,30 +309,27 @@ class Model(WithReaction, WithCoordinates, WithSimulation):
         damping       of small singular values, a part of the largest; else none
 
         Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`, of a task `V_dot` as well, the
-        motion that results; positive statuses say what to know. State by state. Raises InputError, RefusedError.
+        motion that results; positive statuses say what to know. State by state.
         """
-        each = {"weight": weight, "limit": limit, "most": most}
-        each |= {"motor_torque": motor_torque, "motor_speed": motor_speed}
-        shares = {"near_singular": near_singular, "damping": damping}
+        given = {"weight": weight, "limit": limit, "most": most, "motor_torque": motor_torque}
+        given |= {"motor_speed": motor_speed, "near_singular": near_singular, "damping": damping}
         if task is None:
             if demand is not None or rows is not None:
                 raise InputError(f"{'rows' if demand is None else 'demand'}: needs a task, task=NAME")
             if V_dot is None:
                 raise InputError("V_dot: missing; give V_dot, or a task and its demand")
-            options = self._options(each, shares)
-            return self._result(results.Inverse, "inverse", x, on_error, wrench, tables, V_dot=V_dot, options=options)
-        self._check_task(task)
+            return self._calls.result("inverse", x, how, V_dot=V_dot, options=self._calls.options(given))
+        known = self._calls.rows_of(task)
         if V_dot is not None:
             raise InputError("V_dot, task: both given, expected one of them")
         if demand is None:
-            raise InputError(f"demand: missing, expected one number for each of {', '.join(self._rows[task])}")
-        options = self._options(each, shares, self._demand_options(task, rows))
-        function = f"inverse_{task}"
-        return self._result(results.Inverse, function, x, on_error, wrench, tables, demand=demand, options=options)
+            raise InputError(f"demand: missing, expected one number for each of {', '.join(known)}")
+        options = self._calls.options(given, task, rows)
+        return self._calls.result(f"inverse_{task}", x, how, demand=demand, options=options)
 
     def torque_for(
         self,
-        x: States | ArrayLike,
+        x: StatesLike,
         task: str,
         demand: Given,
         *,
@@ -257,10 +343,8 @@ class Model(WithReaction, WithCoordinates, WithSimulation):
         target_rate: float | None = None,
         avoid_speed: float | None = None,
         keep_direction: bool = False,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.TorqueFor:
+        **how: Unpack[How],
+    ) -> Result:
         """Drive torques for the demand of a task, within what the motors have: least error, then least torque.
 
         rows            names of the rows that are demanded, the others are free; by default all
@@ -274,93 +358,78 @@ class Model(WithReaction, WithCoordinates, WithSimulation):
         avoid_speed     rad/s; no wanted speed lies nearer to 0 than this
         keep_direction  a demand out of reach is made smaller, and not turned; `share` is the part that is met
 
-        Gives `tau`, `phi_ddot`, `V_dot`, `residual`, `share`, `limited`. State by state. Raises InputError,
-        RefusedError.
+        Gives `tau`, `phi_ddot`, `V_dot`, `residual`, `share`, `limited`. State by state.
         """
-        self._check_task(task)
-        each = {"weight": weight, "motor_torque": motor_torque, "motor_speed": motor_speed}
-        each |= {"motor_power": motor_power, "target_speed": target_speed}
-        numbers = {"target_rate": target_rate, "avoid_speed": avoid_speed, "keep_direction": float(keep_direction)}
-        given = {
-            "demand": demand,
-            "locked": locked,
-            "options": self._options(each, numbers, self._demand_options(task, rows)),
-        }
-        return self._result(results.TorqueFor, f"torque_for_{task}", x, on_error, wrench, tables, **given)
+        self._calls.rows_of(task)
+        options = self._calls.options(
+            {
+                "weight": weight, "motor_torque": motor_torque, "motor_speed": motor_speed, "motor_power": motor_power,
+                "target_speed": target_speed, "target_rate": target_rate, "avoid_speed": avoid_speed,
+                "keep_direction": float(keep_direction),
+            },
+            task,
+            rows,
+        )  # fmt: skip
+        return self._calls.result(f"torque_for_{task}", x, how, demand=demand, locked=locked, options=options)
 
-    def _check_task(self, task: str) -> None:
-        if task not in self._rows:
-            raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
+    # -- what the equations are made of ------------------------------------------------------------------------------
 
-    def matrices(
-        self,
-        x: States | ArrayLike,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Matrices:
-        """`K`, `K_dot`, `M`, `I`, `J`, `F` of (8). Batch C. Raises InputError, RefusedError."""
-        return self._result(results.Matrices, "matrices", x, on_error, wrench, tables)
+    def matrices(self, x: StatesLike, **how: Unpack[How]) -> Result:
+        """`K`, `K_dot`, `M` (6, 6), `I`, `J` (6, N), `F` (6) of (8). Batch C."""
+        return self._calls.result("matrices", x, how)
 
-    def momentum(
-        self, x: States | ArrayLike, *, tables: Tables | None = None, on_error: OnError = "raise"
-    ) -> results.Momentum:
-        """`Z`, `Z0`, `energy`, `center_of_mass`, its velocity, (1), (2). State by state; InputError, RefusedError."""
-        return self._result(results.Momentum, "momentum", x, on_error, None, tables)
+    def momentum(self, x: StatesLike, **how: Unpack[How]) -> Result:
+        """`Z` (6) in E1 about O1, `Z0` (6) in E0 about its origin, kinetic `energy`, `center_of_mass` (3) in E1,
+        `center_of_mass_velocity` (3) in E0; (1), (2). State by state."""
+        return self._calls.result("momentum", x, how)
 
-    def points(
-        self, x: States | ArrayLike, V_dot: Given = 0.0, *, tables: Tables | None = None, on_error: OnError = "raise"
-    ) -> results.Points:
-        """What accelerometers and gyros read at instruments and points. Batch C.
+    def points(self, x: StatesLike, V_dot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """What accelerometers and gyros read at instruments and points, `sensors`. Batch C.
 
-        Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of `sensors`.
-        Raises InputError, RefusedError.
+        Gives `position`, `C`, `twist`, `specific_force`, `angular_acceleration`, each with an axis of sensors.
         """
-        return self._result(results.Points, "points", x, on_error, None, tables, V_dot=V_dot)
+        return self._calls.result("points", x, how, V_dot=V_dot)
 
-    def mounts(
-        self,
-        x: States | ArrayLike,
-        V_dot: Given = 0.0,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.Mounts:
-        """Wrench of the mount on each flywheel: bearing loads. Of wrenches those on flywheels act.
+    def mounts(self, x: StatesLike, V_dot: Given = 0.0, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """`mount_wrench` (N, 6) of the mount on each flywheel, N, N m, about Os in the axes of Es at phi = 0: bearing
+        loads. Of wrenches those on flywheels act. Batch C."""
+        return self._calls.result("mounts", x, how, V_dot=V_dot, phi_ddot=phi_ddot)
 
-        Batch C. Raises InputError, RefusedError.
+    def reaction(self, x: StatesLike, V_dot: Given | None = None, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """`reaction` (6) of the hold on a held carrier for a given motion, N, N m, in E1 about O1; (8). Batch C.
+
+        `V_dot` = S u_dot is required where the carrier has freedoms; that of a clamped one is zero. For a motion that
+        is not the one that `forward` finds, the part along the freedoms is what a drive would add.
         """
-        return self._result(results.Mounts, "mounts", x, on_error, wrench, tables, V_dot=V_dot, phi_ddot=phi_ddot)
+        if V_dot is None and self.stand.hold is not None and self.stand.hold.freedoms:
+            raise InputError(
+                "reaction: V_dot is missing, expected that of the motion; forward gives the free one, with its reaction"
+            )
+        return self._calls.result("reaction", x, how, V_dot=0.0 if V_dot is None else V_dot, phi_ddot=phi_ddot)
 
-    def forward_jacobian(
-        self,
-        x: States | ArrayLike,
-        phi_ddot: Given = 0.0,
-        *,
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.ForwardJacobian:
-        """Derivatives of `forward` by V, phi, phi', phi''. State by state. Raises InputError, RefusedError."""
-        return self._result(results.ForwardJacobian, "forward_jacobian", x, on_error, wrench, tables, phi_ddot=phi_ddot)
+    def generalized(
+        self, x: StatesLike, angles: Given | None = None, phi_ddot: Given = 0.0, **how: Unpack[How]
+    ) -> Result:
+        """The equations in generalized coordinates, (10), (11); `angles`, rad, take the place of the attitude of `x`.
 
-    def coupled_jacobian(
-        self,
-        x: States | ArrayLike,
-        tau: Given = 0.0,
-        *,
-        locked: Locks = (),
-        wrench: Wrenches = None,
-        tables: Tables | None = None,
-        on_error: OnError = "raise",
-    ) -> results.CoupledJacobian:
-        """Derivatives of `coupled` by V, phi, phi', tau. State by state. Raises InputError, RefusedError."""
-        return self._result(
-            results.CoupledJacobian, "coupled_jacobian", x, on_error, wrench, tables, tau=tau, locked=locked
-        )
+        Gives `A`, `D`, `I0`, `J0` (6, 6), `q_dot`, `q_ddot` (6). Of a held carrier, without `angles`, the coordinates
+        of its freedoms: `q`, `q_dot`, `q_ddot`, and `orientation` of one that turns about a point. State by state.
+        """
+        hold = self.stand.hold
+        held = hold is not None
+        if held != (angles is None):
+            expected = "none, the carrier is held and its attitude is that of x" if held else "psi, theta, phi"
+            raise InputError(f"generalized: angles: {'given' if held else 'missing'}, expected {expected}")
+        if hold is not None and not has_coordinates(hold):
+            lacks = "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
+            raise InputError(f"generalized: {lacks}, ask for forward")
+        given = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
+        return self._calls.result("generalized", x, how, **given)
 
+    def forward_jacobian(self, x: StatesLike, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
+        """Derivatives of `forward` by V, phi, phi', phi'': `V_dot_V` (6, 6), `V_dot_phi` (6, N), ... State by state."""
+        return self._calls.result("forward_jacobian", x, how, phi_ddot=phi_ddot)
 
-add_methods(Model)
+    def coupled_jacobian(self, x: StatesLike, tau: Given = 0.0, *, locked: Locks = (), **how: Unpack[How]) -> Result:
+        """Derivatives of `coupled` by V, phi, phi', tau. State by state."""
+        return self._calls.result("coupled_jacobian", x, how, tau=tau, locked=locked)

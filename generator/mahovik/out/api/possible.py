@@ -12,10 +12,9 @@ from numpy.typing import NDArray
 
 from mahovik.errors import StandError, UsageError
 from mahovik.out.api.model import Model
-from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables, check_sample
-from mahovik.out.api.variants import change_values, first_reason, variants
+from mahovik.out.api.variants import Samples, change_values, first_reason, variants
 
 
 @dataclass(frozen=True)

@@ -68,9 +68,18 @@ class Stand(CoreStand):
         write(Path(path), writing.dumps(self))
 
     def _repr_html_(self) -> str:
-        from mahovik.out.api.fields import bodies
+        from mahovik.core.stand.summary import summarize
+        from mahovik.out.result import Result, columns_of
 
-        return bodies(self)
+        summary = summarize(self)
+        bodies = {"name": "", "kind": "", "mount": "", "mass": "kg", "center_of_mass": "m"}
+        unbalance = {"name": "", "spin_inertia": "kg m2", "static": "kg m", "dynamic": "kg m2"}
+        return Result(
+            repr(self).strip("<>"),
+            columns_of(summary.bodies, bodies, {"center_of_mass": ("x", "y", "z")}),
+            meta={"unbalance": Result("unbalance", columns_of(summary.unbalance, unbalance)), "mass": summary.mass},
+            units={"mass": "kg"},
+        )._repr_html_()
 
 
 def load(path: str | Path) -> Stand:

@@ -1,23 +1,30 @@
-"""States of a stand: one, or many with a batch axis, in the memory that the batch C reads."""
+"""States of a stand: one, or many with a batch axis, in the memory that the batch C reads; and how they are made."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any, cast
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypedDict, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from mahovik.contract.quantities import UNIT_LENGTH
+from mahovik.core.stand.hold import freedom_names, twists
+from mahovik.core.stand.model import TWIST_LETTERS, Stand
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
-from mahovik.out.api import inputs
-from mahovik.out.api.fields import Field, Named, arrays
+from mahovik.out.api import held_states
+from mahovik.out.api.inputs import Given, batch_size, by_component, is_count, numbers, read
+from mahovik.out.result import Column, Result
+from mahovik.proof.verify.held import blocked_twist
+from mahovik.proof.verify.states import ROUNDING
 
-Real = NDArray[Any]
-_WRITTEN = ("position", "attitude", "V", "phi", "phi_dot")
+Array = NDArray[Any]
+
+ARRAYS = ("position", "attitude", "V", "phi", "phi_dot")
 
 
-class States(Named):
+class States:
     """States of one stand: `position`, `attitude`, `V`, `phi`, `phi_dot`, arrays of shape (n, k), or (k,) of one state.
 
     position  m; of O1 in E0
@@ -26,102 +33,76 @@ class States(Named):
     phi       rad; phases of the flywheels
     phi_dot   rad/s; their speeds relative to the mount
 
-    The arrays are views: writing into them writes the states. Made by `Model.state` and `Model.states`.
+    The arrays are views: writing into them writes the states, and so does `x.V = ...` or `x["phi_dot", "w1"] = 100.0`.
+    `dict(x)` has them by name. Made by `Model.state` and `Model.states`.
     """
 
-    def __init__(self, stand: str, fields: Sequence[Field], memory: Real, single: bool) -> None:
-        """`memory`: (components, n), contiguous. For users: `Model.states`."""
-        super().__init__(fields, None if single else memory.shape[1])
-        self._stand = stand
-        self._memory = memory
+    position: Array
+    attitude: Array
+    V: Array
+    phi: Array
+    phi_dot: Array
 
-    # -- arrays ------------------------------------------------------------------------------------------------------
+    def __init__(self, stand: str, columns: Sequence[Column], memory: Array, single: bool) -> None:
+        """`columns`: one of no state, of each array; `memory`: (components, n), contiguous."""
+        self._stand, self._columns, self._memory, self._single = stand, columns, memory, single
 
     @property
-    def array(self) -> Real:
+    def array(self) -> Array:
         """All numbers of a state side by side, shape (n, 13 + 2 N): position, attitude, V, phi, phi_dot. A view."""
-        return self._memory[:, 0] if self._batch is None else self._memory.T
+        return self._memory[:, 0] if self._single else self._memory.T
 
     @property
-    def position(self) -> Real:
-        """m; of O1, in E0."""
-        return self._array("position")
+    def batch(self) -> int | None:
+        """Number of states; None: a single state, arrays without batch axis."""
+        return None if self._single else self._memory.shape[1]
 
-    @position.setter
-    def position(self, value: ArrayLike) -> None:
-        self["position"] = value
+    def keys(self) -> tuple[str, ...]:
+        """Names of the arrays."""
+        return ARRAYS
 
-    @property
-    def attitude(self) -> Real:
-        """Unit quaternion, w first: x0 = C x1."""
-        return self._array("attitude")
-
-    @attitude.setter
-    def attitude(self, value: ArrayLike) -> None:
-        self["attitude"] = value
-
-    @property
-    def V(self) -> Real:
-        """m/s, rad/s; twist of the carrier relative to E0, in E1 about O1."""
-        return self._array("V")
-
-    @V.setter
-    def V(self, value: ArrayLike) -> None:
-        self["V"] = value
-
-    @property
-    def phi(self) -> Real:
-        """rad; phases of the flywheels."""
-        return self._array("phi")
-
-    @phi.setter
-    def phi(self, value: ArrayLike) -> None:
-        self["phi"] = value
-
-    @property
-    def phi_dot(self) -> Real:
-        """rad/s; speeds of the flywheels relative to the mount."""
-        return self._array("phi_dot")
-
-    @phi_dot.setter
-    def phi_dot(self, value: ArrayLike) -> None:
-        self["phi_dot"] = value
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_") and name not in _WRITTEN:
-            raise InputError(f"{name}: states have no such array{suggestion(name, _WRITTEN)}")
-        super().__setattr__(name, value)
+    def __getitem__(self, key: str | tuple[Any, ...]) -> Array:
+        name, *labels = key if isinstance(key, tuple) else (key,)
+        first = 0
+        for one in self._columns:
+            size = one.values.shape[1]
+            if one.name == name:
+                found: Array = self.array[..., first : first + size]
+                return found[one.part(*labels)] if labels else found
+            first += size
+        if name in ARRAYS:  # no flywheels
+            return self.array[..., :0]
+        raise InputError(f'"{name}": no such name{suggestion(str(name), ARRAYS)}')
 
     def __setitem__(self, key: str | tuple[Any, ...], value: ArrayLike) -> None:
-        """Writes an array, or the part of it that labels name: `x["phi_dot", "w1"] = 100.0`."""
-        name, index = self._place(key)
-        target = self._array(name)[index]
-        given = inputs.numbers(value, name)
+        name = str(key[0] if isinstance(key, tuple) else key)
+        target, given = self[key], numbers(value, name)
         try:
-            self._array(name)[index] = given
+            target[...] = given
         except ValueError:
             raise InputError(f"{name}: expected shape {target.shape}, found {given.shape}") from None
 
-    def _array(self, name: str) -> Real:
-        first = 0
-        for f in self._fields.values():
-            size = f.shape[0]
-            if f.name == name:
-                rows = self._memory[first : first + size]
-                return rows[:, 0] if self._batch is None else rows.T
-            first += size
-        return np.zeros((0,) if self._batch is None else (self._batch, 0), self._memory.dtype)  # no flywheels
+    def __getattr__(self, name: str) -> Array:
+        if name not in ARRAYS:
+            raise AttributeError(f"{name}: states have no such array{suggestion(name, ARRAYS)}")
+        return self[name]
 
-    # -- many --------------------------------------------------------------------------------------------------------
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name.startswith("_"):
+            super().__setattr__(name, value)
+        elif name in ARRAYS:
+            self[name] = value
+        else:
+            raise InputError(f"{name}: states have no such array{suggestion(name, ARRAYS)}")
 
     def __len__(self) -> int:
-        if self._batch is None:
+        if self._single:
             raise InputError("a single state has no length")
-        return self._batch
+        return int(self._memory.shape[1])
 
     def take(self, which: int | slice | ArrayLike) -> States:
         """A copy of some of the states: of one by its number, of several by a slice, numbers or flags."""
-        if self._batch is None:
+        if self._single:
             raise InputError("take: a single state, expected a batch")
         try:
             part = self._memory[:, cast(Any, which)]  # NumPy itself says what is no index
@@ -131,17 +112,162 @@ class States(Named):
             raise InputError(f"take: expected a number, a slice or one list, found {which!r:.60}")
         single = part.ndim == 1
         memory = np.array(part[:, np.newaxis] if single else part, order="C")
-        return States(self._stand, self.fields, memory, single)
+        return States(self._stand, self._columns, memory, single)
 
     def copy(self) -> States:
         """States with memory of their own."""
-        return States(self._stand, self.fields, self._memory.copy(), self._batch is None)
+        return States(self._stand, self._columns, self._memory.copy(), self._single)
 
-    # -- display -----------------------------------------------------------------------------------------------------
+    def is_like(self, columns: Sequence[Column]) -> bool:
+        """Whether the arrays are these: of a stand with the same flywheels."""
+        return self._columns is columns or [x[::3] for x in self._columns] == [x[::3] for x in columns]
 
     def __repr__(self) -> str:
-        of = "a state" if self._batch is None else f"{self._batch} states"
-        return f"<States: {of} of {self._stand}; {', '.join(self._fields)}>"
+        of = "a state" if self._single else f"{len(self)} states"
+        return f"<States: {of} of {self._stand}; {', '.join(one.name for one in self._columns)}>"
 
     def _repr_html_(self) -> str:
-        return arrays(repr(self), self)
+        columns = [one._replace(values=self[one.name][np.newaxis]) for one in self._columns]
+        return Result(repr(self).strip("<>"), columns, single=True)._repr_html_()
+
+
+# -- making states -----------------------------------------------------------------------------------------------------
+
+
+class StateNumbers(TypedDict, total=False):
+    """Numbers of states, those left out zero: see `Model.states`."""
+
+    position: ArrayLike | None
+    attitude: ArrayLike | None
+    angles: ArrayLike | None
+    V: Given
+    u: Given | None
+    phi: Given
+    phi_dot: Given
+
+
+Parts = dict[str, tuple[Array, int]]
+"""Arrays of shape (), (count,), (n, count) and their counts, by name."""
+
+
+class StateMaker:
+    """Makes states of a stand. `quaternions`: of angles (3, or n x 3) of its sequence; `columns` as in `States`."""
+
+    def __init__(
+        self, stand: Stand, columns: Sequence[Column], element: np.dtype[Any], quaternions: Callable[[Array], Array]
+    ) -> None:
+        self.stand, self.columns, self.element, self.quaternions = stand, columns, element, quaternions
+        self.flywheels = tuple(s.name for s in stand.flywheels)
+        self.components = sum(one.values.shape[1] for one in columns)
+
+    def states(self, n: int | None, given: StateNumbers) -> States:
+        """See `Model.states`."""
+        if unknown := given.keys() - StateNumbers.__annotations__.keys():
+            name = min(unknown)
+            raise InputError(f"states: unknown {name}{suggestion(name, StateNumbers.__annotations__)}")
+        place, turn = self._pose(given.get("position"), given.get("attitude"), given.get("angles"))
+        parts: Parts = {"position": (place, 3), "attitude": (turn, 4)}
+        parts |= {"V": (self._twist(given.get("V", 0.0), given.get("u")), 6), **self._flywheel_parts(given)}
+        return self._made(parts, n)
+
+    def from_coordinates(
+        self, q: Given, q_dot: Given, orientation: ArrayLike | None, given: Mapping[str, Given]
+    ) -> States:
+        """See `Model.state_from_coordinates`."""
+        names, hold = held_states.coordinate_names(self.stand), self.stand.hold
+        assert hold is not None
+        m = len(hold.freedoms)
+        if not names and not (isinstance(q, float) and q == 0.0):
+            raise InputError("q: the freedoms of this [hold] have no number of their own; expected orientation")
+        if orientation is not None and len(names) == m:
+            raise InputError(f"orientation: the freedoms of this [hold] have none; expected q of {', '.join(names)}")
+        parts: Parts = {
+            "q": (read(q, "q", len(names), names, "freedom") if names else np.zeros(()), len(names)),
+            "orientation": (self._attitudes(orientation, None), 4),
+            "q_dot": (read(q_dot, "q_dot", m, freedom_names(hold), "freedom"), m),
+        }
+        wheels = self._flywheel_parts(given)
+        n = batch_size({name: part for name, (part, _) in (parts | wheels).items()})
+        coordinates = [by_component(part, count, n or 1, np.dtype(float)).T for part, count in parts.values()]
+        place, turn, V = held_states.of_coordinates(self.stand, *coordinates)
+        found = self._made({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
+        return found if n is not None else found.take(0)
+
+    def of_array(self, array: ArrayLike) -> States:
+        """See `Model.states_of`."""
+        given = read(array, "states", self.components, (), "component")
+        if given.ndim == 0:
+            raise InputError(f"states: expected shape ({self.components},) or (n, {self.components}), found ()")
+        return self._made({"states": (given, self.components)}, None)
+
+    def _flywheel_parts(self, given: Any) -> Parts:
+        N, names = len(self.flywheels), self.flywheels
+        return {name: (read(given.get(name, 0.0), name, N, names, "flywheel"), N) for name in ("phi", "phi_dot")}
+
+    def _made(self, parts: Parts, n: int | None) -> States:
+        """States of the parts below one another, n of them, or as many as the parts have. Raises InputError."""
+        many = batch_size({name: part for name, (part, _) in parts.items()})
+        if n is not None and not is_count(n):
+            raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
+        if n is not None and many not in (None, n):
+            raise InputError(f"states: n is {n}, but arrays of {many} states were given")
+        size = n if n is not None else many if many is not None else 1
+        memory = np.empty((self.components, size), dtype=self.element)
+        row = 0
+        for part, count in parts.values():
+            with np.errstate(over="ignore"):  # beyond float is infinite, which the C refuses by name
+                memory[row : row + count] = part.T if part.ndim == 2 else part[:, np.newaxis] if part.ndim else part
+            row += count
+        return States(self.stand.name, self.columns, memory, n is None and many is None)
+
+    def _pose(
+        self, position: ArrayLike | None, attitude: ArrayLike | None, angles: ArrayLike | None
+    ) -> tuple[Array, Array]:
+        """Position (), (3,) or (n, 3) and attitude (4,) or (n, 4), of what is given and what a hold says."""
+        held = self.stand.hold is not None
+        place = None if position is None else read(position, "position", 3, ("x", "y", "z"), "component")
+        turn = self._attitudes(attitude, angles)
+        if not held:
+            return np.zeros(()) if place is None else place, turn
+        if attitude is None and angles is None:
+            turn = held_states.home_attitude(self.stand)
+        if place is None:
+            place = held_states.place_at(self.stand, turn)
+        batch_size({"position": place, "attitude": turn})
+        held_states.check_pose(self.stand, place * np.ones(3), turn)
+        return place, turn
+
+    def _twist(self, V: Given, u: Given | None) -> Array:
+        """V (), (6,) or (n, 6), given or of u. Raises InputError, also for one that a hold does not allow."""
+        hold = self.stand.hold
+        if u is None:
+            found = read(V, "V", 6, TWIST_LETTERS, "component")
+            if hold is not None and (reason := blocked_twist(hold, found * np.ones(6))):
+                raise InputError(reason)
+            return found
+        if hold is None:
+            raise InputError("u: the stand has no [hold], expected V")
+        if not (isinstance(V, float) and V == 0.0):
+            raise InputError("V, u: both given, expected one of them")
+        count = len(hold.freedoms)
+        found = read(u, "u", count, freedom_names(hold), "freedom") * np.ones(count)
+        return np.asarray(found @ twists(hold).T)
+
+    def _attitudes(self, attitude: ArrayLike | None, angles: ArrayLike | None) -> Array:
+        """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
+        if attitude is not None and angles is not None:
+            raise InputError("attitude, angles: both given, expected one of them")
+        if angles is not None:
+            given = read(angles, "angles", 3, ("psi", "theta", "phi"), "angle")
+            return self.quaternions(np.full(3, given) if given.ndim == 0 else given)
+        if attitude is None:
+            return np.array([1.0, 0.0, 0.0, 0.0])
+        found = numbers(attitude, "attitude")
+        if found.ndim not in (1, 2) or found.shape[-1] != 4:
+            raise InputError(f"attitude: expected shape (4,) or (n, 4) (w, x, y, z), found {found.shape}")
+        length = np.linalg.norm(found.astype(np.float64), axis=-1, keepdims=True)
+        wrong = np.flatnonzero(~(np.abs(length - 1.0) <= UNIT_LENGTH))
+        if wrong.size:
+            where = f" of state {wrong[0]}" if found.ndim == 2 else ""
+            raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
+        return np.where(np.abs(length - 1.0) <= ROUNDING, found, found / length)

@@ -16,9 +16,8 @@ from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain.block import LANES
 from mahovik.core.toolchain.compiled import CompiledLibrary, lower_structure
 from mahovik.errors import InputError, StandError, UsageError
-from mahovik.out.api.samples import Samples
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.variants import Variants, change_values, variants
+from mahovik.out.api.variants import Samples, Variants, change_values, variants
 
 PLACE_OF_HOLD = ("pivot", "position", "angles")
 """Keys of a hold that say where it holds the carrier."""

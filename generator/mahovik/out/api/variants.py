@@ -1,8 +1,8 @@
-"""Numbers of n stands of one structure, read together: columns where they differ."""
+"""Numbers of n stands of one structure, by path of the stand file, read together: columns where they differ."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,10 +17,88 @@ from mahovik.core.stand.numbers import put
 from mahovik.core.stand.read import read
 from mahovik.core.stand.screening import doubtful_samples
 from mahovik.core.stand.structure import structure
+from mahovik.core.stand.units import show
 from mahovik.core.toolchain.compiled import lower_structure
-from mahovik.errors import StandError, UsageError
-from mahovik.out.api.samples import Samples
+from mahovik.errors import InputError, StandError, UsageError
+from mahovik.out.api.inputs import is_count
 from mahovik.out.api.stands import Stand
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Values of n samples by path: an array with the samples first, a mapping with such an array, or one for all."""
+
+    given: Mapping[str, Any]
+    n: int
+
+    @staticmethod
+    def of(changes: Mapping[str, Any], n: int | None) -> Samples:
+        """The values of a caller, checked for their shapes. Raises InputError."""
+        if not isinstance(changes, Mapping):
+            raise InputError(f"tables: expected a mapping from paths to arrays, found {type(changes).__name__}")
+        given = {str(path): _value(str(path), value) for path, value in changes.items()}
+        sizes: dict[str, int] = {}
+        if n is not None:
+            if not is_count(n):
+                raise InputError(f"tables: n: expected a number of samples, found {n!r:.40}")
+            sizes["n"] = int(n)
+        for path, value in given.items():
+            _with_arrays(value, lambda array, path=path: sizes.update({path: len(array)}))
+        if len(set(sizes.values())) > 1:
+            found = ", ".join(f"{name} {size}" for name, size in sizes.items())
+            raise InputError(f"tables: different numbers of samples: {found}")
+        if not sizes:
+            raise InputError("tables: no array of samples is given; expected one, or n")
+        return Samples(given, next(iter(sizes.values())))
+
+    def _changed(self, change: Callable[[Array], Any]) -> dict[str, Any]:
+        return {path: _with_arrays(value, change) for path, value in self.given.items()}
+
+    def values(self, number: int) -> dict[str, Any]:
+        """The values of one sample by path."""
+        return self._changed(lambda array: array[number].tolist())
+
+    def part(self, rows: NDArray[np.int64]) -> Samples:
+        """Some of the samples, by their numbers."""
+        return Samples(self._changed(lambda array: array[rows]), len(rows))
+
+    def columns(self, rows: NDArray[np.int64], run: Run) -> dict[str, Any]:
+        """The values of some samples by path, columns in the place of numbers."""
+        return {
+            path: _with_arrays(value, lambda array, path=path: _lists(array[rows], run, frozenset((path,))))
+            for path, value in self.given.items()
+        }
+
+
+def _with_arrays(value: Any, change: Callable[..., Any]) -> Any:
+    """The value with its arrays changed, those in mappings too."""
+    if isinstance(value, Mapping):
+        return {key: _with_arrays(each, change) for key, each in value.items()}
+    return change(value) if isinstance(value, np.ndarray) else value
+
+
+def _value(path: str, value: Any) -> Any:
+    """A value with its numbers of samples as an array of floats. Raises InputError."""
+    if isinstance(value, Mapping):
+        return {str(key): _value(path, each) for key, each in value.items()}
+    if isinstance(value, str | int | float | bool | None) or not hasattr(value, "__len__"):
+        return value
+    try:
+        found = np.asarray(value)
+    except (ValueError, TypeError):
+        found = np.array(None)
+    if found.dtype.kind not in "iuf" or found.ndim == 0:
+        raise InputError(f"tables: {path}: expected an array of numbers, one of each sample, found {show(value)}")
+    return np.asarray(found, dtype=np.float64)
+
+
+def _lists(values: Array, run: Run, keys: frozenset[str]) -> Any:
+    """Lists of columns, as deep as the array has axes besides that of the samples."""
+    if values.ndim == 1:
+        return Column(values, run, keys)
+    return [_lists(values[:, i], run, keys) for i in range(values.shape[1])]
 
 
 @dataclass
