@@ -12,7 +12,7 @@ beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,7 +20,17 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel, Stand, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
+from mahovik.proof.reference import momentum, motion
 from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.bodies import Bodies
+from mahovik.proof.reference.pieces import (
+    Pieces,
+    coupling,
+    coupling_bias,
+    mass_matrix,
+    mass_matrix_rate,
+    velocity_matrix,
+)
 from mahovik.proof.verify.scales import Scales
 
 UNIT = 2.0**-24
@@ -91,7 +101,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
 
     None of a held carrier, which has no C in float yet.
     """
-    if stand.hold is not None:
+    if stand.hold is not None or not stand.flywheels:
         return []
     found: dict[tuple[int, str], Shortfall] = {}
     scales = Scales(stand, "float")
@@ -111,22 +121,50 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
 
 def _effects(scales: Scales, state: State) -> dict[str, Array]:
     """Effect of each flywheel's unbalance and rounding (Nx2) by want, in the component that shows it best."""
-    stand, found = scales.stand, {}
+    stand, effects = scales.stand, {}
+    with np.errstate(all="ignore"):
+        balanced = replace(stand, flywheels=tuple(map(balanced_flywheel, stand.flywheels)))
+        balanced_pieces = reference.pieces(balanced, state)
+        swapped = list(_with_one_balanced(scales.at(state), balanced_pieces))
     for want, (key, _) in QUANTITIES.items():
         measured = scales.want(state, want)
         if measured is None:
             continue  # a law is undefined: not a state of the stand
-        value, rows = np.array(measured.values[key]), []
-        for s, flywheel in enumerate(stand.flywheels):
-            wheels = (*stand.flywheels[:s], balanced_flywheel(flywheel), *stand.flywheels[s + 1 :])
-            other = np.array(reference.evaluate(replace(stand, flywheels=wheels), state, [want])[key])
-            pick = s if value.ndim == 2 else slice(None)
-            effect, size = np.abs(other - value)[pick], np.array(measured.scales[key])[pick]
-            at = int(np.argmax(effect / np.maximum(size, 1e-300)))
-            seen = effect[at] > DOUBLE_NOISE * size[at]
-            rows.append((effect[at], FACTOR * UNIT * size[at]) if seen else (0.0, np.inf))
-        found[want] = np.array(rows).reshape(-1, 2)
-    return found
+        value, size = np.array(measured.values[key]), np.array(measured.scales[key])
+        if want == "mounts":  # each by the accelerations given and its own flywheel
+            others = np.array(reference.evaluate(balanced, state, [want], balanced_pieces)[key])
+        else:
+            others = np.array([WITHOUT_ONE[want](at, stand, state) for at in swapped])
+        change = np.abs(others - value)
+        sizes = np.broadcast_to(size, change.shape)
+        at = np.argmax(change / np.maximum(sizes, 1e-300), axis=1)
+        effect, size = (np.take_along_axis(x, at[:, None], axis=1)[:, 0] for x in (change, sizes))
+        seen = effect > DOUBLE_NOISE * size
+        effects[want] = np.stack([np.where(seen, effect, 0.0), np.where(seen, FACTOR * UNIT * size, np.inf)], axis=1)
+    return effects
+
+
+WITHOUT_ONE: Mapping[str, Callable[[Pieces, Stand, State], Array]] = {
+    "forward": lambda at, stand, state: motion.answer_forward(at, stand, state)["V_dot"],
+    "momentum": lambda at, stand, state: momentum.momentum(at),
+}
+"""Quantities in which all flywheels add up, by want."""
+
+
+def _with_one_balanced(at: Pieces, balanced: Pieces) -> Iterator[Pieces]:
+    """What (8) and the momentum take, with one flywheel after the other as in `balanced`, the rest as in `at`."""
+    wheels, change = at.bodies.flywheels, balanced.bodies.flywheels.Theta - at.bodies.flywheels.Theta
+    for s, wheel in enumerate(wheels.bodies):
+        one = slice(s, s + 1)
+        Theta = Bodies((wheel,), wheels.L[one], change[one], wheels.Lambda[one], wheels.phi[one], wheels.phi_dot[one])
+        K, K_bodies = (x + mass_matrix(Theta) for x in (at.K, at.K_bodies))
+        K_dot = at.K_dot + mass_matrix_rate(Theta)
+        I, J = at.I.copy(), at.J.copy()
+        I[:, one] += coupling(Theta)
+        J[:, one] += coupling_bias(Theta, at.V_r)
+        F = at.F + wheels.L[s] @ (balanced.P[wheel.name] - at.P[wheel.name])
+        M = velocity_matrix(K, K_dot, at.V_r)
+        yield replace(at, K_bodies=K_bodies, K=K, K_dot=K_dot, M=M, I=I, J=J, F=F)
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:
