@@ -20,9 +20,10 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel, Stand, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
-from mahovik.proof.reference import momentum, motion
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import Bodies
+from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.motion import answer_forward
 from mahovik.proof.reference.pieces import (
     Pieces,
     coupling,
@@ -145,8 +146,8 @@ def _effects(scales: Scales, state: State) -> dict[str, Array]:
 
 
 WITHOUT_ONE: Mapping[str, Callable[[Pieces, Stand, State], Array]] = {
-    "forward": lambda at, stand, state: motion.answer_forward(at, stand, state)["V_dot"],
-    "momentum": lambda at, stand, state: momentum.momentum(at),
+    "forward": lambda at, stand, state: answer_forward(at, stand, state)["V_dot"],
+    "momentum": lambda at, stand, state: momentum(at),
 }
 """Quantities in which all flywheels add up, by want."""
 
