@@ -1,4 +1,4 @@
-"""Write what pages show of the code: docs/commands.md, tables of the contract on two pages, pictures.
+"""Write what pages show of the code: docs/commands.md, tables between marks on the other pages, pictures.
 
 python tools/pages.py [--pictures]
 
@@ -10,28 +10,21 @@ from __future__ import annotations
 import re
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
+from reference_tables import MADE
 
-from mahovik.contract.evaluation import text_lines
-from mahovik.contract.functions import CHOSEN, ROWS
 from mahovik.out.command_line import main
 from mahovik.out.commands import COMMANDS as SECTIONS
 
 ROOT = Path(__file__).resolve().parents[1]
-COMMANDS, ARCHITECTURE = ROOT / "docs" / "commands.md", ROOT / "docs" / "architecture.md"
-VERIFICATION = ROOT / "docs" / "verification.md"
+DOCS = ROOT / "docs"
+COMMANDS = DOCS / "commands.md"
 
 DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/howto/held-carriers.md", "docs/howto/two-exciters.md")
 """Pages whose own commands draw their pictures."""
-
-FUNCTIONS = "<!-- functions: tools/pages.py -->\n\n", "\n<!-- end of functions -->"
-"""Marks around the table of functions."""
-
-EVALUATION = "<!-- contract: tools/pages.py -->\n\n", "\n<!-- end of contract -->"
-"""Marks around the contract of programs that are judged."""
 
 HEAD = """# Commands
 
@@ -102,29 +95,25 @@ def help_texts(group: click.Group, name: str, parent: click.Context) -> Iterator
             yield from help_texts(command, inner, context)
 
 
-def architecture_page() -> str:
-    """The page with one line for each row of the contract; forms that take sines have the row of their function."""
-    lines = ["| function | equation | gives | want | batch | judges |", "| --- | --- | --- | --- | --- | --- |"]
-    for row in (ROWS | CHOSEN).values():
-        if not row.name.endswith("_at"):
-            marks = ("yes" if row.want else "", "yes" if row.batch else "")
-            cells = (f"`{row.name}`", row.equation, ", ".join(row.gives), *marks, ", ".join(row.judges))
-            lines.append(f"| {' | '.join(cells)} |")
-    return between_marks(ARCHITECTURE, FUNCTIONS, lines)
+def filled(page: Path) -> str:
+    """The text of a page with what is made of the code between its marks. Raises ValueError for an unknown mark."""
+
+    def replacement(mark: re.Match[str]) -> str:
+        if mark[1] not in MADE:
+            raise ValueError(f"{page}: unknown mark {mark[1]!r}, expected one of {', '.join(MADE)}")
+        lines = "\n".join(MADE[mark[1]]())
+        return f"<!-- {mark[1]}: tools/pages.py -->\n\n{lines}\n\n<!-- end of {mark[1]} -->"
+
+    before = page.read_text(encoding="utf-8")
+    text, count = re.subn(r"(?s)<!-- ([\w ]+): tools/pages\.py -->.*?<!-- end of \1 -->", replacement, before)
+    if count != before.count(": tools/pages.py -->"):
+        raise ValueError(f"{page}: a mark has no end")
+    return text
 
 
-def verification_page() -> str:
-    """The page with the contract of programs that are judged, as `eval --help` shows it."""
-    return between_marks(VERIFICATION, EVALUATION, ["```text", *text_lines(), "```"])
-
-
-def between_marks(page: Path, marks: tuple[str, str], lines: Iterable[str]) -> str:
-    """The text of a page with these lines between two marks. Raises ValueError where the page lacks one."""
-    before, start, rest = page.read_text(encoding="utf-8").partition(marks[0])
-    _, end, after = rest.partition(marks[1])
-    if not start or not end:
-        raise ValueError(f"{page}: expected {marks[0].strip()} and {marks[1].strip()}")
-    return before + start + "".join(f"{line}\n" for line in lines) + end + after
+def marked_pages() -> list[Path]:
+    """Pages with marks."""
+    return [page for page in sorted(DOCS.glob("*.md")) if ": tools/pages.py -->" in page.read_text(encoding="utf-8")]
 
 
 def draw(page: Path) -> None:
@@ -144,8 +133,8 @@ def draw(page: Path) -> None:
 
 if __name__ == "__main__":
     COMMANDS.write_text(commands_page(), encoding="utf-8")
-    ARCHITECTURE.write_text(architecture_page(), encoding="utf-8")
-    VERIFICATION.write_text(verification_page(), encoding="utf-8")
+    for marked in marked_pages():
+        marked.write_text(filled(marked), encoding="utf-8")
     if "--pictures" in sys.argv[1:]:
         for name in DRAWN:
             draw(ROOT / name)

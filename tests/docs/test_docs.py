@@ -11,14 +11,11 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from docs.pages import PAGES, ROOT, Block, anchors, blocks, cells, links, prose, rows, tables
-from mahovik.contract.status import STATUS_VALUES
+from docs.pages import PAGES, ROOT, Block, anchors, blocks, links, prose, rows
 from mahovik.core.derive import flywheel
 from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.core.lower.limits import limits
-from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand import laws, load, loads
 from mahovik.core.stand.datasheet import UnbalanceTable
 from mahovik.core.stand.model import Encoder, Motor, Task
@@ -131,24 +128,6 @@ def test_the_speed_that_a_hold_blocks(tmp_path: Path) -> None:
     _compile([*BITS, "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "main.c", "pendulum.c", "-o", "main"], tmp_path)
     found = [float(x) for x in run(tmp_path / "main").split()]
     assert found == pytest.approx([0.0, 0.0, 0.25, 0.5, -1.0], abs=1e-15)
-
-
-def test_statuses_are_those_of_the_code() -> None:
-    listed = {cells[0].strip("`"): int(cells[1]) for cells in rows(C_INTERFACE, "name")}
-    assert listed == STATUS_VALUES
-
-
-def test_ranges_are_those_of_the_code() -> None:
-    listed = {cells[0].strip("`"): float(cells[1]) for cells in rows(C_INTERFACE, "macro")}
-    assert listed == {name: x.value for name, x in limits(DOUBLE).items() if name != "LARGEST"}
-
-
-def test_functions_are_those_of_the_code(tmp_path: Path) -> None:
-    emit("bench8", tmp_path)
-    header = (tmp_path / "bench8.h").read_text(encoding="ascii")
-    declared = set(re.findall(r"^bench8_status bench8_(\w+)\(", header, re.MULTILINE))
-    (table,) = (t for t in tables(C_INTERFACE) if cells(t[0])[1] == "gives")
-    assert declared == {cells(line)[0].strip("`") for line in table[2:]}
 
 
 # ---- model ----

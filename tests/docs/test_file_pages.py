@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -23,7 +22,6 @@ from mahovik.core.motion.motion_file import (
 from mahovik.core.motion.programme import ProgrammeTable
 from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Encoder, Motor
 from mahovik.core.stand.problems import keys_of
 from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.file import CampaignTable, load_campaign
@@ -66,22 +64,6 @@ def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
     text = (DOCS / "programmes.md").read_text(encoding="utf-8")
     documented = set(re.findall(r"`(\w+)`", text))
     assert motion | slew | fields(ProgrammeTable) - {"report"} <= documented
-
-
-@pytest.mark.parametrize(("head", "model"), [("`motor` key", Motor.table()), ("`encoder` key", Encoder.table())])
-def test_drives_are_documented_key_by_key(head: str, model: Any) -> None:
-    """Each key has a row with its SI unit, its default and its meaning."""
-    table = {row[0].strip("`"): row[1:] for row in rows(DOCS / "stand-file.md", head)}
-    assert list(table) == list(model.model_fields)
-    for name, (unit, default, meaning) in table.items():
-        info = model.model_fields[name]
-        assert unit and meaning, name
-        if info.is_required():
-            assert default == "required"
-        elif info.default is None:
-            assert default in ("no limit", "none", "not known"), name
-        else:
-            assert float(default) == info.default, name
 
 
 def test_units_of_signals_are_those_of_the_code() -> None:

@@ -148,7 +148,7 @@ int main(void)
 
 @pytest.mark.parametrize(("name", "answer"), [("m4", "wrong way"), ("m7", "nearest"), ("rv32imac", "nearest")])
 def test_sums_of_doubles_by_software(name: str, answer: str, tmp_path: Path) -> None:
-    """The library of gcc for Arm rounds some the wrong way, as docs/targets.md says."""
+    """The library of gcc for Arm rounds some the wrong way, as docs/c-interface.md says."""
     found = target(name)
     assert run(found, build(found, {"sum.c": SUM}, tmp_path, extra=("-Wno-float-equal",))) == answer
 

@@ -64,7 +64,7 @@ TABLES = {
         },
         claim,
         note="Instructions, not cycles, of the costliest of four ordinary states, checks included, at -O2 "
-        "([targets](targets.md)). `mahovik verify --cost` measures a stand of yours.",
+        "([targets](c-interface.md#what-changes-the-bits)). `mahovik verify --cost` measures a stand of yours.",
         shown=control_loop_functions,
     )
 }  # fmt: skip

@@ -48,6 +48,7 @@ TABLES = {
         {"target": "`{}`", "processor": "{}", "compiler": "{}", **dict.fromkeys(REALS, "{}")},
         claim,
         is_equal,
-        "The generated C and its self-test; emulators run what is not this machine ([targets](targets.md)).",
+        "The generated C and its self-test; emulators run what is not this machine "
+        "([targets](c-interface.md#what-changes-the-bits)).",
     )
 }

@@ -40,7 +40,13 @@ class MountingAxes:
 
 
 class UnbalanceTable(Table):
-    """`unbalance` of a flywheel: amounts (kg m, kg m2) and angles (rad) of the static and the dynamic one."""
+    """`unbalance` of a flywheel.
+
+    static      mass times distance `r` of the centre of mass from the axis
+    static_at   its angle `a` from axis 2: `center_of_mass = r (0, cos a, sin a)`
+    dynamic     amount `U_d` of the products of inertia
+    dynamic_at  its angle `b`: `J12 = -U_d cos b`, `J13 = -U_d sin b`, `J23 = 0`
+    """
 
     static: Annotated[float, scalar(units.STATIC_UNBALANCE, least=0.0)] = 0.0
     static_at: Annotated[float, scalar(units.ANGLE)] = 0.0
@@ -66,13 +72,26 @@ def _transverse(raw: Any) -> tuple[float, ...]:
 
 
 class FlywheelForm(Table):
-    """Keys of a flywheel that are none of its data: they say its mounting, its centre of mass and its inertia."""
+    """Keys of a flywheel that are none of its data: they say its mounting, its centre of mass and its inertia.
 
-    angles: Annotated[tuple[float, ...], validator(_spin_angles, units.ANGLE)] | None = None
+    angles              `[psi_s, theta_s]` of `C3 C2 C1(phi_s)`, or `[psi_s, theta_s, phi0]`, where `phi_s` is counted
+                        from `phi0`
+    axis                in place of `angles`: spin axis in the frame of the mount
+    zero                with `axis`: its part across the axis is the second axis at `phi_s = 0`; may be left out where
+                        mass, inertia and wrenches are the same at every phase
+    inertia             as of any body; or in place of it and of `center_of_mass` the next three keys
+    spin_inertia        `J11` about the origin
+    transverse_inertia  `J22`, or `[J22, J33]`, about the origin; on average at least `spin_inertia/2`, that of a disc
+    unbalance           static and dynamic unbalance
+    """
+
+    angles: Annotated[tuple[float, ...], validator(_spin_angles, units.ANGLE, shape="2 or 3 numbers")] | None = None
     axis: Direction | None = None
     zero: Direction | None = None
     spin_inertia: Annotated[float, scalar(units.INERTIA, least=0.0)] | None = None
-    transverse_inertia: Annotated[tuple[float, ...], validator(_transverse, units.INERTIA)] | None = None
+    transverse_inertia: (
+        Annotated[tuple[float, ...], validator(_transverse, units.INERTIA, shape="1 or 2 numbers")] | None
+    ) = None
     unbalance: UnbalanceTable | None = None
 
     def mounting(self, note: Note, depends: Callable[[], str]) -> MountingAngles | MountingAxes | None:

@@ -245,6 +245,8 @@ class QuantityValidator(PlainValidator):
     dimension  of its numbers, of a 6x6 by blocks; None where it reads none
     least      smallest accepted number, above: one that is too small, most: the largest; SI, None: no bound
     write      value of the file for one of the data, where it is another
+    words      texts that it accepts, each with what it means; empty where it reads none
+    shape      what it reads, in words, where its type does not say so
     """
 
     dimension: Dimension | Blocks | None = None
@@ -252,6 +254,8 @@ class QuantityValidator(PlainValidator):
     above: float | None = None
     most: float | None = None
     write: Callable[[Any], Any] | None = None
+    words: tuple[tuple[str, Any], ...] = ()
+    shape: str = ""
 
 
 def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = None, **more: Any) -> QuantityValidator:
@@ -330,7 +334,7 @@ def letter(letters: tuple[str, ...]) -> QuantityValidator:
             raise QuantityError(f"expected one of {' '.join(letters)}, found {show(raw)}")
         return letters.index(raw)
 
-    return validator(read, write=letters.__getitem__)
+    return validator(read, write=letters.__getitem__, words=tuple((each, i) for i, each in enumerate(letters)))
 
 
 def one_word(words: Mapping[str, Any], expected: str = "") -> QuantityValidator:
@@ -341,7 +345,7 @@ def one_word(words: Mapping[str, Any], expected: str = "") -> QuantityValidator:
             raise QuantityError(f"expected {expected or ' or '.join(map(show, words))}, found {show(raw)}")
         return words[raw]
 
-    return validator(read)
+    return validator(read, words=tuple(words.items()))
 
 
 def flag(raw: Any) -> bool:
@@ -357,7 +361,7 @@ def _name(problem_of: Callable[[str], str | None]) -> QuantityValidator:
             raise QuantityError(problem)
         return str(raw)
 
-    return validator(read)
+    return validator(read, shape="name")
 
 
 Name = Annotated[str, _name(name_problem)]
@@ -366,7 +370,7 @@ Text = Annotated[str, validator(text)]
 Flag = Annotated[bool, validator(flag)]
 Length3 = Annotated[Vec3, vector3(units.LENGTH)]
 Angle3 = Annotated[Vec3, vector3(units.ANGLE)]
-Direction = Annotated[Vec3, validator(direction)]
+Direction = Annotated[Vec3, validator(direction, shape="direction")]
 Mass = Annotated[float, scalar(units.MASS, least=0.0)]
 _WEIGHT = BOUNDS["MAX_WEIGHT"].value
 Weight = Annotated[float, scalar(units.PLAIN, least=1.0 / _WEIGHT, most=_WEIGHT)]
@@ -381,7 +385,10 @@ class Table(BaseModel):
 
 
 class Mounted(Table):
-    """Base of tables of what is mounted on the carrier or an instrument."""
+    """Base of tables of what is mounted on the carrier or an instrument.
+
+    mount  the carrier, or the name of an instrument
+    """
 
     mount: Text = "carrier"
 

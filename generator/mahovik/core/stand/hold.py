@@ -84,21 +84,28 @@ def _basis(raw: Any) -> tuple[Freedom, ...]:
 
 
 class HoldForm(Table):
-    """Keys of `[hold]` that say how the carrier can move; a hold has one of them."""
+    """Keys of `[hold]` that say how the carrier can move; a hold has one of them.
 
-    freedoms: Annotated[tuple[Freedom, ...], validator(_freedoms)] | None = None
+    freedoms  any of `x` `y` `z` (along) `roll` `pitch` `yaw` (about) the axes of `E1`, m/s and rad/s; `[]` is clamped
+    axis      one freedom: turning about this axis through the pivot, rad/s
+    slide     one freedom: along this direction, m/s
+    basis     rows of `S^T`: the six components of `V` at `u = 1`, SI
+    """
+
+    freedoms: Annotated[tuple[Freedom, ...], validator(_freedoms, shape="list of names")] | None = None
     axis: Direction | None = None
     slide: Direction | None = None
-    basis: Annotated[tuple[Freedom, ...], validator(_basis)] | None = None
+    basis: Annotated[tuple[Freedom, ...], validator(_basis, shape="rows of 6 numbers")] | None = None
 
 
 @dataclass(frozen=True)
 class Hold(Declared):
     """What holds the carrier: it moves as V = S u, a column of S (6 x m) for each freedom, constant in E1.
 
-    freedoms          m of them, independent; none: clamped
-    pivot             of E1, m: what turns, turns about it
-    position, angles  home pose in E0, where all freedoms are zero: place of O1 (m) and attitude (rad)
+    freedoms  m of them, independent; none: clamped
+    pivot     in `E1`: what turns, turns about it; without it about `O1`
+    position  home pose in `E0`: place of `O1` where all freedoms are zero
+    angles    home attitude, in the sequence of the file
     """
 
     freedoms: tuple[Freedom, ...]

@@ -217,7 +217,10 @@ class Bounds:
 
 
 class FreedomTable(Table):
-    """The freedom that a table of a hold is about."""
+    """The freedom that a table of a hold is about.
+
+    freedom  its name in `freedoms`, or the number of its place, `"1"`, `"2"`, ...; required where the hold has several
+    """
 
     freedom: Text | None = None
 

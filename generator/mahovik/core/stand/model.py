@@ -198,9 +198,13 @@ def _about(table: Any, note: Note) -> About:
 class Body(WithLaws, Declared):
     """What carrier, instruments and flywheels have in common, in the body's own frame.
 
-    `inertia` is the full symmetric tensor as the file gives it, about the point named by `inertia_about`.
-    `laws`: data of the laws that act on it in its own frame, weight aside.
-    `wrench_input`: the emitted C takes a run-time wrench on this body.
+    name            a C identifier, different from the names of other bodies and points
+    mass            of the body
+    center_of_mass  from the origin of the body's frame
+    inertia         tensor in the body's axes, `J12 = -int(x y)`: symmetric 3x3, or its diagonal
+    inertia_about   point that `inertia` is about; required where `center_of_mass` is not zero
+    wrench_input    `true`: the C takes a wrench on this body at run time
+    laws            data of the laws that act on it in its own frame, weight aside
     """
 
     name: Name
@@ -234,7 +238,10 @@ class Body(WithLaws, Declared):
 
 @dataclass(frozen=True)
 class Carrier(Body):
-    """The carrier E1 (its `name` is "carrier"). `added_mass` about O1 in E1 axes; None where absent or zero."""
+    """The carrier E1; its `name` is "carrier".
+
+    added_mass  of the fluid, symmetric 6x6 about `O1` in `E1` axes
+    """
 
     name: str
     added_mass: Annotated[AddedMass, Default(None)]
@@ -242,9 +249,11 @@ class Carrier(Body):
 
 @dataclass(frozen=True)
 class Instrument(Body):
-    """A body Ep fixed on the carrier: origin Op in E1, axes C3(psi) C2(theta) C1(phi).
+    """A body Ep fixed on the carrier.
 
-    `added_mass` is about O1 in E1 axes, as for the carrier.
+    position    of its origin `Op`, in `E1`
+    angles      psi, theta, phi of its axes `C3 C2 C1`
+    added_mass  about `O1` in `E1` axes, as for the carrier
     """
 
     mass: Annotated[Mass, Default(0.0)]
@@ -277,7 +286,18 @@ def read_curve(raw: Any) -> Curve:
 
 @dataclass(frozen=True)
 class Motor(Declared):
-    """Drive of a flywheel; acts in simulation only. None: no limit, or not known."""
+    """Drive of a flywheel. None: no limit, or not known.
+
+    torque         largest torque in either sense; without it there is no limit
+    speed          no-load speed: the torque available in the sense of the motion falls linearly from `torque` at rest
+                   to zero here, braking has all of `torque`. Unbalance is judged at this speed
+    constant       torque constant; with `resistance` it gives electrical losses to `plan`
+    resistance     of the winding
+    supply         voltage of the supply; kept with the stand, nothing is computed from it
+    viscous        friction `-viscous phi'`
+    coulomb        dry friction, smoothed: `-coulomb tanh(phi'/coulomb_speed)`
+    coulomb_speed  speed of that smoothing
+    """
 
     torque: Annotated[float | None, scalar(units.TORQUE, least=0.0), Default(None)]
     speed: Annotated[float | None, scalar(units.SPEED, above=0.0), Default(None)]
@@ -297,7 +317,12 @@ def _counts(raw: Any) -> int:
 
 @dataclass(frozen=True)
 class Encoder(Declared):
-    """Encoder of a flywheel: counts per turn (with sign), count at phi_s = 0, latency in s."""
+    """Encoder of a flywheel.
+
+    counts   counts per turn, not 0; negative: the count falls as `phi_s` rises
+    zero     count at `phi_s = 0`
+    latency  age of a reading
+    """
 
     counts: Annotated[int, validator(_counts)]
     zero: Annotated[float, scalar(units.PLAIN), Default(0.0)]
@@ -306,9 +331,13 @@ class Encoder(Declared):
 
 @dataclass(frozen=True)
 class Flywheel(Body):
-    """A flywheel Es: origin Os in the frame of its mount, spinning about its own first axis.
+    """A flywheel Es, spinning about its own first axis.
 
-    `inverse_weight` is its weight in the norm of phi'' that `inverse` makes least, 1 by default.
+    mount           the carrier, or the name of an instrument
+    position        of its origin `Os`, which lies on the axis, in the frame of its mount
+    motor           limits, losses and friction of its drive
+    encoder         how its phase is measured
+    inverse_weight  its weight in the norm of accelerations that `inverse` makes least
     """
 
     inertia: Annotated[Inertia3, Default(None)]
@@ -354,7 +383,13 @@ class Flywheel(Body):
 
 @dataclass(frozen=True)
 class Point(Declared):
-    """A sensor or place of interest on the carrier or an instrument; axes C3(psi) C2(theta) C1(phi)."""
+    """A sensor or place of interest.
+
+    name      a C identifier, different from the names of bodies
+    mount     the carrier, or the name of an instrument
+    position  in the frame of its mount
+    angles    psi, theta, phi of its axes `C3 C2 C1`
+    """
 
     name: Name
     mount: Annotated[Text, Default("carrier")]
@@ -424,10 +459,13 @@ def _rows_in_file(rows: tuple[TaskRow, ...]) -> list[Any]:
 
 @dataclass(frozen=True)
 class Task(Declared):
-    """Components of the carrier's motion that are demanded together; what no row names is free."""
+    """Components of the carrier's motion that are demanded together; what no row names is free.
+
+    rows  one to six components, in any mixture of the rows below
+    """
 
     name: str
-    rows: Annotated[tuple[TaskRow, ...], validator(_rows, write=_rows_in_file)]
+    rows: Annotated[tuple[TaskRow, ...], validator(_rows, write=_rows_in_file, shape="list")]
 
 
 def _gravity(raw: Any) -> Vec3:
@@ -448,12 +486,25 @@ def _schema(raw: Any) -> int:
 
 
 class _WithSchema(Table):
+    """The version of the format.
+
+    schema  version of the format, 1
+    """
+
     schema_: Annotated[int, validator(_schema)] = Field(alias="schema")
 
 
 @dataclass(frozen=True)
 class Header(Declared):
-    """The keys of a stand outside any table."""
+    """The keys of a stand outside any table.
+
+    name          a C identifier that begins with a letter: every generated name begins with it
+    angles        sequence of the attitude angles: `"ship"` is `"zyx"`, `"aircraft"` is `"yzx"`, `"euler"` is `"zxz"`
+    gravity       in `E0`; 0 is short for `[0, 0, 0]`
+    stream        uniform steady velocity of the fluid, in `E0`; where the key is present, even zero, the C has a stream
+    phase_input   `"sincos"`: functions of the C take sines and cosines of the phases as well
+    inverse_most  acceleration of a flywheel without motor above which an answer of `inverse` is `EXCESSIVE`
+    """
 
     name: StandName
     angles: Annotated[

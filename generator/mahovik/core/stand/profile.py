@@ -60,9 +60,9 @@ class _OneVelocityADepth(Table):
 class StreamProfile(Declared):
     """Velocity of the fluid by depth, beside the uniform `stream`: linear between stations, none outside of them.
 
-    down      direction in E0, of any length, along which the depth of a position is counted from the origin of E0
-    depth     m, increasing
-    velocity  m/s in E0, one for each depth
+    down      direction of increasing depth, in `E0`; without it that of `gravity`, and required without gravity
+    depth     of two stations or more, increasing, counted from the origin of `E0`
+    velocity  of the fluid at each station, in `E0`; `stream` is added to all
     """
 
     down: Annotated[Direction, Default(None)]

@@ -20,7 +20,11 @@ LEVEL = 1e-9
 
 @dataclass(frozen=True)
 class Buoyancy(BodyLaw):
-    """Archimedes force `-displaced_mass * gravity` at `center` (in the body's frame)."""
+    """Archimedes force, `-displaced_mass * gravity` at `center`.
+
+    displaced_mass  mass of the displaced fluid
+    center          where the force acts, in the body's frame
+    """
 
     displaced_mass: Annotated[Mass, TIMES, Drawn(lambda draw, of: draw.uniform(0.5, 1.2) * of.mass)]
     center: Annotated[Length3, Default(ZERO3), AS_VECTOR, Drawn(lambda draw, of: draw.vec3(of.size / 3))]

@@ -107,7 +107,10 @@ def _texts(factors: tuple[Factor, ...]) -> list[str]:
 
 
 class TermTable(Table):
-    """The value of a derivative, whose unit is that of the component over those of the factors."""
+    """The value of a derivative.
+
+    value  in SI, or with the unit that follows from the component and the factors
+    """
 
     value: Any
 
@@ -126,7 +129,11 @@ class TermTable(Table):
 
 @dataclass(frozen=True)
 class ControlDerivative(Declared):
-    """Component `wrench` (0..5) += value * product of one to four factors."""
+    """A component of the wrench += value times the product of one to four factors.
+
+    wrench  component of the wrench: force along, moment about the three axes
+    of      one to four factors, below
+    """
 
     wrench: Annotated[int, letter(WRENCH_LETTERS)]
     of: Annotated[tuple[Factor, ...], validator(_factors, write=_texts)]
@@ -153,7 +160,9 @@ class ControlTable(Table):
 class ControlDerivatives(BodyLaw):
     """All control derivatives of one body, in its own frame, of its twist relative to the fluid V_r = (u, ...).
 
-    `race`: a, m2/rad2, of the race sign(n) (sqrt(u^2 + a n^2) - |u|): what a propeller adds to the speed of the water.
+    terms  the derivatives
+    race   `a` of the race `sign(n) (sqrt(u^2 + a n^2) - |u|)`, which a propeller adds to the speed of the water;
+           required where a term has a race
     """
 
     terms: Annotated[tuple[ControlDerivative, ...], Tables(ControlDerivative)]

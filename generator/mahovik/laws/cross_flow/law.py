@@ -49,7 +49,7 @@ def _points(raw: Any) -> int:
 
 Places = Annotated[Numbers, validator(lambda raw: _numbers(raw, units.LENGTH), units.LENGTH)]
 Lengths = Annotated[Numbers, validator(lambda raw: _sizes(raw, units.LENGTH), units.LENGTH)]
-Drags = Annotated[Numbers, validator(_drags, units.PLAIN), TIMES_EACH]
+Drags = Annotated[Numbers, validator(_drags, units.PLAIN, shape="number or numbers"), TIMES_EACH]
 
 
 class Stations(Table):
@@ -74,12 +74,16 @@ class Stations(Table):
 class CrossFlow(BodyLaw):
     """Drag of the motion across the first axis of a body: -(density/2) integral (C_y h |v| v, C_z b |w| w) dx.
 
-    v, w        velocity of the place x of the axis relative to the fluid, along y and z of the body
-    x           stations, m, rising; between them all tables are linear
-    height      h (m) of the body along z at the stations, which meets v; `breadth`: b along y, which meets w
-    drag_y      C_y at the stations, and `drag_z` C_z
-    points      points of Gauss and Legendre between two stations
-    together    the drag is along the whole velocity across: (C_y h v^2 + C_z b w^2) (v, w)/sqrt(v^2 + w^2)
+    v, w is the velocity of the place x of the axis relative to the fluid, along y and z of the body.
+
+    density   of the fluid
+    x         stations along the first axis, rising; between them all tables are linear
+    height    `h` along z, which meets `v`, at each station
+    breadth   `b` along y, which meets `w`, at each station
+    drag_y    `C_y`, one for all stations or one for each
+    drag_z    `C_z`, likewise
+    points    points of Gauss and Legendre between two stations, 1 to 16
+    together  `true`: the drag is along the whole velocity across, `(C_y h v^2 + C_z b w^2) (v, w)/sqrt(v^2 + w^2)`
     """
 
     density: Annotated[float, scalar(DENSITY, above=0.0)]

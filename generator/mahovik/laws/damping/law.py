@@ -53,7 +53,10 @@ def _letters(factors: tuple[Factor, ...]) -> list[str]:
 
 
 class TermTable(Table):
-    """The value of one of `damping.terms`, whose unit follows from the wrench component and the two factors."""
+    """The value of one of `damping.terms`.
+
+    value  in SI, or with the unit that follows from the component and the factors
+    """
 
     value: Any
 
@@ -72,7 +75,11 @@ class TermTable(Table):
 
 @dataclass(frozen=True)
 class DampingTerm(Declared):
-    """Hydrodynamic derivative as published: wrench component `wrench` (0..5) += value * product of the two factors."""
+    """Hydrodynamic derivative as published: a component of the wrench += value times the product of two factors.
+
+    wrench  component of the wrench: force along, moment about the three axes
+    of      two of the components `u v w p q r` of `V_r`, with or without bars (`"|v|"`), such as `["u", "r"]`
+    """
 
     wrench: Annotated[int, letter(WRENCH_LETTERS)]
     of: Annotated[tuple[Factor, Factor], validator(_factors, write=_letters)]
@@ -82,7 +89,10 @@ class DampingTerm(Declared):
 
 
 class DampingTable(Table):
-    """Whether the derivatives contain the products of added mass."""
+    """Whether the derivatives contain the products of added mass.
+
+    derivatives  of the carrier: whether the published `terms` contain the products of added mass
+    """
 
     derivatives: Annotated[bool, one_word({WITH_PRODUCTS: True, WITHOUT_PRODUCTS: False})] = False
 
@@ -91,10 +101,13 @@ class DampingTable(Table):
 class Damping(BodyLaw):
     """Damping of one body, in its own frame, of its twist relative to the fluid V_r.
 
-    Wrench `-(linear V_r) - (quadratic (V_r |V_r|))` (product element by element) plus the sum of `terms`.
-    `None` where a matrix is absent or all zero. `contains_products`: the published `terms` contain the products of
+    A matrix is None where it is absent or all zero. `contains_products`: the published `terms` contain the products of
     added mass, -Phi(V_r) Lambda V_r with Lambda of the same body, so the wrench has Phi(V_r) Lambda V_r as well: it
     takes out those that (8) has by itself.
+
+    linear     wrench `-(linear V_r)`
+    quadratic  wrench `-(quadratic (V_r |V_r|))`, product element by element
+    terms      hydrodynamic derivatives as published, each `{ wrench = "Y", of = ["u", "r"], value = -3.1 }`
     """
 
     linear: Annotated[Mat6 | None, matrix(LINEAR), Default(None), BRAKES, AS_MATRIX]

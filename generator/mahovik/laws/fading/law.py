@@ -19,8 +19,8 @@ class FadingDamping(BodyLaw):
     """Linear damping of slow motion, wrench -exp(-rate U) linear V_r, all in the body's own frame.
 
     V_r     twist of the body relative to the fluid; U (m/s) is the length of its linear part
-    linear  6x6, SI
-    rate    s/m, above 0: at U = 1/rate the damping is down to 37 %
+    linear  damping at rest
+    rate    at `U = 1/rate` the damping is down to 37 %
     """
 
     linear: Annotated[

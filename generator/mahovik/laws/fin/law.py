@@ -50,7 +50,12 @@ Ratio = Annotated[float | None, scalar(units.PLAIN, above=0.0)]
 
 
 class FinTable(Mounted):
-    """`[[fin]]`: keys that no field of the data is, as aspect ratio and efficiency, and checks of several keys."""
+    """`[[fin]]`: keys that no field of the data is, and checks of several keys.
+
+    aspect      aspect ratio `R`: `lift_slope` is then `pi R/(1 + sqrt(1 + (R/2)^2))`, and `induced` is
+                `1/(pi efficiency R)`
+    efficiency  of `induced` by `aspect`; without it 0.7
+    """
 
     aspect: Ratio = None
     efficiency: Ratio = None
@@ -70,15 +75,21 @@ class FinTable(Mounted):
 class Fin(Declared):
     """A lifting surface; its velocity relative to the fluid has a, b, c along chord, span, normal = chord x span.
 
-    position      m, in the body's frame, as are
-    chord, span   directions of any length: forward, and the part across it of `span` to one side
-    density, area kg/m3, m2; lift and drag are density/2 area U^2 times C_L, C_D, U by `speed`
-    lift_slope    C_L = lift_slope A (1/rad) of the angle A = atan2(c, a) + deflection
-    drag, induced C_D = drag + induced C_L^2
-    stall         rad: beyond it C_L falls linearly, to zero at 90 degrees and beyond; None: never
-    deflection    rad; positive pushes against the normal, as c > 0 does. The C takes another one at run time
-    incidence     False: A is the deflection alone, drag acts along the chord and lift along the normal; True: drag acts
-                  against the velocity (a, c), lift across it
+    name        a C identifier, different from the names of bodies, points and whatever else has a mount
+    position    in the frame of its mount
+    chord       forward, in the frame of its mount
+    span        to one side: its part across the chord counts
+    density     of the fluid; lift and drag are `density/2 area U^2` times `C_L` and `C_D`
+    area        of the fin
+    lift_slope  `C_L = lift_slope A`, per radian of the angle `A = atan2(c, a) + deflection`; required without `aspect`
+    drag        `C_D = drag + induced C_L^2`
+    induced     see `drag`; without it by `aspect`, or 0
+    stall       angle beyond which `C_L` falls linearly, to zero at 90 deg and beyond: a fin astern has drag alone.
+                Without it `C_L` grows up to 180 deg and jumps there
+    deflection  positive pushes against the normal, as `c > 0` does; may be set at run time
+    speed       squares in `U^2`: `a^2 + c^2`; `"whole"` adds `b^2`, `"along"` is `a^2` alone
+    incidence   `true`: drag acts against the velocity `(a, c)`, lift across it; `false`: `A` is the deflection alone,
+                drag acts along the chord and lift along the normal, as published for rudders of small vehicles
     """
 
     name: Name

@@ -24,11 +24,12 @@ class Friction(FreedomItem):
     """Friction of one freedom at its speed u: a force (N) along what slides, a moment (N m) about what turns.
 
     freedom         its number in the order of the hold; `name` is that of the file
-    viscous         N s/m or N m s/rad
-    coulomb         at high speed, N or N m
-    breakaway       at low speed, N or N m; `coulomb` where there is no rise
-    stribeck_speed  speed at which half of the rise is left, m/s or rad/s; None where there is no rise
-    smoothing       speed at which the smoothed sign is 1/sqrt(2), m/s or rad/s
+    viscous         force per speed; one of `viscous`, `coulomb` and `breakaway` is required
+    coulomb         force at high speed
+    breakaway       force at low speed; without it that of `coulomb`
+    stribeck_speed  speed at which half of the rise from `coulomb` to `breakaway` is left, above `smoothing`; required
+                    with `breakaway`
+    smoothing       speed at which the smoothed sign is 1/sqrt(2); without it 0.01 m/s or rad/s
     """
 
     viscous: Annotated[float, Bounds(least=0.0), Default(None), InC("force per speed", "SI"), TIMES]

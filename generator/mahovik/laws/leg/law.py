@@ -15,7 +15,14 @@ from mahovik.core.stand.model import Stand, Vec3
 
 @dataclass(frozen=True)
 class Leg(Declared):
-    """Spring-damper between a point of E0 (`ground`) and one of E1 (`carrier`); `length` is unstretched."""
+    """Spring and damper along the line between two points.
+
+    ground     its end in `E0`
+    carrier    its end in `E1`
+    length     unstretched
+    stiffness  along the leg
+    damping    along the leg
+    """
 
     ground: Annotated[Length3, InC("end in E0"), normal(1.0), AS_VECTOR]
     carrier: Annotated[Length3, InC("end in E1"), normal(0.2), AS_VECTOR]

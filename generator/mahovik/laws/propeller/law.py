@@ -26,7 +26,7 @@ def _polynomial(raw: Any) -> Vec3:
     return vec3([*raw, 0, 0][:3], units.PLAIN)
 
 
-Polynomial = Annotated[Vec3, validator(_polynomial, units.PLAIN), TIMES_EACH]
+Polynomial = Annotated[Vec3, validator(_polynomial, units.PLAIN, shape="2 or 3 numbers"), TIMES_EACH]
 Fraction = Annotated[float, scalar(units.PLAIN, least=-1.0, most=1.0), Default(0.0)]
 Speed = Annotated[float, scalar(units.SPEED, least=-MOST_SPEED, most=MOST_SPEED)]
 
@@ -38,14 +38,18 @@ class Propeller(Declared):
     Thrust T = (1 - deduction) density D^4 |n| n K_T along the axis, torque Q = density D^5 |n| n K_Q against the turn,
     K = k0 + k1 J + k2 |J| J: where n is zero, their limits.
 
-    position       m, in the body's frame, as is
-    axis           direction of any length, along which T > 0 pushes
-    density, diameter  kg/m3, m
-    thrust, torque (k0, k1, k2) of K_T and of K_Q
-    speed          rad/s, about the axis where right-handed; the C takes another one at run time
-    wake           V_a = (1 - wake) times the velocity of `position` relative to the fluid along the axis
-    whole          V_a = (1 - wake) times the length of that velocity
-    left           a left-handed propeller: the torque on the body is Q about the axis, else -Q
+    name       a C identifier, different from the names of bodies, points and whatever else has a mount
+    position   in the frame of its mount
+    axis       direction of the thrust, in the frame of its mount
+    density    of the fluid
+    diameter   `D`
+    thrust     `k0`, `k1` and `k2` of `K_T`
+    torque     the same of `K_Q`
+    speed      `n`, about the axis where right-handed; may be set at run time
+    wake       `V_a` is `1 - wake` times the velocity of `position` relative to the fluid along the axis
+    deduction  share of the thrust that the hull loses
+    whole      `true`: `V_a` is `1 - wake` times the length of that velocity, as published for some vehicles
+    left       `true`: a left-handed propeller, whose torque on the body is about the axis, not against it
     """
 
     name: Name

@@ -23,7 +23,10 @@ SIDE = one_word({"above": True, "below": False}, '"above" or "below" (where the 
 
 
 class StopTable(FreedomTable):
-    """The side that a stop may leave out."""
+    """The side that a stop may leave out.
+
+    side  where the coordinate may not go; without it by the sign of `at`, and required where `at` is zero
+    """
 
     side: Annotated[bool | None, SIDE] = None
 
@@ -33,10 +36,10 @@ class Stop(FreedomItem):
     """A stop of one freedom: pushes back where its coordinate, counted from the home pose, is beyond `at`.
 
     freedom    its number in the order of the hold; `name` is that of the file
-    at         m or rad
+    at         coordinate of the freedom, from the home pose; of an angle within 170 deg
     above      it stops what goes above `at`; else what goes below
-    stiffness  N/m or N m/rad
-    damping    per depth, N s/m2 or N m s/rad2
+    stiffness  force per depth beyond `at`
+    damping    force per depth and speed into the stop
     """
 
     at: Annotated[float, Bounds(), InC("coordinate at which the stop begins", "SI")]

@@ -67,12 +67,13 @@ def _along_axes(dimension: Dimension) -> Any:
 class Isolator(Declared):
     """A spring with damping between E0 and a point of the carrier.
 
-    position   of the point, in E1, m
-    stiffness  along each of its axes, N/m
-    damping    along each of its axes, N s/m; or instead:
-    ratio      of critical damping: 2 ratio sqrt(k m), with the mass m that it bears at rest
-    loss       loss factor at resonance: a ratio of loss / 2
-    angles     of its axes in E1, C3(psi) C2(theta) C1(phi), rad
+    name       a name of its own, for messages and paths such as `rear.stiffness[2]`
+    position   where it bears the carrier, in `E1`
+    stiffness  along its three axes
+    damping    along its three axes; or one of the next two
+    ratio      of critical damping: `2 ratio sqrt(k m)`, with the mass `m` that it bears at rest
+    loss       loss factor at resonance: a ratio of `loss / 2`
+    angles     psi, theta, phi of its axes `C3 C2 C1` in `E1`
     """
 
     name: Name

@@ -42,8 +42,14 @@ def _preload(raw: Any) -> bool:
 class Suspension(CarrierLaw):
     """Suspension of the carrier to E0: wrench `-(stiffness x + damping V)` at O1 in E1 axes.
 
-    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`; `angles` give C_eq in the stand's sequence. Where there
-    are `isolators`, all four are made of them; with `preload` they balance the weight in the pose that the file gives.
+    `x = (C^T (O1 - position), rotation vector of C_eq^T C)`. Where there are `isolators`, the first four are made of
+    them.
+
+    stiffness  wrench `-stiffness x`
+    damping    wrench `-damping V`
+    position   equilibrium of `O1`, in `E0`
+    angles     equilibrium attitude `C_eq`, in the sequence of the file
+    preload    with isolators: their springs balance weight and buoyancy in the pose of the file
     """
 
     stiffness: Annotated[
@@ -56,7 +62,9 @@ class Suspension(CarrierLaw):
     ]  # fmt: skip
     position: Annotated[Length3, Default(ZERO3), InC("equilibrium of O1, in E0"), AS_VECTOR, normal(0.1)]
     angles: Annotated[Angle3, Default(ZERO3), normal(0.3)]
-    preload: Annotated[bool, validator(_preload, write=lambda on: "weight"), Default(False, written=False)] = False
+    preload: Annotated[
+        bool, validator(_preload, write=lambda on: "weight", words=(("weight", True),)), Default(False, written=False)
+    ] = False
     isolators: tuple[Isolator, ...] = ()
 
     key: ClassVar[str] = "suspension"

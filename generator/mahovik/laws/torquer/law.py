@@ -18,7 +18,12 @@ DIPOLE = Dimension("a magnetic dipole moment", "A m^2")
 
 @dataclass(frozen=True)
 class Torquer(Declared):
-    """A dipole moment `dipole` (A m2) in the axes of its mount, the carrier or an instrument."""
+    """A magnetic dipole moment on a body.
+
+    name    a C identifier, different from the names of bodies, points and other torquers
+    mount   the carrier, or the name of an instrument
+    dipole  in the axes of its mount; may be set at run time
+    """
 
     name: Name
     mount: Annotated[Text, Default("carrier")]
@@ -30,7 +35,10 @@ class Torquer(Declared):
 
 @dataclass(frozen=True)
 class Torquers(CarrierLaw):
-    """The field (T, constant in E0) and all torquers of a stand, in the order of the file."""
+    """The field and all torquers of a stand, in the order of the file.
+
+    magnetic_field  constant in `E0`, such as `"40 uT"`; may be set at run time
+    """
 
     magnetic_field: Annotated[Vec3, vector3(FIELD), Default(ZERO3), InC("in E0; may be set at run time")]
     torquers: tuple[Torquer, ...]

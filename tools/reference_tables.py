@@ -1,0 +1,332 @@
+"""Tables of the reference pages, made of the code: keys of the stand file, functions, statuses and ranges of the C."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+import typing
+from collections.abc import Callable, Iterable, Iterator
+from functools import cache, partial
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic.fields import FieldInfo
+
+from mahovik.contract.evaluation import text_lines
+from mahovik.contract.functions import ALL, CHOSEN, ROWS, task_of
+from mahovik.contract.quantities import BOUNDS, QUANTITIES, Bound
+from mahovik.contract.status import STATUSES
+from mahovik.core.emit.declaration import purpose_with_number
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.program.call import Argument
+from mahovik.core.program.cost import cost, stack_bound
+from mahovik.core.program.function import Function, Program
+from mahovik.core.program.types import NamedCount, Shape, Struct
+from mahovik.core.stand import load
+from mahovik.core.stand.datasheet import UnbalanceTable
+from mahovik.core.stand.declare import Declared, Tables
+from mahovik.core.stand.fields import Mat3, Mat6, QuantityValidator, Table, Vec3
+from mahovik.core.stand.law import Bounds, FreedomItem
+from mahovik.core.stand.laws import body_laws, body_table, carrier_laws
+from mahovik.core.stand.model import (
+    Carrier,
+    Encoder,
+    Flywheel,
+    Header,
+    Hold,
+    Instrument,
+    Motor,
+    Point,
+    StreamProfile,
+    Task,
+)
+from mahovik.core.stand.numbers import quantity_and_table
+from mahovik.core.stand.units import Dimension
+from mahovik.stands import path
+
+HELD = Path(__file__).resolve().parents[1] / "docs" / "held" / "pendulum.toml"
+
+
+def table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[str]:
+    """Lines of a table; pipes in its cells are text."""
+    yield f"| {' | '.join(head)} |"
+    yield "|---" * len(head) + "|"
+    for row in rows:
+        yield f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in row)} |"
+
+
+# -- keys of the stand file ------------------------------------------------------------------------------------------
+
+
+def entries(*classes: type) -> dict[str, str]:
+    """Meanings of keys: lines `key  meaning` of the docstrings of these classes and their bases, the first of each."""
+    found: dict[str, str] = {}
+    for each in (base for one in classes for base in one.__mro__):
+        key = ""
+        for line in inspect.cleandoc(each.__dict__.get("__doc__") or "").splitlines():
+            match = re.fullmatch(r"(\w+)  +(\S.*)", line)
+            if match:
+                key = match[1] if match[1] not in found else ""
+            elif not line.startswith("  "):
+                key = ""
+            if key:
+                found[key] = f"{found.get(key, '')} {match[2] if match else line.strip()}".lstrip()
+    return found
+
+
+Rows = Callable[[], Iterable[tuple[str, ...]]]
+
+
+def key_rows(keys: type[Table], data: type[Declared], known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
+    """A row for each key of a table of the file, as its class declares it; without those that `known` has likewise.
+
+    Raises KeyError where a docstring has no entry for a key.
+    """
+    meanings = {law.key: law_words(law) for law in body_laws() if not law.mounted} | entries(data.keys, keys, data)
+    first = ("schema_", "name", "freedom", "mount", "position", "wrench", "of")
+    for name, info in sorted(keys.model_fields.items(), key=lambda item: (*first, item[0]).index(item[0])):
+        before = known.model_fields.get(name) if known else None
+        if before is None or (before.is_required(), before.default) != (info.is_required(), info.default):
+            key = info.alias or name
+            reader = next(validators(info.annotation, *info.metadata), None)
+            default = "required" if info.is_required() else default_words(info.default, reader)
+            yield f"`{key}`", value_words(data, name, info, reader), default, meanings[key]
+
+
+def law_words(law: type) -> str:
+    """What a law of a body is, as a link to its keys."""
+    words = inspect.cleandoc(law.__doc__ or "").partition("\n")[0]
+    words = re.split(r": |, (?:wrench|products|in) |, `", words)[0].rstrip(".")
+    return f"[{words}](#{law.__dict__['key']})"
+
+
+SHAPES: tuple[tuple[Any, str], ...] = (
+    (float, "number"),
+    (int, "whole number"),
+    (bool, "`true`, `false`"),
+    (str, "text"),
+    (Vec3, "3 numbers"),
+    (Mat3, "3x3"),
+    (Mat6, "6x6"),
+    (tuple[Vec3, ...], "list of 3 numbers"),
+    (tuple[float, ...], "numbers"),
+)
+"""Words for types of keys."""
+
+
+def value_words(data: type[Declared], name: str, info: FieldInfo, reader: QuantityValidator | None) -> str:
+    """What a key takes: shape, unit and bounds, or its words."""
+    if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(name)):
+        units = dict.fromkeys(found.si for kind in ("slide", "turn") if (found := data.dimension(name, kind)))
+        return ", ".join([" or ".join(units), *bound_words(bounds)])
+    inner = quantity_and_table(info.annotation)[1]
+    if reader is None or inner is not None:
+        return "tables" if typing.get_origin(info.annotation) is list else "table" if inner else "number"
+    if reader.words:
+        return ", ".join(f'`"{word}"`' for word, _ in reader.words)
+    shape = reader.shape or next((words for kind, words in SHAPES if kind == typed(info.annotation)), "list")
+    unit = reader.dimension.si if isinstance(reader.dimension, Dimension) else ""
+    parts = ["" if shape == "number" and unit else shape, unit, *bound_words(reader)]
+    return ", ".join(part for part in parts if part)
+
+
+def validators(*annotations: Any) -> Iterator[QuantityValidator]:
+    """The validators in annotations."""
+    for each in annotations:
+        if isinstance(each, QuantityValidator):
+            yield each
+        yield from validators(*(typing.get_args(each)))
+
+
+def typed(annotation: Any) -> Any:
+    """The type in an annotation that may be None."""
+    inner = [each for each in typing.get_args(annotation) if each is not type(None)]
+    if typing.get_origin(annotation) is Annotated or type(None) in typing.get_args(annotation):
+        return typed(inner[0])
+    return annotation
+
+
+def bound_words(bounds: QuantityValidator | Bounds) -> list[str]:
+    """The bounds of a number in words."""
+    least, above, most = bounds.least, bounds.above, bounds.most
+    if least is not None and most is not None:
+        return [f"{digits(least)} to {digits(most)}"]
+    parts = [f"above {digits(above)}"] if above is not None else [] if least is None else [f"at least {digits(least)}"]
+    return parts if most is None else [*parts, f"at most {digits(most)}"]
+
+
+def digits(value: float) -> str:
+    """A number in its shortest form: 1e5, 0.1, 1e-6."""
+    return min((re.sub(r"e\+?(-?)0*", r"e\1", text) for text in (f"{value:.6e}", f"{value:.0e}", f"{value:g}")
+                if float(text) == value), key=len)  # fmt: skip
+
+
+def default_words(value: Any, reader: QuantityValidator | None) -> str:
+    """A default as the file would have it."""
+    if reader is not None and reader.words:
+        return next((f'`"{word}"`' for word, meant in reader.words if meant == value), "none")
+    if value is None or value in ((), []):
+        return "none"
+    if isinstance(value, bool | str):
+        return f"`{json.dumps(value)}`"
+    if isinstance(value, tuple):
+        flat = [x for item in value for x in (item if isinstance(item, tuple) else (item,))]
+        return f"`[{', '.join(map(digits, flat))}]`" if any(flat) else "0"
+    return digits(value)
+
+
+def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
+    """Tables of keys, by the name of their mark on the page."""
+    laws = {law.key: law.item or law for law in (*carrier_laws(), *body_laws())}
+    parts = {key: part for law in carrier_laws() for key, part in law.made_of.items()}
+    plain: dict[str, type[Declared]] = {
+        "point": Point, "motor": Motor, "encoder": Encoder, "hold": Hold, "task": Task,
+        "stream_profile": StreamProfile, **laws, **parts,
+    }  # fmt: skip
+    plain |= {f"{key} {name}": mark.of for key, law in laws.items() for name, mark in law.marked(Tables).items()}
+    carrier = body_table(Carrier)
+    rows: dict[str, Rows] = {key: partial(key_rows, data.table(), data) for key, data in plain.items()}
+    rows["carrier"] = partial(key_rows, carrier, Carrier)
+    rows["instrument"] = partial(key_rows, body_table(Instrument), Instrument, carrier)
+    rows["flywheel"] = partial(key_rows, body_table(Flywheel), Flywheel, carrier)
+    rows["unbalance"] = partial(key_rows, UnbalanceTable, Flywheel)
+    rows["top"] = top_rows
+    return {f"keys {key}": partial(key_table, found) for key, found in rows.items()}
+
+
+def key_table(rows: Rows) -> Iterator[str]:
+    """A table of keys."""
+    return table(("key", "value", "default", "meaning"), rows())
+
+
+def top_rows() -> Iterator[tuple[str, ...]]:
+    """Keys outside any table: those of the stand, then those of laws."""
+    yield from key_rows(Header.table(), Header)
+    for law in carrier_laws():
+        if keys := law.header_table():
+            yield from (row for row in key_rows(keys, law) if row[0].strip("`") in law.header)
+
+
+# -- functions of the C ----------------------------------------------------------------------------------------------
+
+
+COMMON = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
+"""Statuses that nearly every function can return."""
+
+
+@cache
+def functions() -> dict[str, tuple[str, Function, Program]]:
+    """Public functions by name, in the order of the contract, of the first stand that has each; tasks are `_TASK`."""
+    found: dict[str, tuple[str, Function, Program]] = {}
+    for stand in (path("bench8"), path("sat4"), path("auv6"), HELD):
+        made = generate_all(load(stand), only=ALL)
+        for function in made.program.functions:
+            if function.public:
+                task = task_of(function.name)
+                name = function.name.replace(f"_{task}", "_TASK") if task else function.name
+                found.setdefault(name, (Path(stand).stem, function, made.program))
+    order = [*ROWS, *CHOSEN]
+    return dict(sorted(found.items(), key=lambda item: order.index(item[0].removesuffix("_TASK"))))
+
+
+def function_lines() -> Iterator[str]:
+    """The table of functions: what each does, takes and returns, and what it costs."""
+    rows = []
+    for name, (stand, function, program) in functions().items():
+        taken = ", ".join(a.name + lengths(a.shape) for a in function.arguments if a.direction != "out")
+        given = ", ".join(map(result_text, (a for a in function.arguments if a.direction != "in")))
+        more = ", ".join(f"`{status}`" for status in function.statuses if status not in COMMON)
+        counted = f"{cost(function, program.whole).total:,}, {stack_bound(function, program):,}"
+        does = purpose_with_number(function).replace(f"the task {task_of(function.name)}", "a task")
+        rows.append((
+            f"`{name}`", f"{does[0].upper()}{does[1:]} Takes `{taken}`; gives `{given}`", more,
+            counted if stand == "bench8" else f"{counted} ({stand})",
+        ))  # fmt: skip
+    return table(("function", "what it does, and its arguments", "statuses", "operations, stack"), rows)
+
+
+def lengths(shape: Shape) -> str:
+    """Lengths of an array, `[N][6]`."""
+    return "".join(f"[{length.name if isinstance(length, NamedCount) else length}]" for length in shape)
+
+
+def result_text(result: Argument) -> str:
+    """A result with its lengths; of a struct of its own, its members."""
+    if isinstance(result.type, Struct) and result.name == "out" and not result.shape:
+        return ", ".join(f"{each.name}{lengths(each.shape)}" for each in result.type.fields)
+    return f"{result.name}{lengths(result.shape)}"
+
+
+def argument_lines() -> Iterator[str]:
+    """The table of quantities that functions take: numbers, unit, frame, accepted range."""
+    taken = {name for each in (*ROWS.values(), *CHOSEN.values()) for name in each.takes}
+    members = ("position", "attitude", "V", "phi", "phi_dot")
+    counts = {"W": "6 each", "": "1"}
+    others = {"demand": "rows", "q": "freedoms"}
+    rows = []
+    for each in QUANTITIES.values():
+        if (each.symbol in taken or each.symbol in members) and each.axes and not each.struct:
+            of = "`x`: " if each.symbol in members else ""
+            limits = ", ".join(f"`{name}`" for name in each.bounds)
+            rows.append(
+                (
+                    f"`{each.symbol}`",
+                    others.get(each.symbol, counts.get(each.count, each.count)),
+                    each.unit,
+                    of + each.axes,
+                    limits,
+                )
+            )
+    return table(("argument", "numbers", "unit", "of, in", "range"), rows)
+
+
+def status_lines() -> Iterator[str]:
+    """The table of statuses."""
+    words = {"unreachable": "1e-6", "rank": "1e-12", "lengths": "a quaternion or (sine, cosine) off unit length"}
+    return table(
+        ("name", "value", "when"),
+        ((f"`{each.name}`", str(each.value), each.meaning.format(**words)) for each in STATUSES),
+    )
+
+
+def range_lines() -> Iterator[str]:
+    """The table of ranges."""
+
+    def value(bound: Bound) -> str:
+        double, single = digits(bound.at("double")), digits(bound.at("float"))
+        return double if single == double else f"{double}; in `float` {single}"
+
+    return table(
+        ("macro", "value", "limits"),
+        (
+            (f"`{each.name}`", value(each), ", ".join(filter(None, (each.comment, each.unit))))
+            for each in BOUNDS.values()
+        ),
+    )
+
+
+def judge_lines() -> Iterator[str]:
+    """The table of who offers and judges each function; forms that take sines have the row of their function."""
+    rows = []
+    for each in (ROWS | CHOSEN).values():
+        marks = ("yes" if each.want else "", "yes" if each.batch else "", "yes" if each.python else "")
+        rows.append((f"`{each.name}`", each.equation, ", ".join(each.gives), *marks, ", ".join(each.judges)))
+    return table(("function", "equation", "gives", "`eval`", "batch", "Python", "judges"), rows)
+
+
+def contract_lines() -> Iterable[str]:
+    """The contract of programs that are judged, as `eval --help` shows it."""
+    return ["```text", *text_lines(), "```"]
+
+
+MADE: dict[str, Callable[[], Iterable[str]]] = {
+    **key_tables(),
+    "functions": function_lines,
+    "arguments": argument_lines,
+    "statuses": status_lines,
+    "ranges": range_lines,
+    "judges": judge_lines,
+    "contract": contract_lines,
+}
+"""What stands between marks on pages, by the name of the mark."""
