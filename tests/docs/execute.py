@@ -52,7 +52,7 @@ def steps(page: Path) -> Iterator[Step]:
 
 def files(page: Path, folder: Path) -> None:
     """Write the files that a page shows or links to; `main.c` also where a whole program has no name."""
-    for held in re.findall(r"\]\(\.\./held/([\w/.]+)\)", page.read_text(encoding="utf-8")):
+    for held in re.findall(r"\]\((?:\.\./)?held/([\w/.]+)\)", page.read_text(encoding="utf-8")):
         (folder / held).parent.mkdir(exist_ok=True)
         shutil.copyfile(ROOT / "docs" / "held" / held, folder / held)
     for block in blocks(page):

@@ -91,6 +91,13 @@ def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
         assert printed == shown
 
 
+def test_the_header_in_the_readme_is_what_is_generated() -> None:
+    """It shows a function of the example shaker2, whose file is called mine.toml there."""
+    (shown,) = (block.text for block in blocks(ROOT / "README.md") if block.language == "c")
+    text = (PACKAGE / "stands" / "shaker2.toml").read_text(encoding="utf-8").replace('"shaker2"', '"mine"')
+    assert shown in generate_all(loads(text), only=("forward", "inverse_fast")).files["mine.h"]
+
+
 def _compile(arguments: list[str], folder: Path) -> None:
     done = subprocess.run([*find_compiler(), *arguments], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -61,7 +61,7 @@ def test_a_table_has_the_keys_of_the_reader(page: str, head: str, keys: set[str]
 def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
     motion = {*fields(MotionTable, BoundsTable, Objective), "schema"}
     slew = fields(SlewTable, SlewStart, SlewEnd)
-    text = (DOCS / "programmes.md").read_text(encoding="utf-8")
+    text = (DOCS / "planning.md").read_text(encoding="utf-8")
     documented = set(re.findall(r"`(\w+)`", text))
     assert motion | slew | fields(ProgrammeTable) - {"report"} <= documented
 
@@ -73,7 +73,7 @@ def test_units_of_signals_are_those_of_the_code() -> None:
 
 
 def test_motions_are_read() -> None:
-    motion, turn = (block.text for block in blocks(DOCS / "programmes.md") if block.language == "json")
+    motion, turn = (block.text for block in blocks(DOCS / "planning.md") if block.language == "json")
     assert read_motion(motion, load(path("bench8"))).name == json.loads(motion)["name"]
     slew = read_motion_or_slew(turn, load(path("sat4")))
     assert isinstance(slew, Slew) and slew.name == json.loads(turn)["name"]
@@ -94,7 +94,7 @@ def test_campaigns_give_rows(name: str, tmp_path: Path) -> None:
 def test_limits_of_the_verification_of_programmes() -> None:
     accepted = {
         name: [float(x) for x in re.findall(r"\d[\de.-]*", row[2])]
-        for row in rows(DOCS / "programmes.md", "item")
+        for row in rows(DOCS / "planning.md", "item")
         for name in re.findall(r"`([^`]+)`", row[0])
     }
     smooth, kinked = (tolerance_for(load(path(name)), None) for name in ("bench8", "auv6"))
@@ -103,6 +103,6 @@ def test_limits_of_the_verification_of_programmes() -> None:
     assert accepted["table"] == accepted["periodicity"] == [TABLE]
     assert accepted["run-up table"] == [TABLE, JOINT]
     assert accepted["run-up end"] == [smooth.runup]
-    text = (DOCS / "programmes.md").read_text(encoding="utf-8")
+    text = (DOCS / "planning.md").read_text(encoding="utf-8")
     for size in (kinked.residual, kinked.error):
         assert f"accepted to {size:.0e}".replace("e-0", "e-") in text

@@ -1,4 +1,4 @@
-"""Verification of a programme: all items that it must pass (docs/programmes.md), in order."""
+"""Verification of a programme: all items that it must pass (docs/planning.md), in order."""
 
 from __future__ import annotations
 
