@@ -21,7 +21,7 @@ from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import Case, starting_state
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
-from mahovik.use.numeric import Frame
+from mahovik.use.numeric.frame import Frame
 from mahovik.use.plan.certificate import make_programme
 from plan.held_stands import HOLDS, stand, wheel
 

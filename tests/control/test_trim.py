@@ -24,7 +24,9 @@ from mahovik.errors import ServoError, UsageError
 from mahovik.out.export.servo import trim_message
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
-from mahovik.use.numeric import Mechanics, course, drive
+from mahovik.use.numeric.course import course
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import drive
 from toolchain.quick import quick
 from verify.programme.programmes import shaker
 

@@ -48,7 +48,7 @@ def recorded(stand: Stand, speeds: Sequence[float] = SPEEDS, duration: float = 1
     _, rates = motion.states(theta)
     rows = []
     for i in range(len(t)):
-        seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i, 6:])["imu"]
+        seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i])["imu"]
         rows.append([t[i], *seen["specific_force"], *seen["twist"][3:], *theta[i]])
     return np.array(rows)
 

@@ -19,7 +19,7 @@ from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.use.numeric import attitude
+from mahovik.use.numeric.se3 import attitude
 from strategies import held_stands, stands
 
 ROUTINES = {

@@ -23,7 +23,7 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.coordinates import answer_generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import torque
-from mahovik.use.numeric import Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.plan.problem import Periodic, Problem
 
 Array = NDArray[np.float64]

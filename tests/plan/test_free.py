@@ -14,7 +14,7 @@ from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.out.arguments import programme_of
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.numeric import Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.plan.free import FreeProblem, free_numbers
 from mahovik.use.plan.problem import Periodic, Problem
 

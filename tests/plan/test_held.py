@@ -17,7 +17,7 @@ from mahovik.core.stand import Stand, dumps, loads
 from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.numeric import Frame
+from mahovik.use.numeric.frame import Frame
 from mahovik.use.plan import Plan, PlanOptions, plan_motion
 from mahovik.use.plan.motors import motor_warnings
 from plan.held_stands import HOLDS, stand, wheel

@@ -12,7 +12,7 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
 from mahovik.errors import MotionError
-from mahovik.use.numeric import PrescribedMotion, linear, prescribe
+from mahovik.use.numeric.residual import PrescribedMotion, linear, prescribe
 from mahovik.use.plan.objective import (
     KINDS,
     Cost,

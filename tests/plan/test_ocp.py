@@ -16,7 +16,7 @@ from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand import Stand, load
 from mahovik.errors import UsageError
 from mahovik.stands import path
-from mahovik.use.numeric import prescribe, residual, torques
+from mahovik.use.numeric.residual import prescribe, residual, torques
 from mahovik.use.plan import PlanOptions, ocp
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import make_programme

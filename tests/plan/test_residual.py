@@ -15,18 +15,10 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.use.numeric import (
-    Array,
-    Chart,
-    Mechanics,
-    course,
-    drive,
-    equilibrium,
-    linear,
-    prescribe,
-    residual,
-    torques,
-)
+from mahovik.use.numeric.course import Chart, course, equilibrium
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import drive, linear, prescribe, residual, torques
+from mahovik.use.numeric.se3 import Array
 from plan.problems import literal, random_course
 
 KINDS = [replace(EVERYTHING, angles=s) for s in SEQUENCES] + [BARE, Features(), Features()]

@@ -33,7 +33,10 @@ from mahovik.proof.verify.programme.mechanics import (
     twist,
 )
 from mahovik.proof.verify.programme.verification import ProgrammeCase, as_item, verify_programme
-from mahovik.use.numeric import Array, Chart, Mechanics, drive, equilibrium
+from mahovik.use.numeric.course import Chart, equilibrium
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import drive
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan import runup as runups
 from mahovik.use.plan.budget import Budget

@@ -20,7 +20,8 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
 from mahovik.core.stand.whole import mass_properties
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, simulate
-from mahovik.use.numeric import Mechanics, prescribe, torques
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import prescribe, torques
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.slew import plan_slew
 from mahovik.use.plan.slew.timing import KNOTS, Sharp, sharpest, smooth

@@ -28,7 +28,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import draw
-from mahovik.use.numeric import uniform_stream
+from mahovik.use.numeric.frame import uniform_stream
 from second.agreement import AGREEMENT, differences, expectations
 
 PROFILE = StreamProfile(

@@ -72,7 +72,7 @@ def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
 
 def state_at(found: Periodic, node: int = 0) -> State:
     """The state of a periodic course at a node; the first is that of t = 0."""
-    chart, y = found.scene.chart, found.y[node]
+    chart, y = found.scene.chart.frame, found.y[node]
     q = Rotation.from_matrix(chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()).as_quat(scalar_first=True)
     turned = 2 * np.pi * np.array(found.turning.turns) * node / len(found.y)
     return replace(

@@ -76,7 +76,7 @@ def record(stand: mahovik.Stand) -> Array:
     _, rates = motion.states(before)
     channels = np.empty((len(t), 6))
     for i in range(len(t)):
-        imu = points(pieces(stand, motion.state(before[i])), stand, rates[i, 6:])["imu"]
+        imu = points(pieces(stand, motion.state(before[i])), stand, rates[i])["imu"]
         channels[i, :3], channels[i, 3:] = imu["specific_force"], imu["twist"][3:]
     return np.column_stack([t, channels, theta])
 

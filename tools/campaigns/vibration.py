@@ -128,7 +128,7 @@ def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
     stand = load(path(course.stand))
     solved, place = balance(stand, [x * RPM for x in course.rpm]), places(stand, [course.point])[0]
     t, rows = run_c(stand, solved, course.seconds or 1e-3, SECONDS)
-    chart = solved.scene.chart
+    chart = solved.scene.chart.frame
     attitude = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
     y = np.hstack([(rows[:, :3] - chart.O1) @ chart.C, attitude.as_rotvec(), rows[:, 7:]])
     for quantity in ("angle", "rate", "displacement"):
@@ -180,7 +180,7 @@ def sweep(options: Namespace) -> Iterator[tuple[Any, ...]]:
 
 def distance_from_course(stand: Stand, course: Periodic, until: float | None) -> float:
     """Distance of a run of the C from a steady response, at eight moments of its last period, part of the amplitude."""
-    period, chart = course.turning.period, course.scene.chart
+    period, chart = course.turning.period, course.scene.chart.frame
     periods = 1 if until is None else int(np.ceil(until / period))
     start = rest(stand).state
     if until is None:

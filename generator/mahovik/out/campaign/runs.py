@@ -37,7 +37,7 @@ from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import required_state
-from mahovik.use.numeric import Frame
+from mahovik.use.numeric.frame import Frame
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.use.simulate.held import allowed_start

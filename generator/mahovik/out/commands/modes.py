@@ -49,7 +49,7 @@ def modes(
     from mahovik.core.stand.identity import identities
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify.states import state_object
-    from mahovik.use.numeric import uniform_stream
+    from mahovik.use.numeric.frame import uniform_stream
     from mahovik.use.study.linear import linear_model
     from mahovik.use.study.linear import modes as modes_of
     from mahovik.use.study.linear.modes import shape_words

@@ -27,7 +27,8 @@ from mahovik.errors import UsageError
 from mahovik.out.export.programme import ProgrammeExport, check_belongs, export_programme
 from mahovik.use.control.servo import Margins, check_margins, delay, gains, rotor_inertia, samples
 from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
-from mahovik.use.numeric import Array, Frame
+from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.held import home
 
 PERIODS = 10

@@ -273,7 +273,7 @@ def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], m
     speeds, speed = measured.speeds[None], float(measured.speeds[s])
     omega = np.abs(speeds[:, [s]])
     origin, axes = pose(scene.stand, scene.stand.flywheels[s])
-    gravity = scene.chart.C.T @ np.array(scene.stand.gravity)
+    gravity = scene.chart.frame.C.T @ np.array(scene.stand.gravity)
     f = axes[:, 1] - 1j * axes[:, 2]
     force = speed**2 * f
     moments = [np.cross(origin + x * axes[:, 0], force) + np.cross(f, gravity) for x in positions]

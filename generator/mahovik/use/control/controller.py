@@ -18,7 +18,7 @@ from mahovik.errors import StateError
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import gains
 from mahovik.use.control.trim import TrimDesign, trim_members
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 
 class Encoders:

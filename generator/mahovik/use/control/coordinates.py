@@ -11,8 +11,10 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Sequence, Stand
 from mahovik.core.stand.units import ANGLE
 from mahovik.errors import StateError
-from mahovik.use.numeric import Array, Frame, Mechanics
-from mahovik.use.numeric import attitude as attitude_of
+from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
+from mahovik.use.numeric.se3 import attitude as attitude_of
 
 EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """SciPy's names of the stand's sequences: about axes that turn along."""

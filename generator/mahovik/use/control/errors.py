@@ -20,7 +20,7 @@ from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import scale_of, twist
 from mahovik.use.control.loop import MEASURED, Record
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 HARMONICS = 6
 """Harmonics of the error, at least; more if the motion has more."""

@@ -28,7 +28,9 @@ from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.plant import Plant, plant, plant_state
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
-from mahovik.use.numeric import Array, Chart, Mechanics, equilibrium
+from mahovik.use.numeric.course import Chart, equilibrium
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.unbalance import twist_at_rest
 
 _AXES, _ANGLES = "xyz", ("psi", "theta", "phi")

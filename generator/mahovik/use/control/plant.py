@@ -18,7 +18,9 @@ from mahovik.core.stand.state import State, rest_state
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
-from mahovik.use.numeric import Array, Chart, inertia
+from mahovik.use.numeric.course import Chart
+from mahovik.use.numeric.mechanics import inertia
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate import judge
 from mahovik.use.simulate.course import Course
 from mahovik.use.simulate.friction_steps import long_steps

@@ -19,24 +19,20 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.use.numeric import (
+from mahovik.use.numeric.course import (
     INTERVALS,
-    Array,
     BlockElimination,
     Chart,
-    Complex,
-    Drive,
-    Mechanics,
     acceleration_rates,
     course,
-    drive,
     equilibrium,
     integrate,
     linearise,
     linearise_along,
-    prescribe,
-    torques,
 )
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import Drive, drive, prescribe, torques
+from mahovik.use.numeric.se3 import Array, Complex
 
 TORQUES = 512
 """Samples per period for the torques' Fourier coefficients."""

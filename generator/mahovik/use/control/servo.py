@@ -34,7 +34,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import coupling, mass_matrix, spin_inertia
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 
 NONE = BOUNDS["MAX_WRENCH"].value
 """Value that the C takes as no limit (N m)."""

@@ -28,7 +28,8 @@ from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit
-from mahovik.use.numeric import Array, Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.problem import Basis
 
 QUICK = 8.0

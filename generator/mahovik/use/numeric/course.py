@@ -77,7 +77,7 @@ class Chart:
         x, S = y[:, : self.count], self.frame.S
         (C0, *_), (O0, *_) = self.frame.pose(np.zeros((1, self.count)))
         C, O1 = self.frame.pose(x)
-        r = Rotation.from_matrix(C0.T @ C).as_rotvec() if np.linalg.matrix_rank(S[3:]) > 1 else x @ S[3:].T
+        r = Rotation.from_matrix(C0.T @ C).as_rotvec() if np.linalg.matrix_rank(S[3:] @ S[3:].T) > 1 else x @ S[3:].T
         return np.hstack([(O1 - O0) @ C0, r])
 
     def displacement_change(self, y: Array, moved: Array) -> Array:

@@ -37,7 +37,7 @@ class Twists(NamedTuple):
     V_r_dot: Array
 
 
-ORDER = (0, 1, 2, 5, 4, 3)
+ORDER: tuple[int, ...] = (0, 1, 2, 5, 4, 3)
 """Freedoms of a free carrier about one of its poses, the first to move first."""
 SIDEWAYS = 1.5
 """rad: the second of three angles beyond this is too near to the quarter turn where the first and third are one."""
@@ -64,18 +64,21 @@ class Frame:
     @staticmethod
     def of(stand: Stand) -> Frame:
         """The coordinates of a required motion. StandError: a held carrier has none."""
-        order, hold = coordinates_of(stand).order, stand.hold
-        if hold is not None:
-            S, C = freedom_twists(hold), attitude(stand.angles, np.array(hold.angles))
-            return Frame(stand, S, S, order, C, np.array(hold.position), np.zeros(S.shape[1]))
+        coordinates_of(stand)
+        if stand.hold is not None:
+            return Frame.at_pose(stand, attitude(stand.angles, np.array(stand.hold.angles)), stand.hold.position)
         screws = np.eye(6)
         screws[3:, 3:] = np.eye(3)[:, AXES[stand.angles]]
         return replace(Frame.at_pose(stand, np.eye(3), np.zeros(3)), screws=screws, order=tuple(range(6)))
 
     @staticmethod
-    def at_pose(stand: Stand, C: Array, O1: Array) -> Frame:
-        """The coordinates of a free carrier about a pose C (3, 3), O1 (3; m)."""
-        return Frame(stand, np.eye(6), np.eye(6), ORDER, C, O1, np.zeros(6))
+    def at_pose(stand: Stand, C: Array, O1: Array | Vec3) -> Frame:
+        """The coordinates about a pose C (3, 3), O1 (3; m), which a hold allows. StandError as `of`, but if clamped."""
+        S, order = np.eye(6), ORDER
+        if stand.hold is not None:
+            S = freedom_twists(stand.hold)
+            order = coordinates_of(stand).order if S.shape[1] else ()
+        return Frame(stand, S, S, order, C, np.array(O1), np.zeros(S.shape[1]))
 
     def about(self, q: Array) -> Frame:
         """Coordinates counted from the pose at q (m)."""

@@ -63,6 +63,17 @@ def place(L: Array) -> Array:
     return np.array([S[2, 1], S[0, 2], S[1, 0]])
 
 
+def left_jacobian(r: Array) -> Array:
+    """J (M, 3, 3) of rotation vectors r (M, 3): exp of the twist (v, r) shifts by J v."""
+    angle = np.linalg.norm(r, axis=1)[:, None, None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first, second = (1.0 - np.cos(angle)) / angle**2, (angle - np.sin(angle)) / angle**3
+    first = np.where(angle < SMALL, 0.5 - angle**2 / 24.0 + angle**4 / 720.0, first)
+    second = np.where(angle < SMALL, 1.0 / 6.0 - angle**2 / 120.0 + angle**4 / 5040.0, second)
+    turned = skew(r)
+    return np.asarray(np.eye(3) + first * turned + second * (turned @ turned))
+
+
 def rotation_vector_rate(r: Array) -> Array:
     """B (M, 3, 3): r' = B omega of a rotation vector r (M, 3), omega on the turned axes."""
     angle = np.linalg.norm(r, axis=1)[:, None, None]

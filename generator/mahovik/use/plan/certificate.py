@@ -14,7 +14,9 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import Array, Mechanics, prescribe, torques
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import prescribe, torques
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.problem import Grid, Periodic, Problem
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}

@@ -18,7 +18,7 @@ from scipy.interpolate import BSpline
 from scipy.linalg import eigh, null_space
 
 from mahovik.core.motion.functions import Angles, SampledCourse, Samples
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.follow import angles_at, follow, resolve
 from mahovik.use.plan.outcome import OnProgress

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.functions import Samples
-from mahovik.use.numeric import Array, PrescribedMotion, linear, prescribe
+from mahovik.use.numeric.residual import PrescribedMotion, linear, prescribe
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.problem import Problem
 

@@ -24,7 +24,8 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.read import read
 from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import MotionError, StandError, StateError
-from mahovik.use.numeric import Array, Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.mean_pose import mean_pose

@@ -12,7 +12,8 @@ from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.numeric import Array, Frame, Twists
+from mahovik.use.numeric.frame import Frame, Twists
+from mahovik.use.numeric.se3 import Array
 
 UNITS = {"m": ("force", "N"), "rad": ("moment", "N m"), "": ("wrench", "")}
 """What acts along a coordinate of a unit, and its own unit."""

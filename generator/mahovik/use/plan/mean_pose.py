@@ -11,7 +11,8 @@ import numpy as np
 
 from mahovik.core.motion.functions import Course
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.use.numeric import Array, in_E1
+from mahovik.use.numeric.frame import in_E1
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.held import mean_along_freedoms
 from mahovik.use.plan.problem import Problem, uniform
 

@@ -30,7 +30,9 @@ from mahovik.core.motion.required import Bounds, Objective
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
-from mahovik.use.numeric import Array, Linear, Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import Linear
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.problem import Basis
 
 

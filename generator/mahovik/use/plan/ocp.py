@@ -26,7 +26,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import UsageError
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions

@@ -13,7 +13,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.numeric import linear, prescribe
+from mahovik.use.numeric.residual import linear, prescribe
 from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import (
     certify,

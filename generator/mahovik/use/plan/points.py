@@ -20,7 +20,8 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from mahovik.core.motion.functions import Angles
-from mahovik.use.numeric import Array, Complex, Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
+from mahovik.use.numeric.residual import Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, bound_uses, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.problem import Basis, BiasPerturbations, Grid, Periodic, Problem

@@ -18,17 +18,9 @@ from numpy.typing import NDArray
 from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import (
-    Array,
-    Linear,
-    Mechanics,
-    Norm,
-    PrescribedMotion,
-    flywheel_wrenches,
-    linear,
-    prescribe,
-    residual,
-)
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import Linear, Norm, PrescribedMotion, flywheel_wrenches, linear, prescribe, residual
+from mahovik.use.numeric.se3 import Array
 
 
 @dataclass(frozen=True, eq=False)

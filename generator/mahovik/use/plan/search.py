@@ -12,7 +12,7 @@ from typing import Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import has_bounds

@@ -18,23 +18,21 @@ from mahovik.core.motion.functions import Angles, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.errors import StateError
-from mahovik.use.numeric import (
+from mahovik.use.numeric.course import (
     INTERVALS,
-    Array,
     CarrierCourse,
     Chart,
-    Drive,
     Equilibrium,
-    Linear,
-    Mechanics,
     acceleration_rates,
     course,
-    drive,
     equilibrium,
     integrate,
     linearise,
     linearise_along,
 )
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import Drive, Linear, drive
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.objective import RHO
 from mahovik.use.plan.step import Model
 

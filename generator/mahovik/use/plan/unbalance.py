@@ -16,7 +16,11 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.numeric import INTERVALS, Array, Chart, Frame, Mechanics, drive, integrate
+from mahovik.use.numeric.course import INTERVALS, Chart, integrate
+from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import drive
+from mahovik.use.numeric.se3 import Array
 
 NODES = 24
 """Nodes in a turn of the fastest flywheel: two to the period of what shakes twice a turn would be the least."""

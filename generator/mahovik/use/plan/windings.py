@@ -16,7 +16,7 @@ import numpy as np
 
 from mahovik.core.motion.functions import Harmonics
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.problem import Periodic
 
 Kind = Literal["spin", "rock", "mixed", "given"]

@@ -26,7 +26,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.use.numeric import Array, Complex, Drive
+from mahovik.use.numeric.residual import Drive
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.conserved import Conserved, conserves, solve
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Linearised, Torus, Whole
@@ -120,13 +121,12 @@ def newton(
         y = torus.values(c)
         if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
             return None
-        rate = scene.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
+        rate = scene.chart.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
         left = torus.coefficients(rate) - 1j * w[:, None] * c
         if linear is not None and np.all(np.abs(left[:, m:]) <= rounding):
             return Solved(c, h, linear)
         if linear is None:
-            J = scene.jacobian(given, y, scene.twist(rate[:, m:]))
-            linear = Linearised(torus, J, push, scene.free_displacement, w, slow, size)
+            linear = Linearised(torus, scene.chart.jacobian(given, y), push, scene.free_displacement, w, slow, size)
         settled = SETTLED * np.abs(c / size).max() + least
         step = linear.solve(left, c, SMALL * settled)
         if step is None:
@@ -205,7 +205,7 @@ class _Search:
             return found
         c, held, m = larger.pad(found.c), larger.pad(h), self.scene.count
         given = self._drive(larger.nodes)
-        rate = self.scene.rate(given, larger.values(c))
+        rate = self.scene.chart.rate(given, larger.values(c))
         rate += (self.scene.effect_of_wrench(given) @ larger.values(held)[:, :, None])[:, :, 0]
         left = larger.coefficients(rate) - 1j * w[:, None] * c
         missing = (inverse[:, : 2 * m, : 2 * m] @ left[:, :, None])[:, :, 0]

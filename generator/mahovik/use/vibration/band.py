@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.units import Dimension, QuantityError, number
 from mahovik.errors import UsageError
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 
 EDGE = 1e-9
 """Part of an end of a band by which a line may be beyond it: a line on an end is within, however it is rounded."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
 
@@ -116,7 +116,7 @@ def average_matrices(scene: Scene, speeds: Array) -> Array:
     phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, S)
     given = scene.drive(np.tile(phi[:, None], N), np.repeat(speeds, NODES, axis=0))
     n = 2 * scene.count
-    J = scene.jacobian(given, np.zeros((S * NODES, n)), np.zeros((S * NODES, 6)))
+    J = scene.chart.jacobian(given, np.zeros((S * NODES, n)))
     return np.asarray(J.reshape(S, NODES, n, n).mean(axis=1))
 
 

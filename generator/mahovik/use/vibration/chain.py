@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.use.numeric import Array, Complex, skew
+from mahovik.use.numeric.se3 import Array, Complex, skew
 from mahovik.use.vibration.lines import MAKER, LineName, Lines
 from mahovik.use.vibration.maker import PARTS, PATTERNS, Harmonics, InnerModes, Noise
 from mahovik.use.vibration.plant import Plant
@@ -69,7 +69,7 @@ class Chain:
         plant, N, structure = Plant.of(scene), len(names), makers.structure
         Theta = tables.Theta[0]
         gyro = plant.free.gyro
-        tilting = tables.weight[0] @ skew(scene.chart.C.T @ np.array(scene.stand.gravity))
+        tilting = tables.weight[0] @ skew(scene.chart.frame.C.T @ np.array(scene.stand.gravity))
         if structure is None:
             none = np.zeros((3, 0))
             ratios = (np.zeros(0), np.zeros(0))

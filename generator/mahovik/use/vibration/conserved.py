@@ -18,8 +18,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.use.numeric import Array, Complex, Drive, motor_cross, rotation_vector_rate, skew
-from mahovik.use.vibration.scene import Scene, left_jacobian
+from mahovik.use.numeric.residual import Drive
+from mahovik.use.numeric.se3 import Array, Complex, motor_cross, rotation_vector_rate, skew
+from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Linearised, Torus, Whole
 
 EXACT = 1e-12
@@ -115,10 +116,8 @@ class Conserved:
         x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
         V = (self.given.inverse @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
-        moved = np.asarray(
-            np.linalg.solve(left_jacobian(at), self.torus.values(x)[:, :, None])[:, :, 0], dtype=np.float64
-        )
-        return x, np.concatenate([self.torus.coefficients(moved), r, self.torus.coefficients(V)], axis=1)
+        angles = Rotation.from_rotvec(at).as_euler("ZYX")[:, ::-1]
+        return x, np.concatenate([x, self.torus.coefficients(np.hstack([angles, V]))], axis=1)
 
     def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:
         """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""

@@ -16,7 +16,7 @@ from mahovik.core.stand.content import TABLE, content
 from mahovik.core.stand.units import Dimension, QuantityError, factor
 from mahovik.errors import FileError
 from mahovik.nearest import suggestion
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 _HEAD = re.compile(r"\s*([^\[\]]*?)\s*(?:\[(.*)\])?\s*")
 

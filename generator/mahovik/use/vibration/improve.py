@@ -22,7 +22,7 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.band import EDGE, in_band
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.lines import SAME

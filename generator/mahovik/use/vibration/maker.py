@@ -20,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.stand.units import Dimension
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.csv_table import PLAIN, TEXT, read_columns, refuse
 from mahovik.use.vibration.lines import SAME
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik.errors import CheckError
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.maker import PARTS
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.campbell import crossings, natural_at
 from mahovik.use.vibration.lines import Sums
 from mahovik.use.vibration.scene import Scene

@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.rest import rest
 from mahovik.use.vibration.balance import newton
 from mahovik.use.vibration.scene import FREE, Scene, coordinates
@@ -140,13 +140,13 @@ def _clamped_response(scene: Scene, turning: Turning, phases: Array) -> Periodic
 def _at_rest(scene: Scene, turning: Turning, phases: Array) -> Periodic:
     """Result with all flywheels at rest: one node, no harmonics."""
     state = rest(scene.stand, phases.tolist()).state
-    chart = scene.chart
-    turned = Rotation.from_matrix(chart.C.T @ carrier_rotation(scene.stand, state))
-    x = (np.array(state.position) - chart.O1) @ chart.C
+    home = scene.chart.frame
+    turned = Rotation.from_matrix(home.C.T @ carrier_rotation(scene.stand, state))
+    x = (np.array(state.position) - home.O1) @ home.C
     y, V_dot = np.concatenate([x, turned.as_rotvec(), np.zeros(6)])[None], np.zeros((1, 6))
     given = scene.drive(phases[None], np.zeros((1, len(phases))))
     own = np.hstack([coordinates(scene.S, y), np.zeros((1, scene.count))])
-    J = scene.jacobian(given, own, V_dot) if scene.count else np.zeros((1, 0, 0))
+    J = scene.chart.jacobian(given, own) if scene.count else np.zeros((1, 0, 0))
     growing = float(np.linalg.eigvals(J[0]).real.max(initial=0.0)) > np.sqrt(FREE)
     multiplier = np.inf if growing else 1.0
     return Periodic(scene, turning, y, V_dot, phases[None], np.zeros(6), multiplier, 0.0, natural(J))
@@ -187,7 +187,7 @@ class _Search:
             raise self._failure("an undamped resonance, or the carrier moves too violently")
         self.given, self.c, self.y, h = given, solved.c, torus.values(solved.c), solved.h[0].real
         pushed = (scene.effect_of_wrench(given) @ h)[:, scene.count :]
-        self.hold, self.V_dot = scene.wrench @ h, scene.acceleration(given, self.y) + scene.twist(pushed)
+        self.hold, self.V_dot = scene.wrench @ h, scene.chart.acceleration(given, self.y) + scene.twist(pushed)
 
     def _tail(self) -> float:
         """Part of the largest harmonic of V* that the highest third holds; 0 if it is rounding."""
@@ -199,7 +199,7 @@ class _Search:
     def result(self) -> Periodic:
         """The result of the course."""
         scene, y = self.scene, self.scene.whole(self.y)
-        J = scene.jacobian(self.given, self.y, self.V_dot)
+        J = scene.chart.jacobian(self.given, self.y)
         multiplier = largest_multiplier(J, self.turning.period)
         phi = self.given.phi
         return Periodic(scene, self.turning, y, self.V_dot, phi, self.hold, multiplier, self.tail, natural(J))

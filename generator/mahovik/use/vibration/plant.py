@@ -23,7 +23,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import bias
-from mahovik.use.numeric import Array, Complex, slopes_of_residual
+from mahovik.use.numeric.residual import slopes_of_residual
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.scene import Scene
 
 CHUNK = 20_000
@@ -73,7 +74,7 @@ class Plant:
         K = np.asarray(mechanics.base.K + mechanics.tables.Theta[0].sum(axis=0))
         phi = np.tile(QUARTERS[:, None], N)
         given = [scene.drive(phi, np.tile(row, (len(phi), 1))) for row in np.vstack([np.zeros(N), np.eye(N)])]
-        still = scene.chart.twists(np.zeros((len(phi), 12)))
+        still = scene.chart.twists(np.zeros((len(phi), 2 * scene.count)))
         slopes = [slopes_of_residual(mechanics, still, each) for each in given]
         by = [np.array([getattr(each, name) for each in slopes]) for name in ("by_pose", "by_twist")]
         mobility = np.array([each.mobility for each in given])

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.balance import SLOW, Balance, balance
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.lines import COMBINATION, SAME, UNBALANCE, LineName, Spectrum

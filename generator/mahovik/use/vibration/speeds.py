@@ -16,7 +16,7 @@ from mahovik.core.stand.numbers import in_si
 from mahovik.core.stand.units import SPEED, QuantityError
 from mahovik.errors import UsageError, whole_number
 from mahovik.nearest import suggestion
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 MOST_TURNS = 1000
 """Most turns of the fastest flywheel in a common period; longer periods count as none."""

@@ -19,7 +19,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns, refuse
 from mahovik.use.vibration.lines import SAME
 from mahovik.use.vibration.torus import Flags

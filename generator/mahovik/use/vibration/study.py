@@ -16,7 +16,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.band import in_band
 from mahovik.use.vibration.campbell import orders_of
 from mahovik.use.vibration.chain import Chain, Makers, undamped_mode

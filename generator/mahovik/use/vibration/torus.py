@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import LinearOperator, gmres
 
 from mahovik.errors import CheckError
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 
 Whole = NDArray[np.int64]
 Flags = NDArray[np.bool_]

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import forward
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.torus import Torus
 from mahovik.use.vibration.view import FullMotion
@@ -84,13 +84,12 @@ class Balance:
         return self.torus.frequencies(self.speeds[list(self.turning)])
 
     def states(self, theta: Array) -> tuple[Array, Array]:
-        """y (m, 12) and its derivative (m, 12) at phases theta (m, turning; rad) of the flywheels that turn."""
-        rates = 1j * self.frequencies[:, None] * self.c
-        y = self.torus.at(self.c, theta)
-        return self.scene.whole(y), self.scene.whole_rate(y, self.torus.at(rates, theta))
+        """(x, r, V) (m, 12) and V* (m, 6) at phases theta (m, turning; rad) of the flywheels that turn."""
+        u_dot = self.torus.at(1j * self.frequencies[:, None] * self.c[:, self.scene.count :], theta)
+        return self.scene.whole(self.torus.at(self.c, theta)), self.scene.twist(u_dot)
 
     def at_nodes(self, torus: Torus, c: Complex) -> tuple[Array, Array]:
-        """y (M, 12) and V* (M, 6) at the nodes of a torus of these phases, of coefficients c of states on it."""
+        """(x, r, V) (M, 12) and V* (M, 6) at the nodes of a torus of these phases, of coefficients c of states."""
         rates = 1j * torus.frequencies(self.speeds[list(self.turning)])[:, None] * c
         return self.scene.whole(torus.values(c)), self.scene.twist(torus.values(rates)[:, self.scene.count :])
 
@@ -130,10 +129,10 @@ def gyration_radius(scene: Scene) -> float:
 
 
 def state_at(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
-    """The state as `eval` takes it, of y (12) in the chart about rest."""
-    C = scene.chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()
-    w, i, j, k = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
-    X, Y, Z = (scene.chart.O1 + scene.chart.C @ y[:3]).tolist()
+    """The state as `eval` takes it, of y = (x, r, V) (12)."""
+    at = scene.twists(y[None])
+    w, i, j, k = Rotation.from_matrix(at.C[0]).as_quat(scalar_first=True).tolist()
+    X, Y, Z = at.O1[0].tolist()
     u, v, a, p, q, r = y[6:].tolist()
     own = () if scene.stand.hold is None else tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist())
     return replace(
@@ -156,13 +155,13 @@ def left_out(found: Balance) -> float:
     """Largest difference of V* from the reference, part of its largest; turning counts by the radius of gyration."""
     scene = found.scene
     theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, len(found.turning)))
-    y, y_dot = found.states(theta)
+    y, V_dot = found.states(theta)
     phi, phi_dot = found.motions(theta)
     push = scene.effect_of_wrench(scene.drive(phi, phi_dot)) @ found.torus.at(found.h, theta)[:, :, None]
     at = [pieces(scene.stand, state_at(scene, y[i], phi[i], found.speeds)) for i in range(len(theta))]
     exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
     scale = np.repeat([1.0, gyration_radius(scene)], 3)
-    off = np.linalg.norm((y_dot[:, 6:] - exact - scene.twist(push[:, scene.count :, 0])) * scale, axis=1).max()
+    off = np.linalg.norm((V_dot - exact - scene.twist(push[:, scene.count :, 0])) * scale, axis=1).max()
     most = float(np.linalg.norm(exact * scale, axis=1).max())
     rounding = np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)
     return float(off) / most if most > max(ROUNDING, scene.noise, float(rounding)) else 0.0

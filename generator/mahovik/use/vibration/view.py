@@ -21,7 +21,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear.model import Place, output_rows, places
 from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns
 from mahovik.use.vibration.scene import Scene, coordinates

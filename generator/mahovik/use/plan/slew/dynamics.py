@@ -22,7 +22,10 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Slew
 from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
-from mahovik.use.numeric import Array, Mechanics, in_E1, linear, prescribe, prescribed_at, torques
+from mahovik.use.numeric.frame import in_E1
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import linear, prescribe, prescribed_at, torques
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
 from mahovik.use.plan.slew.share import Mean
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.core.motion.required import FlywheelBounds
 from mahovik.core.stand.model import Stand
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,8 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.required import Slew
-from mahovik.use.numeric import Array, Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.slew.limits import Limits
 from mahovik.use.plan.slew.share import Mean
 

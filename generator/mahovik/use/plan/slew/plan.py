@@ -16,7 +16,9 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.numeric import Array, Mechanics, Norm, prescribe, residual, torques
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import Norm, prescribe, residual, torques
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.certificate import certify, failed_items
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.motion.required import Slew
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 
 class NoSlewError(Exception):

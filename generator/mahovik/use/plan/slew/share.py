@@ -14,7 +14,8 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import linprog, minimize
 
-from mahovik.use.numeric import Array, Mechanics
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.slew.limits import Limits
 
 _REACH = 1e-9

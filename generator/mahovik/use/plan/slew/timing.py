@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import BSpline
 
-from mahovik.use.numeric import Array
+from mahovik.use.numeric.se3 import Array
 
 KNOTS = 400
 """Intervals of the spline: its smoothing takes 4/400 more time than the sharpest law."""

@@ -19,23 +19,18 @@ from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers
 from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.use.numeric import (
-    Array,
+from mahovik.use.numeric.frame import Twists, in_fluid
+from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.numeric.residual import (
     Linear,
-    Mechanics,
     Slopes,
-    Twists,
-    block_diagonal,
     drive,
-    in_fluid,
     linear,
-    place,
     prescribed_at,
-    skew,
     slopes_of_residual,
     slopes_of_torques,
-    turn,
 )
+from mahovik.use.numeric.se3 import Array, block_diagonal, place, skew, turn
 from mahovik.use.simulate.held import rates
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.use.numeric import Array, Complex
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear.model import Channel, LinearModel
 from mahovik.use.study.rest import reduced_basis
 
