@@ -34,7 +34,7 @@ def test_a_result_is_drawn_on_new_axes_or_given_ones() -> None:
     axes = found.plot()
     assert axes and all(each.get_title("left") or each.lines or each.collections for each in axes)
     _, own = pyplot.subplots()
-    assert found.plot(own) == [own] and (own.lines or own.collections)
+    assert found.plot(own) is own and (own.lines or own.collections)
     _, many = pyplot.subplots(len(axes) + 1)
     with pytest.raises(mahovik.UsageError, match="panels to draw"):
         found.plot(many)

@@ -207,8 +207,8 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
             if "progress" in parameters:
                 from mahovik.out.progress import progress
 
-                with progress(f"{function.__name__} {Path(str(next(iter(given.values()), ''))).stem}") as stage:
-                    found = function(**given, progress=stage.show)
+                with progress(f"{function.__name__} {Path(str(next(iter(given.values()), ''))).stem}") as show:
+                    found = function(**given, progress=show)
             else:
                 found = function(**given)
             if stream := isinstance(found, Generator):
