@@ -74,7 +74,7 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
     found = Path("r.html").read_text(encoding="utf-8")
     assert read(found).wrong == []
     assert "FAIL verification: FAILED" in words(found[: found.index("<main>")])
-    assert '<div class="failure" role="alert">' in found and '<span class="bad">failed' in found
+    assert '<div class="failure" role="alert">' in found and '<span class="bad">FAILED' in found
 
 
 def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -45,7 +45,7 @@ def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
 
 def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
     stand = load(stands.path("bench8"))
-    found = campbell(stand, np.linspace(0.0, 30.0, 40))
+    found = campbell(Scene.of(stand), SpeedPlan.common(stand, (0.0, 30.0)), np.linspace(0.0, 30.0, 40))
     assert found.orders == (1, 2) and len(found.crossings) == 12
     for each in found.crossings[::5]:
         assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-9)
@@ -85,7 +85,7 @@ def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
     stand = replace(load(stands.path("bench8")), gravity=(0.0, 0.0, 0.0), laws=(Legs(LEGS[:ties]),))
     scene = Scene.of(stand)
     assert scene.free.shape[1] >= 6 - ties
-    found = campbell(scene, np.linspace(0.0, 100.0, 60))
+    found = campbell(scene, SpeedPlan.common(scene.stand, (0.0, 100.0)), np.linspace(0.0, 100.0, 60))
     for each in found.crossings:
         near = each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4])
         natural = natural_at(scene, SpeedPlan.common(stand, (0.0, 100.0)), near)[0][:, each.mode - 1]

@@ -43,6 +43,10 @@ Length = Annotated[Number, "LENGTH"]
 Band = Annotated[tuple[Number, Number] | str, "LOW..HIGHHz"]
 Speeds = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=SPEED"]
 """One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""
+Turning = Annotated[
+    float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
+]
+"""Speeds of flywheels of which one may be swept, and others geared to it."""
 Phases = Annotated[Mapping[str, Number] | Sequence[Number], "NAME=ANGLE"]
 Progressing = OnProgress | None
 """What hears how far a command is; the command line shows it as a line, and offers no option for it."""

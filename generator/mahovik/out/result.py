@@ -217,6 +217,11 @@ class Result(Mapping[str, Any]):
         """Number of rows."""
         return len(self.columns[0].values) if self.columns else 0
 
+    def take(self, rows: slice | Sequence[int] | Array, names: Sequence[str], title: str | None = None) -> Result:
+        """Some rows of some columns, alone, under the same title or another."""
+        columns = [one._replace(values=one.values[rows]) for one in self.columns if one.name in names]
+        return Result(self.title if title is None else title, columns)
+
     # ---- data
 
     def flat(self) -> list[Column]:

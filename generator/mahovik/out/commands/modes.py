@@ -1,4 +1,4 @@
-"""`modes`: natural frequencies, damping and shapes of small motions, and the linear model that they are of."""
+"""`modes`: natural frequencies, damping and shapes of small motions, their linear model, and the Campbell diagram."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from mahovik.errors import CheckError
+from mahovik.contract.quantities import RPM
+from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FileGiven, Names, StandGiven, state_of
-from mahovik.out.report.plots import Panel, stems
+from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
+from mahovik.out.report.plots import Line, Panel, stems
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
     from mahovik.core.stand.state import State
     from mahovik.out.api.stands import Stand
+    from mahovik.use.vibration.campbell import Campbell
 
 STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot", "phi_ddot", "wrench")
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
@@ -26,6 +28,8 @@ def modes(
     at: FileGiven = "rest",
     flywheels: Literal["locked", "free"] = "locked",
     points: Names | None = None,
+    speed: Turning | None = None,
+    steps: int = 121,
 ) -> Result:
     """Find natural frequencies, damping and shapes.
 
@@ -35,14 +39,20 @@ def modes(
     of states (pose, V, angles and speeds of free flywheels), inputs (their drive torques, a wrench on the carrier) and
     outputs (displacement, velocity and acceleration of points).
 
+    With --speed the flywheels turn: natural frequencies against a speed that is swept, means over a turn, and where
+    order 1, of asymmetric flywheels also order 2, meets one. `-o FILE.svg` is the Campbell diagram.
+
     Args:
         stand: the stand file.
         at: linearise about this state, as `eval` reads it.
         flywheels: keep flywheels locked to their motion, as a stiff servo does, or free, driven by torques.
         points: points and instruments of the outputs; default all, else the carrier.
+        speed: speed of a flywheel, rad/s or with a unit; one range, LOW..HIGH, is swept; FACTOR*NAME is geared to
+            another; `all` is every flywheel. The rest stand still.
+        steps: speeds of the sweep, evenly spaced.
 
     Raises:
-        UsageError: a state that cannot be, an unknown point.
+        UsageError: a state that cannot be, an unknown point or flywheel.
         CheckError: there is no equilibrium.
     """
     from mahovik.core.stand.hold import numbers_in_words
@@ -55,6 +65,10 @@ def modes(
     from mahovik.use.study.linear.modes import shape_words
 
     own = Stand.of(stand)
+    if speed is not None:
+        if at != "rest" or flywheels != "locked" or points is not None:
+            raise UsageError("at, flywheels, points: not allowed with speed, which sweeps the modes about rest")
+        return _campbell(own, speed, steps)
     uniform_stream(own)
     names = None if points is None else list(names_in("points", points))
     if names is None and not (own.points or own.instruments):
@@ -131,3 +145,56 @@ def _pictures(found: Any) -> tuple[Panel, Panel]:
         Panel("damping ratio of the modes", tuple(lines), abscissa="frequency, Hz"),
         Panel("eigenvalues, imaginary part, 1/s", (), abscissa="real part, 1/s", marks=marks),
     )
+
+
+def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
+    """Natural frequencies and damping over a swept speed, and where orders meet them. Raises UsageError, CheckError."""
+    from mahovik.use.vibration.campbell import campbell
+    from mahovik.use.vibration.scene import Scene
+    from mahovik.use.vibration.speeds import read_speeds
+
+    plan = read_speeds(stand, speed)
+    if plan.sweep is None:
+        raise UsageError("speed: none is swept, expected a range of one, NAME=LOW..HIGH or all=LOW..HIGH")
+    found = campbell(Scene.of(stand), plan, np.array(plan.values(steps)))
+    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())  # the first columns, which are nowhere
+    modes = [str(k) for k in range(1, found.natural.shape[1] - absent + 1)]
+    units = {"order": "", "mode": "", "speed": "rad/s", "frequency": "Hz", "damping": ""}
+    met = [vars(each) | {"mode": each.mode - absent} for each in found.crossings]
+    crossings = [column(k, unit, [each[k] for each in met], (), "rpm" * (k == "speed")) for k, unit in units.items()]
+    growing = np.flatnonzero(found.growth > 0.0)
+    messages = []
+    if len(growing):
+        messages.append(f"warning: unstable from {RPM * found.speed[growing[0]]:.6g} rpm: small motions grow")
+    return Result(
+        f"natural frequencies of {stand.name} over the speed of {plan.names[plan.swept or 0]}",
+        (
+            column("speed", "rad/s", found.speed, shown="rpm"),
+            column("frequency", "Hz", found.natural[:, absent:], modes),
+            column("damping", "", found.damping[:, absent:], modes),
+            column("growth", "1/s", found.growth),
+        ),
+        index="speed",
+        meta={"orders": list(found.orders), "crossings": Result("orders meet modes", crossings)},
+        messages=messages,
+        details=("damping", "growth"),
+        drawings=(_diagram(found, absent, plan.names[plan.swept or 0] if sum(map(bool, plan.factor)) == 1 else ""),),
+    )
+
+
+def _diagram(found: Campbell, absent: int, name: str) -> Panel:
+    """Natural frequencies, orders of the flywheels, dots where they meet."""
+    speed, top = RPM * found.speed, 1.15 * float(np.nanmax(found.natural, initial=1.0))
+    ends = speed[[0, -1]]
+    columns = range(absent, found.natural.shape[1])
+    lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
+    for n in found.orders:
+        x = np.clip(ends, -60.0 * top / n, 60.0 * top / n)
+        seen = np.ptp(x) > 0.15 * np.ptp(ends)
+        lines.append(Line("", x, np.abs(n * x / 60.0), None, dashed=True, tag=f"{n}×" * bool(seen)))
+    return Panel(
+        "natural frequency, Hz", tuple(lines), abscissa=f"speed of {name}, rpm" if name else "common speed, rpm",
+        height=1.6, top=top, span=(float(ends[0]), float(ends[1])),
+        marks=tuple((RPM * each.speed, each.frequency) for each in found.crossings),
+        note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
+    )  # fmt: skip

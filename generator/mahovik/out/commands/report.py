@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -17,17 +16,17 @@ from mahovik.nearest import names_in
 from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven
 from mahovik.out.commands.check import check
 from mahovik.out.commands.modes import modes
+from mahovik.out.commands.verify import verify
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.notices import Progress, tell
-from mahovik.out.report.page import Part, figure, inline, page, table
-from mahovik.out.report.plots import Line, Panel
+from mahovik.out.report.page import Part, inline, page, table
+from mahovik.out.report.plots import Panel
 from mahovik.out.report.plots import require as require_drawing
-from mahovik.out.result import Result
+from mahovik.out.result import Result, column
 from mahovik.writing import format_of, probe, write
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
-    from mahovik.use.vibration.campbell import Campbell
 
 STATES, STEPS = 16, 31
 """Random and extreme states at which the C is judged, `mahovik verify` takes more; speeds of a sweep."""
@@ -35,8 +34,8 @@ STATES, STEPS = 16, 31
 MOST_POINTS, MOST_ROWS = 3, 10
 """Points whose vibration is shown where none is asked for; rows of a table of verdicts, the worst."""
 
-STILL, FAILED = 1e-10, Markup('<span class="bad">failed</span>')
-"""m/s2, N: less than this is rounding; what is not met."""
+STILL = 1e-10
+"""m/s2, N: less than this is rounding."""
 
 COSTLY = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum", "step", "prepare")
 """Functions whose operations are shown, where the stand has them."""
@@ -119,25 +118,17 @@ def _fastest(stand: Stand) -> float:
     return max((row.speed for row in summarize(stand).unbalance), default=0.0)
 
 
-def _table(found: Result, names: Sequence[str]) -> Markup:
-    """A table of some columns of a result, in the units of its text."""
-    columns = [one for one in found.columns if one.name in names]
-    heads, rows, numbers = replace(found, columns=columns).cells()
-    heads = [f"{head}>" if number else head for head, number in zip(heads, numbers, strict=True)]
-    return table(heads, rows, found.title)
-
-
 def bodies_part(stand: Stand, checked: Result) -> Part:
     """Masses, unbalances, what acts on the stand, the drawing, warnings."""
     from mahovik.core.stand.laws import body_laws, carrier_laws
     from mahovik.out.report.drawing import draw_stand
 
-    bodies = replace(checked, title="centres of mass in E1 about O1, flywheels at phase zero")
-    html = _table(bodies, ("name", "kind", "mount", "mass", "center_of_mass"))
+    title = "centres of mass in E1 about O1, flywheels at phase zero"
+    html = table(checked.take(slice(None), ("name", "kind", "mount", "mass", "center_of_mass"), title))
     if stand.flywheels:
         effects = replace(checked["effects"], columns=[*checked["unbalance"].columns, *checked["effects"].columns[1:]])
         shown = ("name", "spin_inertia", "static", "dynamic", "asymmetry", "speed", "force", "moment", "grade")
-        html += _table(replace(effects, title="unbalance about each origin, grades of ISO 21940-11"), shown)
+        html += table(effects.take(slice(None), shown, "unbalance about each origin, grades of ISO 21940-11"))
     bearers = ((law.name, law.bearers(stand)) for law in body_laws())
     acting = [f"attitude {stand.angles}", *(law.short(stand) for law in carrier_laws())]
     acting += [f"{name} of {', '.join(names)}" for name, names in bearers if names]
@@ -165,9 +156,6 @@ def _vector(numbers: Sequence[float]) -> str:
 
 def modes_part(stand: Stand) -> Part | None:
     """Natural frequencies at rest, and against the common speed of the flywheels."""
-    from mahovik.use.vibration.campbell import campbell
-    from mahovik.use.vibration.scene import Scene
-
     if stand.hold is not None and not stand.hold.freedoms:
         return None
     try:
@@ -177,37 +165,19 @@ def modes_part(stand: Stand) -> Part | None:
     swinging = np.flatnonzero(np.nan_to_num(found["frequency"]) > 0.0)
     still = found.count - len(swinging)
     words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
-    words *= bool(still)
-    kept = replace(found, title="", columns=[one._replace(values=one.values[swinging]) for one in found.columns])
-    html = _table(kept, ("frequency", "damping", "motion")) if len(swinging) else Markup("")
     frequency = found["frequency"][swinging]
-    ends = [figure(each, 3) for each in dict.fromkeys((*frequency[:1], *frequency[-1:]))]
-    summary = f"{' to '.join(ends)} Hz at rest" if ends else ""
-    panels: tuple[Panel, ...] = ()
+    ends = " to ".join(dict.fromkeys(f"{each:.3g}" for each in (*frequency[:1], *frequency[-1:])))
+    panels: tuple[Any, ...] = ()
     if stand.flywheels:
-        scene = Scene.of(stand)
-        diagram = campbell(scene, np.linspace(0.0, _fastest(stand), 4 * STEPS - 3))
-        if np.isfinite(diagram.natural).any():
-            panels = (campbell_panel(diagram),)
-    return Part("Modes", words, panels=panels, html=html, summary=summary)
-
-
-def campbell_panel(found: Campbell) -> Panel:
-    """Natural frequencies, orders of the flywheels, dots where they meet; to somewhat beyond the last crossing."""
-    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())  # the first columns, which are nowhere
-    speed, top = RPM * found.speed, 1.15 * float(np.nanmax(found.natural))
-    last = 1.6 * RPM * max((each.speed for each in found.crossings), default=0.0)
-    end = last if 0.0 < 2.0 * last < speed[-1] else float(speed[-1])
-    columns = range(absent, found.natural.shape[1])
-    lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
-    for n in found.orders:
-        x = np.minimum(np.array([0.0, 1.0]) * end, 60.0 * top / n)
-        lines.append(Line("", x, n * x / 60.0, None, dashed=True, tag=f"{n}×" if x[1] > 0.15 * end else ""))
-    return Panel(
-        "natural frequency, Hz", tuple(lines), abscissa="common speed, rpm", height=1.3, top=top, span=(0.0, end),
-        marks=tuple((RPM * each.speed, each.frequency) for each in found.crossings),
-        note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
-    )  # fmt: skip
+        end, steps = _fastest(stand), 4 * STEPS - 3
+        diagram = modes(stand, speed=f"0..{end!r} rad/s", steps=steps)
+        last = 1.6 * float(max(diagram["crossings"]["speed"], default=0.0))
+        if 0.0 < 2.0 * last < end:  # somewhat beyond the last crossing
+            diagram = modes(stand, speed=f"0..{last!r} rad/s", steps=steps)
+        panels = tuple(diagram.drawings) if diagram["frequency"].size else ()
+    tables = (found.take(swinging, ("frequency", "damping", "motion"), ""),) if len(swinging) else ()
+    summary = f"{ends} Hz at rest" if ends else ""
+    return Part("Modes", words * bool(still), tables, panels, summary=summary)
 
 
 def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
@@ -245,16 +215,20 @@ def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part 
         return None
     found = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, require=require, steps=4 * STEPS - 3)
     verdicts = found["requirements"]
-    rows = [
-        [each["text"], f"{figure(100.0 * each['value'] / each['limit'], 4)} %", each["axis"],
-         figure(RPM * each["speed"], 4), "met" if each["met"] else FAILED]
-        for each in verdicts
-    ]  # fmt: skip
-    head = ("requirement", "largest, of it>", "axis", "at, rpm>", "")
+    listed = Result(
+        "",
+        (
+            column("requirement", "", [each["text"] for each in verdicts]),
+            column("largest, of it", "%", [100.0 * each["value"] / each["limit"] for each in verdicts]),
+            column("axis", "", [each["axis"] for each in verdicts]),
+            column("at", "rad/s", [each["speed"] for each in verdicts], shown="rpm"),
+            column("verdict", "", ["met" if each["met"] else "FAILED" for each in verdicts]),
+        ),
+    )
     failures = tuple(f"{point}: {each['text']} is not met" for each in verdicts if not each["met"])
     words = f"{found['quantity']} of {point}, all flywheels at any common speed up to {RPM * _fastest(stand):.5g} rpm."
-    summary = f"{len(rows) - len(failures)} of {len(rows)} met at {point}"
-    return Part("Requirements", words, head, tuple(rows), summary=summary, failures=failures)
+    summary = f"{len(verdicts) - len(failures)} of {len(verdicts)} met at {point}"
+    return Part("Requirements", words, (listed,), summary=summary, failures=failures)
 
 
 def limits_part(checked: Result) -> Part | None:
@@ -264,36 +238,26 @@ def limits_part(checked: Result) -> Part | None:
         return None
     rows = zip(found["in every direction"], found["unit"], strict=True)
     summary = "; ".join(f"{reach:.4g} {unit} in every direction" for reach, unit in rows)
-    return Part("Limits and reach", html=_table(found, ("of", "along", "in every direction", "unit")), summary=summary)
+    shown = found.take(slice(None), ("of", "along", "in every direction", "unit"))
+    return Part("Limits and reach", tables=(shown,), summary=summary)
 
 
 def verification_part(stand: Stand) -> Part:
     """The C by the reference and the second derivation, now, at few states."""
-    from mahovik.proof.verify.check import conclusion
-    from mahovik.proof.verify.harness import verify_c
-
     file = f"{stand.name}.toml"
     try:
-        found = verify_c(stand, seed=1, count=STATES, document=stand.to_dict())
+        found = verify(stand, states=STATES)
     except MahovikError as error:
         return Part("Verification", f"The C was not judged: {error}. `mahovik verify {file}`")
-    checks = [check for check in found.rows if check.verdict != "not compared"]
-    worst = [max(rows, key=lambda check: check.share) for _, rows in groupby(checks, key=lambda check: check.judged)]
-    shown = sorted(worst, key=lambda check: -check.share)[:MOST_ROWS]
-    rows = [
-        [each.judged or "whole", each.quantity, str(each.states), figure(each.value, 2), figure(each.limit, 2),
-         each.verdict if not each.failed else FAILED]
-        for each in shown
-    ]  # fmt: skip
-    head = ("function", "worst quantity", "states>", "difference>", "accepted>", "")
     words = (
         f"Three derivations that share no formula code, at {STATES} states: the C, the literal equations in NumPy, "
-        f"Lagrange's equations in CasADi. The worst of {len(worst)} lines; `mahovik verify {file}` has all, at more "
+        f"Lagrange's equations in CasADi. The lines nearest to their limits; `mahovik verify {file}` has all, at more "
         f"states, `mahovik evidence {file}` everything else that speaks for the C."
     )
-    verdict = conclusion(found)
-    failures = () if found.passed else (f"verification: {verdict}",)
-    return Part("Verification", words, head, tuple(rows), summary=verdict, failures=failures)
+    verdict = found.messages[-1]
+    failures = () if found.ok else (f"verification: {verdict}",)
+    shown = found.take(slice(MOST_ROWS), [one.name for one in found.columns], "")
+    return Part("Verification", words, (shown,), summary=verdict, failures=failures)
 
 
 def cost_part(stand: Stand) -> Part:
@@ -302,14 +266,9 @@ def cost_part(stand: Stand) -> Part:
     from mahovik.core.program.cost import cost
     from mahovik.core.program.types import DOUBLE
 
-    program = lower(stand, DOUBLE)
-    rows = []
-    for function in program.functions:
-        if function.name in COSTLY:
-            count = cost(function, program.functions)
-            numbers = (count.additions, count.multiplications, count.divisions, count.total)
-            rows.append(
-                [Markup("<code>{}</code>").format(function.name), *(f"{n:,}".replace(",", "\u202f") for n in numbers)]
-            )
+    functions = lower(stand, DOUBLE).functions
+    counted = {each.name: cost(each, functions) for each in functions if each.name in COSTLY}
+    kinds = {"additions": "additions", "products": "multiplications", "divisions": "divisions", "all": "total"}
+    columns = [column(head, "", [getattr(each, key) for each in counted.values()]) for head, key in kinds.items()]
     words = "Operations of one call at most. `mahovik verify --cost` measures instructions, stack and code."
-    return Part("Cost", words, ("function", "additions>", "products>", "divisions>", "all>"), tuple(rows))
+    return Part("Cost", words, (Result("", [column("function", "", [*counted]), *columns]),))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
-from mahovik.out.arguments import Band, FilePath, Phases, Progressing, Seconds, Speed, StandGiven, Text
+from mahovik.out.arguments import Band, FilePath, Phases, Progressing, Seconds, Speed, StandGiven, Text, Turning
 from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from mahovik.use.vibration.study import Vibration as Study
     from mahovik.use.vibration.view import Observable
 
-Turning = Annotated[
-    float | str | Mapping[str, float | str] | Sequence[float | str], "NAME=SPEED|LOW..HIGH|[FACTOR*]NAME"
-]
 Tables = Annotated[Mapping[str, str | Path], "NAME=FILE.csv"]
 Vector = Annotated[str | Sequence[float], '"X Y Z"']
 

@@ -23,7 +23,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
-from mahovik.out.report.page import Part, table
+from mahovik.out.report.page import Part, table_of
 
 ROUNDING = 1e-14
 """Part of the natural size of its kind below which a number is rounding."""
@@ -53,7 +53,8 @@ def derivation_parts(stand: Stand) -> list[Part]:
                 inline(item.tex, "block"), f"({item.number})" if item.number else ""
             )
         rows = [[inline(cell) for cell in row] for row in item.rows]
-        return table([cell if cell.isalpha() else inline(cell) for cell in item.head], rows, item.caption)
+        heads = [cell if cell.isalpha() else inline(cell) for cell in item.head]
+        return table_of(heads, rows, [False] * len(heads), item.caption)
 
     return [
         Part(f"{section.title} {section.equations}".strip(), html=Markup("").join(map(block, section.blocks)))

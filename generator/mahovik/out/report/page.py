@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,30 +13,27 @@ from markupsafe import Markup, escape
 
 from mahovik import __version__
 from mahovik.out.report.plots import STYLE, Panel, make_figure, require
+from mahovik.out.result import STYLES, Result
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-
-Cell = str | Markup
-Row = Sequence[Cell]
 
 
 @dataclass(frozen=True)
 class Part:
     """One part of a page, in plain text; all but the title may be empty. Words between backticks are code.
 
-    head, rows   a table: names of columns that end in ">" are those of numbers, at the right
-    panels       pictures, one below the other
-    html         more, whose text is escaped already
-    notes        a list of lines
-    summary      what the head of the page says of it
-    failures     lines that the page shows at its top as failed
+    tables    results of which the page has the columns
+    panels    pictures, one below the other
+    html      more, whose text is escaped already
+    notes     a list of lines
+    summary   what the head of the page says of it
+    failures  lines that the page shows at its top as failed
     """
 
     title: str
     words: str = ""
-    head: tuple[Cell, ...] = ()
-    rows: tuple[Row, ...] = ()
+    tables: tuple[Result, ...] = ()
     panels: tuple[Panel, ...] = ()
     html: str = ""
     notes: tuple[str, ...] = ()
@@ -47,7 +43,7 @@ class Part:
     @property
     def markup(self) -> Markup:
         """All of it but the title; the table at the left of the pictures where there is room for both."""
-        rows = table(self.head, self.rows) if self.head else Markup("")
+        rows = Markup("").join(map(table, self.tables))
         drawn = picture(self.panels) if self.panels else Markup("")
         if rows and drawn:
             rows, drawn = Markup('<div class="beside">{}').format(rows), drawn + Markup("</div>")
@@ -104,27 +100,26 @@ def paragraph(text: str) -> Markup:
     return Markup("<p>{}</p>\n").format(Markup("").join(pieces))
 
 
-def table(head: Sequence[Cell], rows: Sequence[Row], caption: str = "") -> Markup:
-    """A table that scrolls where it is too wide; numbers of columns whose name ends in ">" stand at the right."""
-    sides = [Markup(' class="number"') if str(name).endswith(">") else "" for name in head]
+def table(found: Result) -> Markup:
+    """The columns of a result as its text has them; numbers stand at the right, and what failed is red."""
+    heads, rows, numbers = found.cells()
+    red = Markup('<span class="bad">{}</span>')
+    cells = [[red.format(cell) if "red" in STYLES.get(cell, "") else cell for cell in row] for row in rows]
+    return table_of(heads, cells, numbers, found.title)
 
-    def line(kind: str, cells: Row) -> Markup:
+
+def table_of(heads: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[bool], caption: str) -> Markup:
+    """A table that scrolls where it is too wide; `numbers`: the columns that stand at the right."""
+    sides = [Markup(' class="number"') if number else "" for number in numbers]
+
+    def line(kind: str, cells: Sequence[str]) -> Markup:
         inside = Markup("").join(
             Markup("<{0}{1}>{2}</{0}>").format(kind, *each) for each in zip(sides, cells, strict=True)
         )
         return Markup("<tr>{}</tr>\n").format(inside)
 
-    names = line("th", [name if isinstance(name, Markup) else name.removesuffix(">") for name in head])
     words = Markup("<caption>{}</caption>").format(caption) if caption else ""
     body = Markup("").join(line("td", row) for row in rows)
     return Markup('<div class="scroll"><table>{}<thead>{}</thead>\n<tbody>{}</tbody></table></div>\n').format(
-        words, names, body
+        words, line("th", heads), body
     )
-
-
-def figure(value: float, digits: int = 5) -> Markup:
-    """A number to some significant digits as one prints it: minus sign, powers of ten; NaN as "–"."""
-    if math.isnan(value):
-        return Markup("–")
-    text, _, power = f"{value + 0.0:.{digits}g}".replace("-", "−").replace("inf", "∞").partition("e")
-    return Markup(f"{text}·10<sup>{power.lstrip('+').replace('−0', '−').lstrip('0')}</sup>" if power else text)

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
@@ -46,11 +45,11 @@ class Crossing:
 
 @dataclass(frozen=True, eq=False)
 class Campbell:
-    """Natural frequencies about rest, with all flywheels at one constant speed; means over a turn.
+    """Natural frequencies about rest, with the flywheels at constant speeds; means over a turn.
 
     A held carrier has as many columns as freedoms, m in place of 6.
 
-    speed      (S, rad/s), rising from 0
+    speed      (S, rad/s), rising
     natural    (S, 6; Hz): |eigenvalue| / 2 pi, ascending to the last column; NaN in the first if there are fewer
     damping    (S, 6): their ratios
     growth     (S, 1/s): largest real part of an eigenvalue; 0 if none grows
@@ -66,10 +65,8 @@ class Campbell:
     crossings: tuple[Crossing, ...]
 
 
-def campbell(stand: Stand | Scene, speed: Array) -> Campbell:
-    """The diagram at speeds (S, rad/s). Raises CheckError: no equilibrium to linearise about."""
-    scene = Scene.of(stand) if isinstance(stand, Stand) else stand
-    plan = SpeedPlan.common(scene.stand, (float(speed.min(initial=0.0)), float(speed.max(initial=0.0))))
+def campbell(scene: Scene, plan: SpeedPlan, speed: Array) -> Campbell:
+    """The diagram at values (S, rad/s) of the swept speed of a plan; the orders are those of its flywheel."""
     natural, damping, growth = natural_at(scene, plan, speed)
     orders = orders_of(scene)
     met = [each for order in orders for each in crossings(scene, plan, speed, natural, 0.0, order)]
