@@ -184,7 +184,7 @@ def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
 
 def _diagram(found: Campbell, absent: int, name: str) -> Panel:
     """Natural frequencies, orders of the flywheels, dots where they meet."""
-    speed, top = RPM * found.speed, 1.15 * float(np.nanmax(found.natural, initial=1.0))
+    speed, top = RPM * found.speed, 1.15 * (float(np.nanmax(np.nan_to_num(found.natural))) or 1.0)
     ends = speed[[0, -1]]
     columns = range(absent, found.natural.shape[1])
     lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
