@@ -13,8 +13,8 @@ from mahovik.core.stand import load
 from mahovik.out.api.stands import Stand
 from mahovik.out.commands.check import check
 from mahovik.out.commands.report import limits_part, modes_part, report, requirements_part, vibration_part
+from mahovik.out.plots import Line, Panel
 from mahovik.out.report.page import Part, page, picture
-from mahovik.out.report.plots import Line, Panel
 from mahovik.out.result import Result, column
 from report.chromium import Opened, launched
 from report.reports import read, words

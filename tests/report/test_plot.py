@@ -10,7 +10,7 @@ import pytest
 from cli.run import run
 from mahovik import stands
 from mahovik.contract.quantities import RPM
-from mahovik.out.report.plots import BINS, Line, Panel, column_panels, draw, envelope
+from mahovik.out.plots import BINS, Line, Panel, column_panels, draw, envelope
 
 T = np.linspace(0.0, 3.0, 31)
 TIME = ("t", "s", T)

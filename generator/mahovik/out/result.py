@@ -25,7 +25,7 @@ from mahovik.errors import InputError, UsageError
 from mahovik.nearest import suggestion
 
 if TYPE_CHECKING:
-    from mahovik.out.report.plots import Drawing
+    from mahovik.out.plots import Drawing
 
 Array = NDArray[Any]
 
@@ -155,7 +155,7 @@ class Result(Mapping[str, Any]):
     messages   sentences for people, printed below the table
     ok         whether the verdict is good: False is exit status 1
     details    entries of `meta` that JSON has and tables for people leave out
-    drawings   panels of its picture: `out.report.plots.Panel`, or functions of the result and axes of matplotlib;
+    drawings   panels of its picture: `out.plots.Panel`, or functions of the result and axes of matplotlib;
                none: the columns of numbers over the index, or over `t`
     single     one row, whose arrays come without the axis of rows
     """
@@ -294,7 +294,7 @@ class Result(Mapping[str, Any]):
             self.to_pandas().to_parquet(content)
             write(path, content.getvalue())
         else:
-            from mahovik.out.report.plots import draw
+            from mahovik.out.plots import draw
 
             write(path, draw(self.title, self._drawings(), suffix, self))
 
@@ -321,13 +321,13 @@ class Result(Mapping[str, Any]):
 
         Raises UsageError without matplotlib, or where more axes are given than there are panels.
         """
-        from mahovik.out.report.plots import draw_on_axes
+        from mahovik.out.plots import draw_on_axes
 
         found = draw_on_axes(self.title, self._drawings(), ax, self)
         return found if ax is None else ax
 
     def _drawings(self) -> Sequence[Drawing]:
-        from mahovik.out.report.plots import column_panels
+        from mahovik.out.plots import column_panels
 
         columns = [(one.name, one.unit, one.values) for one in self.flat()]
         index = next((one for one in columns if one[0] in (self.index, "t")), None)

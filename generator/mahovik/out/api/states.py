@@ -168,7 +168,7 @@ class StateMaker:
         place, turn = self._pose(given.get("position"), given.get("attitude"), given.get("angles"))
         parts: Parts = {"position": (place, 3), "attitude": (turn, 4)}
         parts |= {"V": (self._twist(given.get("V", 0.0), given.get("u")), 6), **self._flywheel_parts(given)}
-        return self._made(parts, n)
+        return self._stacked(parts, n)
 
     def from_coordinates(
         self, q: Given, q_dot: Given, orientation: ArrayLike | None, given: Mapping[str, Given]
@@ -190,7 +190,7 @@ class StateMaker:
         n = batch_size({name: part for name, (part, _) in (parts | wheels).items()})
         coordinates = [by_component(part, count, n or 1, np.dtype(float)).T for part, count in parts.values()]
         place, turn, V = held_states.of_coordinates(self.stand, *coordinates)
-        found = self._made({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
+        found = self._stacked({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
         return found if n is not None else found.take(0)
 
     def of_array(self, array: ArrayLike) -> States:
@@ -198,13 +198,13 @@ class StateMaker:
         given = read(array, "states", self.components, (), "component")
         if given.ndim == 0:
             raise InputError(f"states: expected shape ({self.components},) or (n, {self.components}), found ()")
-        return self._made({"states": (given, self.components)}, None)
+        return self._stacked({"states": (given, self.components)}, None)
 
     def _flywheel_parts(self, given: Any) -> Parts:
         N, names = len(self.flywheels), self.flywheels
         return {name: (read(given.get(name, 0.0), name, N, names, "flywheel"), N) for name in ("phi", "phi_dot")}
 
-    def _made(self, parts: Parts, n: int | None) -> States:
+    def _stacked(self, parts: Parts, n: int | None) -> States:
         """States of the parts below one another, n of them, or as many as the parts have. Raises InputError."""
         many = batch_size({name: part for name, (part, _) in parts.items()})
         if n is not None and not is_count(n):

@@ -14,8 +14,8 @@ from scipy import stats
 
 from mahovik.out.campaign.designs import IN_BLOCKS
 from mahovik.out.campaign.file import Campaign
+from mahovik.out.plots import Line, Panel
 from mahovik.out.report.page import Part, page
-from mahovik.out.report.plots import Line, Panel
 from mahovik.out.result import Result, column
 from mahovik.writing import write
 

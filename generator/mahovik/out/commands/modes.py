@@ -10,7 +10,7 @@ from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
 from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
-from mahovik.out.report.plots import Line, Panel, stems
+from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:

@@ -19,9 +19,9 @@ from mahovik.out.commands.modes import modes
 from mahovik.out.commands.verify import verify
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.notices import Progress, tell
+from mahovik.out.plots import Panel
+from mahovik.out.plots import require as require_drawing
 from mahovik.out.report.page import Part, inline, page, table
-from mahovik.out.report.plots import Panel
-from mahovik.out.report.plots import require as require_drawing
 from mahovik.out.result import Result, column
 from mahovik.writing import format_of, probe, write
 

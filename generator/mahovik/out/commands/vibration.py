@@ -13,7 +13,7 @@ from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
-    from mahovik.out.report.plots import Panel
+    from mahovik.out.plots import Panel
     from mahovik.use.vibration.speeds import Asked
     from mahovik.use.vibration.study import Verdict
     from mahovik.use.vibration.study import Vibration as Study
@@ -393,7 +393,7 @@ def _line_columns(found: Study, band: Interval | None) -> list[Column]:
 def _picture(found: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
     """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
     from mahovik.contract.quantities import RPM
-    from mahovik.out.report.plots import ARCSEC, Line, Panel, stems
+    from mahovik.out.plots import ARCSEC, Line, Panel, stems
 
     seen, unit, scale = found.seen, found.seen.measure.unit, 1.0
     if unit.startswith("rad"):

@@ -18,7 +18,7 @@ from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.task import places_of
-from mahovik.out.report.plots import COLOURS, GREY, STYLE, require
+from mahovik.out.plots import COLOURS, GREY, STYLE, require
 
 Array = NDArray[np.float64]
 

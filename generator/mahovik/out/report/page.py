@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from markupsafe import Markup, escape
 
 from mahovik import __version__
-from mahovik.out.report.plots import STYLE, Panel, make_figure, require
+from mahovik.out.plots import STYLE, Panel, make_figure, require
 from mahovik.out.result import STYLES, Result
 
 if TYPE_CHECKING:
