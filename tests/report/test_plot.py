@@ -80,7 +80,8 @@ def test_the_same_panels_give_the_same_bytes() -> None:
     assert draw("title", panels, ".png").startswith(b"\x89PNG")
 
 
-def test_a_command_writes_its_picture() -> None:
+def test_a_command_writes_its_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
     sweep = ("vibration", str(stands.path("shaker2")), "--speed", "all=100..200rpm", "--steps", "2", "--at", "carrier")
     assert run(*sweep, "-o", "r.svg").exit_code == 0
     Path("spin.toml").write_text("schema = 1\ndefault = { speed = 20 }\n", encoding="utf-8")
