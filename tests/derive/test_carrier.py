@@ -10,7 +10,7 @@ from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
 from mahovik.core.derive.document import in_mounting_axes, velocity_matrix
 from mahovik.core.derive.order import SYMMETRIC
-from mahovik.core.derive.screw import L, Phi, Theta, blocks, cross, elementary, f
+from mahovik.core.derive.screw import Phi, Theta, blocks, cross
 from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector
 
 W = flywheel.generic()
@@ -85,72 +85,14 @@ def test_relative_rates_are_the_last_sums_of_5() -> None:
     assert remainders(found.a_rel.col_join(found.g_rel) - paper.I * PHI_DDOT - squared, SO3) == []
 
 
-@pytest.mark.slow
-def test_kinetic_energy_is_that_of_the_bodies() -> None:
-    """T = V_s . Theta_s V_s / 2 with V_s = Ls^T V + f phi', of one flywheel."""
-    Ls = L(W.O, W.R * elementary(1, W.phi))
-    own_twist = trigonometric(Ls.T * V + f * W.phi_dot, W.phi)
-    energy = (own_twist.T * Theta(W.m, W.b, W.J) * own_twist)[0] / 2
-    known = table.bind("mu", table.sums(W).mu) | table.bind("J", table.sums(W).J) | {sp.Symbol("m"): W.m}
-    for name in ("mu_dot", "h_rel"):
-        known |= table.bind(name, getattr(table.sums(W), name))
-    Z = carrier.momentum(False).xreplace(known)
-    spin = W.phi_dot * (table.columns(W).I.dot(V) + W.J[0, 0] * W.phi_dot)
-    found = carrier.kinetic_energy().xreplace(table.bind("p", Z[:3, :]) | table.bind("h", Z[3:, :]))
-    assert remainders([found.xreplace({sp.Symbol("spin"): spin}) - energy], SO3) == []
-
-
-class Reduced:
-    """The 3x3 solve with its constants bound: with added mass A^-1 = adj A / det A, without it A = m E."""
-
-    def __init__(self, added_mass: bool) -> None:
-        self.added_mass = added_mass
-        if added_mass:
-            adjugate, determinant = carrier.inverse_of_symmetric()
-            reciprocal = sp.Symbol("reciprocal")
-            det = determinant.xreplace(table.bind("cofactor", adjugate))
-            self.relations: tuple[sp.Expr, ...] = (reciprocal * det - 1,)
-            constants = table.bind("A_inv", reciprocal * adjugate)
-            B = carrier.coupling_block(True)
-            U = carrier.schur_coupling(True).xreplace(constants | table.bind("B", sp.Matrix(list(B))))
-            self.known = constants | table.bind("U", sp.Matrix(list(U))) | table.bind("B", sp.Matrix(list(B)))
-        else:
-            self.relations = (sp.Symbol("m_inverse") * sp.Symbol("m") - 1,)
-            self.known = table.bind("rho", carrier.centre_offset())
-
-    def __call__(self, expression: sp.Matrix) -> sp.Matrix:
-        return expression.xreplace(self.known)
-
-    def coupling(self) -> sp.Matrix:
-        """U as the solve uses it."""
-        return self(matrix("U") if self.added_mass else cross(vector("rho")).T)
-
-
-@pytest.mark.parametrize("added_mass", [False, True])
-def test_reduced_solve_is_K_y_equal_F(added_mass: bool) -> None:
-    """For any omega* and v* = A^-1 f - U omega*: K y - F = (0, S omega* - (n - U^T f)). So S omega* = n - U^T f is all
-    that is left of K y = F, and nothing is lost: the identity holds in both directions."""
-    reduced = Reduced(added_mass)
-    angular = vector("omega_dot")
-    y = reduced(carrier.linear_part(added_mass)).col_join(angular)
-    F = vector("f").col_join(vector("n"))
-    S = from_six(reduced(carrier.reduced_inertia(added_mass)))
-    left = S * angular - reduced(carrier.reduced_moment(added_mass))
-    residual = carrier.mass_matrix(added_mass) * y - F
-    assert remainders(residual - sp.zeros(3, 1).col_join(left), reduced.relations) == []
-
-
-@pytest.mark.parametrize("added_mass", [False, True])
-def test_schur_coupling_is_the_one_the_solve_uses(added_mass: bool) -> None:
-    """U = A^-1 B^T, i.e. A U = B^T; S = J - B U is symmetric, so that six numbers hold it."""
-    reduced = Reduced(added_mass)
-    A, B = carrier.translation_block(added_mass), carrier.coupling_block(added_mass)
-    U = reduced.coupling()
-    assert remainders(A * U - B.T, reduced.relations) == []
-    assert remainders(U - reduced(carrier.schur_coupling(added_mass)), reduced.relations) == []
-    full = symmetric("J") - B * U
-    assert remainders(full - full.T, reduced.relations) == []
-    assert remainders(full - from_six(reduced(carrier.reduced_inertia(added_mass))), reduced.relations) == []
+def test_reduced_inertia_is_the_schur_complement() -> None:
+    """S = J - B A^-1 B^T: with rho = mu / m, and with U = A^-1 B^T in the symbols of U and B."""
+    m, B = sp.Symbol("m"), cross(carrier.mu)
+    S = from_six(carrier.reduced_inertia(False)).xreplace(table.bind("rho", carrier.mu / m))
+    assert remainders((m * (S - symmetric("J")) + B * B.T).applyfunc(sp.expand)) == []
+    S = from_six(carrier.reduced_inertia(True))
+    upper = sp.Matrix(3, 3, lambda i, j: (S - symmetric("J") + matrix("B") * matrix("U"))[min(i, j), max(i, j)])
+    assert [upper[pair] for pair in SYMMETRIC if sp.expand(upper[pair]) != 0] == []
 
 
 def test_weights_are_derivatives_along_the_motion() -> None:
@@ -172,30 +114,6 @@ def test_weights_are_derivatives_along_the_motion() -> None:
     for name, value in wanted.items():
         named = sp.expand_trig(value).subs(names)
         assert remainders([found[sp.Symbol(name)] - named], SO3[:1]) == [], name
-
-
-def test_momentum_in_E0_is_1() -> None:
-    """Z0 = L1 Z, with the force part written once."""
-    C, Z = matrix("C"), vector("p").col_join(vector("h"))
-    found = carrier.momentum_in_E0()
-    named = found.xreplace(table.bind("p0", found[:3, :]))
-    assert remainders(named - L(vector("r"), C) * Z) == []
-
-
-def test_inverse_of_symmetric() -> None:
-    """A adj(A) = det(A) E, with the determinant by its first row."""
-    adjugate, determinant = carrier.inverse_of_symmetric()
-    A = symmetric("A")
-    det = determinant.xreplace(table.bind("cofactor", adjugate))
-    assert remainders(A * from_six(adjugate) - det * sp.eye(3)) == []
-    assert remainders([det - A.det()]) == []
-
-
-def test_velocity_column_is_a_column_of_9() -> None:
-    """Column by column, Phi(V) times a matrix is Phi K of (9)."""
-    K = carrier.mass_matrix(True)
-    columns = [carrier.velocity_column().xreplace(table.bind("column", K[:, j])) for j in range(6)]
-    assert remainders(sp.Matrix.hstack(*columns) - Phi(V) * K) == []
 
 
 def test_terms_in_mounting_axes_are_the_literal_ones() -> None:

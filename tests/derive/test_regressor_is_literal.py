@@ -9,8 +9,8 @@ import pytest
 import sympy as sp
 
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.core.derive import carrier, drive, flywheel, point, regressor
-from mahovik.core.derive.screw import L, Phi, cross
+from mahovik.core.derive import carrier, flywheel, regressor
+from mahovik.core.derive.screw import L, Phi, cross, elementary
 from mahovik.core.derive.symbols import vector
 
 W = flywheel.generic()
@@ -23,26 +23,26 @@ def bind(name: str, values: sp.Matrix) -> dict[sp.Symbol, sp.Expr]:
     return dict(zip(vector(name), values, strict=True))
 
 
-def proper_acceleration(O: sp.Matrix) -> sp.Matrix:
-    """Proper acceleration of the point O, in E1, by the formula of the C."""
-    known = bind("O", O) | bind("velocity", carrier.v + cross(carrier.omega) * O)
-    return point.specific_force(weight=True).xreplace(known)
+def turned_axes() -> sp.Matrix:
+    """R C1: axes of the flywheel in E1."""
+    return trigonometric(W.R * elementary(1, W.phi), W.phi)
 
 
 def by_columns() -> sp.Matrix:
     """The wrench of one flywheel in its own frame: columns times parameters."""
-    N = regressor.turned_axes()
-    turned = bind("w", N.T * carrier.omega) | bind("a", N.T * drive.V_dot[3:, :])
-    known = bind("d", N.T * proper_acceleration(W.O))
-    known |= bind("w", regressor.flywheel_velocity().xreplace(turned))
-    known |= bind("a", regressor.flywheel_acceleration().xreplace(turned))
+    N, e1, v, omega = turned_axes(), sp.Matrix([1, 0, 0]), carrier.v, carrier.omega
+    v_dot, omega_dot = flywheel.V_dot[:3, :], flywheel.V_dot[3:, :]
+    proper = v_dot + cross(omega) * (v + cross(omega) * W.O) + cross(omega_dot) * W.O - G
+    own = N.T * omega
+    acceleration = N.T * omega_dot - W.phi_dot * cross(e1) * own + flywheel.phi_ddot * e1
+    known = bind("d", N.T * proper) | bind("w", own + W.phi_dot * e1) | bind("a", acceleration)
     return regressor.body_columns().xreplace(known) * PARAMETERS
 
 
 def literal() -> sp.Matrix:
     """Theta_s V_s* + Phi(V_s) Z_s less the weight, in Es; row 3 is the drive torque."""
-    in_Es = trigonometric(drive.literal_torque(W, carrier.V), W.phi)
-    g = regressor.turned_axes().T * G
+    in_Es = trigonometric(flywheel.literal_torque(W, carrier.V), W.phi)
+    g = turned_axes().T * G
     return in_Es - (W.m * g).col_join(cross(W.b) * g)
 
 
@@ -56,25 +56,15 @@ def test_the_carrier_rows_are_the_literal_equation() -> None:
     """K V* + M V + I phi'' + J phi' of one flywheel, (8), is L times its wrench; the force rows and the moment rows."""
     terms = flywheel.literal(W, carrier.V)
     M = Phi(carrier.V) * terms.K + terms.K_dot
-    equation = terms.K * drive.V_dot + M * carrier.V + terms.I * drive.phi_ddot + terms.J * W.phi_dot
+    equation = terms.K * flywheel.V_dot + M * carrier.V + terms.I * flywheel.phi_ddot + terms.J * W.phi_dot
     weight = (W.m * G).col_join(cross(W.m * W.O) * G)
-    N = regressor.turned_axes()
+    N = turned_axes()
     moment = N * W.b
     weight += sp.zeros(3, 1).col_join(cross(moment) * G)
     numbers = {**dict(zip(W.O, (2, -1, 3), strict=True)), W.phi_dot: 5}
     left = trigonometric(equation, W.phi) - weight
     right = L(W.O, N) * by_columns()
     assert remainders((left - right).xreplace(numbers), SO3) == []
-
-
-def test_a_first_moment_in_E1_is_the_same_column() -> None:
-    """`first_moment_columns` in E1 is L times the column in the body's frame, for each of its three directions."""
-    N, O = W.R, W.O
-    own = bind("d", N.T * vector("d")) | bind("a", N.T * vector("a")) | bind("w", N.T * vector("w"))
-    columns = L(O, N) * regressor.body_columns().xreplace(own)
-    for k in range(3):
-        inside = regressor.first_moment_columns().xreplace(bind("e", N[:, k]))
-        assert remainders(inside - columns[:, 1 + k], rotation(N)) == []
 
 
 def test_added_mass_is_the_literal_equation() -> None:

@@ -7,7 +7,7 @@ import sympy as sp
 
 from derive.exact import remainders, trigonometric
 from mahovik.core.derive import wrench as derived
-from mahovik.core.derive.screw import L, Phi, T, bracket, cross, e_bracket, elementary, f
+from mahovik.core.derive.screw import L, Phi, bracket, cross, e_bracket, elementary, f
 from mahovik.core.derive.symbols import matrix, vector
 
 
@@ -61,24 +61,7 @@ def test_weight_acts_at_the_mass_centre_of_all_bodies() -> None:
     assert remainders(derived.weight(True) - wanted) == []
 
 
-def test_transfer_of_points_is_the_paper_s_T() -> None:
-    """Velocity of a point, rotations there and back, moment of a force: parts of T [C] and its transpose."""
-    O, C, a = vector("O"), matrix("C"), vector("a")
-    twist = vector("v").col_join(vector("omega"))
-    assert remainders(derived.twist_at() - (T(O).T * twist)[:3, :]) == []
-    assert remainders(derived.turning_velocity() - cross_product(vector("omega"), O)) == []
-    assert remainders(derived.moment_of_force() - (T(O) * vector("f").col_join(sp.zeros(3, 1)))[3:, :]) == []
-    assert remainders(derived.rotated() - C * a) == []
-    assert remainders(derived.rotated_back() - C.T * a) == []
-
-
 def test_cross() -> None:
     """<a> b = a x b."""
     a, b = vector("a"), vector("b")
     assert remainders(cross(a) * b - cross_product(a, b)) == []
-
-
-def test_axes_of_a_turned_flywheel() -> None:
-    """R C1(phi)."""
-    phi = sp.Symbol("phi")
-    assert remainders(derived.turned_axes() - trigonometric(matrix("R") * elementary(1, phi), phi)) == []

@@ -116,6 +116,22 @@ def quaternion_product(a: sp.Matrix, b: sp.Matrix) -> sp.Matrix:
     return sp.Matrix([w]).col_join(a[0] * bv + b[0] * av + av.cross(bv))
 
 
+def quaternion_rate() -> sp.Matrix:
+    """q' = q (0, omega) / 2, omega in E1."""
+    return quaternion_product(vector("q", 4), sp.Matrix([0]).col_join(vector("omega"))) / 2
+
+
+def from_home() -> sp.Matrix:
+    """h* q: the turn from the home attitude h to the attitude q, quaternions with w first."""
+    home = vector("home", 4)
+    return quaternion_product(sp.Matrix([home[0], -home[1], -home[2], -home[3]]), vector("q", 4))
+
+
+def turned_home() -> sp.Matrix:
+    """h q: the attitude after the turn q from the home attitude h."""
+    return quaternion_product(vector("home", 4), vector("q", 4))
+
+
 def rotation_of_quaternion() -> sp.Matrix:
     """C = E + k (w <u> + <u><u>), k = 2 / (q . q): right for a quaternion of any length, so that it needs no root."""
     q, k = vector("q", 4), sp.Symbol("k")

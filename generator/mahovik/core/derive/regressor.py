@@ -12,7 +12,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive.screw import Phi, Theta, cross
-from mahovik.core.derive.symbols import matrix, symmetric, vector
+from mahovik.core.derive.symbols import symmetric, vector
 
 BODY = (sp.Symbol("m"), *vector("b"), *vector("J", 6))
 """The ten parameters of a body: mass, first moment b = m rc, and J about its origin: 11, 22, 33, 12, 13, 23."""
@@ -47,38 +47,3 @@ def added_mass_columns() -> sp.Matrix:
         unit[i, j] = unit[j, i] = 1
         columns.append((unit * rate + Phi(V) * unit * V).applyfunc(sp.expand))
     return sp.Matrix.hstack(*columns)
-
-
-def turned_axes() -> sp.Matrix:
-    """R C1: axes of a flywheel in E1 at the phase of c, s, 9 numbers; R are those at phase 0."""
-    c, s = sp.symbols("c s")
-    R = matrix("R")
-    return sp.Matrix.hstack(R[:, 0], R[:, 1] * c + R[:, 2] * s, R[:, 2] * c - R[:, 1] * s)
-
-
-def flywheel_velocity() -> sp.Matrix:
-    """omega + phi' e1, in Es; the carrier's omega in Es by `w`."""
-    return w + sp.Matrix([sp.Symbol("phi_dot"), 0, 0])
-
-
-def flywheel_acceleration() -> sp.Matrix:
-    """omega* - phi' <e1> omega + phi'' e1, in Es; the carrier's omega and omega* in Es by `w`, `a`."""
-    e1 = sp.Matrix([1, 0, 0])
-    return a - sp.Symbol("phi_dot") * cross(e1) * w + sp.Symbol("phi_ddot") * e1
-
-
-def origin_acceleration(weight: bool) -> sp.Matrix:
-    """v* + omega x v - g: proper acceleration d of O1, in E1."""
-    found = vector("v_dot") + cross(vector("omega")) * vector("v")
-    return found - vector("g") if weight else found
-
-
-def first_moment_columns() -> sp.Matrix:
-    """6x1: wrench about O1 of a first moment of 1 kg m along the unit vector `e`, in E1, of a body whose origin is O.
-
-    d, a, w as of `body_columns`, but in E1.
-    """
-    e, O = vector("e"), vector("O")
-    turn = cross(w) * e
-    force = cross(a) * e + cross(w) * turn
-    return force.col_join(cross(e) * d + cross(O) * force)

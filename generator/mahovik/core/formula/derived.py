@@ -1,6 +1,6 @@
 """The modules of derive/, whose functions give formulas here, read from the data file of the package without SymPy.
 
-`carrier.momentum(True)` is `mahovik.core.derive.carrier.momentum(True)` with its operations in the order of
+`wrench.weight(True)` is `mahovik.core.derive.wrench.weight(True)` with its operations in the order of
 formula/ordering. Type checkers and editors see the module of derive/ itself: names and arguments are checked, and a
 definition is found. `python tools/formulas.py` writes the file.
 """
@@ -17,10 +17,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 FILE = Path(__file__).with_name("derived.json")
 
-MODULES = (
-    *("accumulate", "attitude", "carrier", "carrying", "drive", "hold", "motion", "point", "regressor"),
-    "wrench",
-)
+MODULES = ("attitude", "carrying", "regressor", "wrench")
 """Modules of derive/ that give formulas."""
 
 
@@ -86,24 +83,19 @@ def _value(members: dict[str, Any]) -> Any:
 
 
 if TYPE_CHECKING:
-    from mahovik.core.derive import (
-        accumulate,
-        attitude,
-        carrier,
-        carrying,
-        drive,
-        hold,
-        motion,
-        point,
-        regressor,
-        wrench,
-    )
+    from mahovik.core.derive import attitude, carrying, regressor, wrench
 else:
-    accumulate, attitude, carrier, carrying, drive, hold, motion, point, regressor, wrench = (
-        FormulaModule(f"core.derive.{name}") for name in MODULES
-    )
+    attitude, carrying, regressor, wrench = (FormulaModule(f"core.derive.{name}") for name in MODULES)
 
 __all__ = [
-    "FILE", "MODULES", "Formula", "FormulaModule", "Matrix", "accumulate", "attitude", "carrier", "carrying", "drive",
-    "hold", "key", "motion", "point", "regressor", "wrench",
-]  # fmt: skip
+    "FILE",
+    "MODULES",
+    "Formula",
+    "FormulaModule",
+    "Matrix",
+    "attitude",
+    "carrying",
+    "key",
+    "regressor",
+    "wrench",
+]

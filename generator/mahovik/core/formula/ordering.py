@@ -21,7 +21,7 @@ import sympy as sp
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.formula.derived import MODULES, Formula, Matrix, key
 
-VARIANTS = dict.fromkeys(("added_mass", "displaces", "weight"), (False, True)) | {"sequence": tuple(SEQUENCES)}
+VARIANTS = {"displaces": (False, True), "sequence": tuple(SEQUENCES)}
 """Parameters of the functions of derive/ that give formulas, and all that they can be."""
 
 

@@ -12,7 +12,6 @@ from typing import Any
 from mahovik.contract.quantities import SINGULAR_BELOW
 from mahovik.core.derive.order import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
-from mahovik.core.formula.derived import hold as of_hold
 from mahovik.core.lower.checks import check_number, check_vector
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedoms import (
@@ -278,7 +277,7 @@ def add_held_coordinates(lib: Library) -> None:
         attitude = reals(4)
         turn = reals(4)  # from the home attitude, as a quaternion
         write_turn(lib, freedoms, table, q, orientation, turn)
-        attitude[:] = formula(of_hold.turned_home(), home=table.home_attitude, q=turn)
+        attitude[:] = formula(derived.turned_home(), home=table.home_attitude, q=turn)
         position = write_position(lib, freedoms, table, q, attitude)
         u = reals(m)
         u_dot = reals(m)
@@ -352,7 +351,7 @@ def turn_rates(freedoms: Ways, table: Any, R: Any, own: Any, name: str, out: Any
 def read_turn(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> Any:
     """Writes the angle or the quaternion; gives the turn from the home pose as a quaternion of any length."""
     turn = reals(4)  # from the home attitude, quaternion with w >= 0
-    turn[:] = formula(of_hold.from_home(), home=table.home_attitude, q=x.attitude)
+    turn[:] = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)
     if turn[0] < 0:
         turn[:] = -turn
     if turns_about_point(freedoms.ways):

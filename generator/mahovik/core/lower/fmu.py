@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from mahovik.core import routines
-from mahovik.core.formula.derived import hold as held
-from mahovik.core.formula.derived import motion as derived
+from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.lower import checks, rotation
 from mahovik.core.lower.coordinates import Target, Ways, read_slides, read_turn
 from mahovik.core.lower.freedoms import TURNS, columns, own_coordinates, speeds, turns_about_point
@@ -195,7 +194,7 @@ def blocked_pose(lib: Library, table: Any, x: Any, off: Reals) -> None:
     off[6:9] = own - slid
     if not turns_about_point(lib.layout.ways):
         turn = reals(4)  # from the home attitude
-        turn[:] = formula(held.from_home(), home=table.home_attitude, q=x.attitude)
+        turn[:] = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)
         axis = turning_axis(lib.layout.ways, table)
         about: float = 0  # part of the turn about the axis
         for one, value in zip(axis, turn[1:4], strict=True):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from mahovik.core.formula.derived import motion as derived
+from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.lower import hold
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.flywheels import turns_of
