@@ -98,7 +98,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
         "vibration",
         "sat4",
         {"speed": 1.0, "improve": True, "momentum": (0, 0)},
-        "momentum (0, 0): expected three numbers",
+        "momentum (0, 0): expected three finite numbers",
     ),
     ("verify", "demo3", {"states": 0}, "states 0: expected a whole number of at least 1"),
     ("verify", "demo3", {"real": "half"}, "'half'"),

@@ -14,9 +14,9 @@ import pytest
 
 from by_hand.stands import stand, wheel
 from mahovik.core.stand import rest_state
-from mahovik.out.commands.vibration import avoided_bands
 from mahovik.out.export.fmu import export_fmu
 from mahovik.proof.evidence import check, seal
+from mahovik.use.vibration.improve import avoided_bands
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.study import vibration
 from mahovik.use.vibration.view import find_view

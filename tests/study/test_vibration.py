@@ -417,7 +417,7 @@ def test_limits_and_frequencies_to_be_avoided_hold() -> None:
     ("wanted", "error", "words"),
     [
         ({"momentum": "0 0 40"}, CheckError, r"needs 1\.4\d* times the speed limits"),
-        ({"momentum": "0 0"}, UsageError, "expected three numbers"),
+        ({"momentum": "0 0"}, UsageError, "expected three finite numbers"),
         ({"speed": {"all": "0..10rpm"}}, UsageError, "expected one set of speeds"),
         ({"improve": False, "limit": 3.0}, UsageError, "expected improve as well"),
         ({"avoid": "35"}, UsageError, "expected a frequency with its unit"),

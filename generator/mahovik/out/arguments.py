@@ -159,6 +159,19 @@ def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.
     return found
 
 
+def vector(name: str, given: str | Sequence[float], expected: str) -> Any:
+    """An array of three numbers of an argument `name`, or of a text of three. Raises UsageError."""
+    import numpy as np
+
+    try:
+        found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
+    except ValueError:
+        found = np.zeros(0)
+    if found.shape != (3,) or not np.isfinite(found).all():
+        raise UsageError(f"{name} {given}: expected three finite numbers, {expected}")
+    return found
+
+
 def time(name: str, value: Number) -> float:
     """A time in s of an argument `name`, which the caller still has to bound. Raises UsageError."""
     from mahovik.core.stand.units import TIME

@@ -96,7 +96,7 @@ def _drawn_line(now: Progress) -> Any:
         columns.insert(2, BarColumn(BAR))
     # standard streams stay what they are: results may go to a pipe meanwhile
     found = Lines(*columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False)
-    found.add_task(now.words, completed=now.done or 0.0, total=now.total)
+    found.add_task(now.words, completed=int(now.done or 0), total=now.total)
     return found
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,13 +15,8 @@ if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
     from mahovik.core.stand.summary import Summary
     from mahovik.core.stand.written import Written
-    from mahovik.use.study.fluid import Fluid
 
 AXES = ("x", "y", "z")
-TWIST = ("x", "y", "z", "rx", "ry", "rz")
-
-NEUTRAL = 1e-6
-"""Growth over the velocity, 1/m, that rounding may give to a double eigenvalue 0 of derivatives by differences."""
 
 
 def check(
@@ -181,42 +175,20 @@ def _weakest(capacity: Capacity) -> str:
 
 def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None, list[str]]:
     """The static equilibrium with flywheels at rest, and sentences about it; None and why where there is none."""
-    import numpy as np
-
-    from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
     from mahovik.proof.verify.states import state_object
-    from mahovik.use.study.rest import rest
+    from mahovik.use.study.rest import TWIST, rest, sag
 
     try:
         found = rest(stand, phases)
     except CheckError as error:
         return None, [f"rest pose: {error}"]
-    w, *vector = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
-    turn = 2.0 * math.degrees(math.atan2(math.hypot(*vector), w))
-    place = ", ".join(f"{round(x, 9) + 0.0:.9g}" for x in found.state.position)
-    words = [
-        f"rest pose: O1 at ({place}) m in E0, turned by {turn:.6g} deg; V_dot {max(map(abs, found.V_dot)):.2g} remains"
-    ]
-    if found.free:
-        free = [
-            [f"{name} {round(x, 6):.6g}" for name, x in zip(TWIST, twist, strict=True) if round(x, 6)]
-            for twist in found.free
-        ]
-        words.append(f"free directions, m and rad in E1: {'; '.join('  '.join(twist) for twist in free)}")
-    more: dict[str, Any] = {"frequencies": found.frequencies}
-    if found.unstable:
-        words.append("warning: unstable, the stand would leave this pose")
-    elif any(found.frequencies):
-        words.append(f"natural frequencies, flywheels locked, Hz: {'  '.join(f'{f:.5g}' for f in found.frequencies)}")
-    suspension: Any = next((law for law in stand.laws if getattr(law, "isolators", ())), None)
-    if suspension is not None:
-        C = carrier_rotation(stand, found.state)
-        shift = C.T @ np.subtract(found.state.position, suspension.position)
-        more["sag"] = [*shift, *rotation_vector(attitude(stand.angles, *suspension.angles).T @ C)]
-        shown = "  ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, more["sag"], strict=True))
+    words, more = found.words(), dict[str, Any]()
+    if (low := sag(stand, found.state)) is not None:
+        more["sag"] = low.tolist()
+        shown = "  ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, low, strict=True))
         words.append(f"static sag of the isolators from where they are unloaded, mm and mrad in E1: {shown}")
-    state = state_object(found.state)
-    return {"state": state, "V_dot": found.V_dot, "free": found.free, "unstable": found.unstable, **more}, words
+    numbers = {name: getattr(found, name) for name in ("V_dot", "free", "unstable", "frequencies")}
+    return {"state": state_object(found.state), **numbers, **more}, words
 
 
 def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]]:
@@ -225,34 +197,9 @@ def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]
         return {}, []
     from mahovik.use.study.fluid import fluid
 
-    found: Fluid = fluid(stand, ahead)
-    words = []
-    for one in found.powers:
-        drives = "drives nowhere that was tried"
-        if one.positive:
-            twist = ", ".join(f"{x + 0.0:.3g}" for x in one.twist)
-            drives = f"drives from {one.speed:.3g} m/s: {one.power:.3g} W at ({twist})"
-        words.append(f"laws of the fluid on {one.body}, {'twists ahead' if one.ahead else 'any twist'}: {drives}")
-    if not found.powers:
-        words.append("fluid: no body has a law of its twist relative to the fluid")
-    if found.engines:
-        words.append(f"propellers on {', '.join(found.engines)} are there to drive, and left out")
-    if (added := found.added_mass) is not None:
-        kind = "definite" if added.least > 1e-9 else "semidefinite"
-        words.append(
-            f"added mass: symmetric, {kind} in its {added.rows} rows (least eigenvalue at unit diagonal "
-            f"{added.least:.4g}); moment of Munk {added.sway:.5g} kg u v about z, {added.heave:.5g} kg u w about y"
-        )
-        if added.without:
-            words.append(
-                f"the published derivatives on {', '.join(added.without)} contain these products: they count once"
-            )
-    neutral = abs(found.growth) <= NEUTRAL * found.velocity
-    course = "neutral" if neutral else "the course is unstable" if found.growth > 0.0 else "small motions decay"
-    growth = 0.0 if neutral else found.growth
-    words.append(f"at {found.velocity:g} m/s ahead, without weight: growth rate {growth:.4g} 1/s, {course}")
+    found = fluid(stand, ahead)
     powers = [vars(one) | {"speed": one.speed if one.positive else None} for one in found.powers]
-    return {"fluid": vars(found) | {"powers": powers}}, words
+    return {"fluid": vars(found) | {"powers": powers}}, found.words()
 
 
 def _tools() -> Result:

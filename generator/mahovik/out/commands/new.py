@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import FilePath, Progressing, Text
+from mahovik.out.arguments import FilePath, Progressing, Text, vector
 from mahovik.out.notices import Progress, tell
 from mahovik.out.result import Result, column
 
@@ -168,7 +168,15 @@ def _import(
 
     own = called or stand_name(model.name or source.stem)
     target = new_file(output, own)
-    made = make_stand(model, own, source.name, carrier=carrier, gravity=_vector(gravity), instruments=instruments)
+    down = None if gravity is None else vector("gravity", gravity, "as 0,0,-9.81")
+    made = make_stand(
+        model,
+        own,
+        source.name,
+        carrier=carrier,
+        gravity=down,
+        instruments=instruments,
+    )
     text = stand_file(made, source.name, "mahovik new")
     tell(progress, Progress(f"comparing with {source.name}"))
     comparison = _comparison_words(made, original, source)
@@ -177,22 +185,6 @@ def _import(
     parts = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
     words = [f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in parts if n or noun == "flywheel"]
     return _list_of([target], [f"carrier {made.carrier}, {', '.join(words)}", *made.notes, comparison])
-
-
-def _vector(gravity: Any) -> Any:
-    """Three numbers, or a text of three. Raises UsageError."""
-    import numpy as np
-
-    if gravity is None:
-        return None
-    try:
-        parts = gravity.replace(",", " ").split() if isinstance(gravity, str) else gravity
-        found = np.array([float(x) for x in parts])
-    except ValueError:
-        found = np.zeros(0)
-    if found.shape != (3,) or not np.isfinite(found).all():
-        raise UsageError(f"gravity {gravity}: expected three finite numbers, as 0,0,-9.81")
-    return found
 
 
 def _comparison_words(made: ImportedStand, original: Callable[[ImportedStand], Original], source: Path) -> str:

@@ -32,7 +32,6 @@ if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
     from mahovik.use.control.errors import Errors
     from mahovik.use.control.loop import Case as Following
-    from mahovik.use.control.loop import Record
 
 Share = Annotated[float | str, "PERCENT"]
 
@@ -215,7 +214,8 @@ def _follow(
         meta["trim"] = {"rounds": record.rounds} | {
             key: getattr(case.design, key) for key in ("radius", "margin", "rank")
         }
-    return _result(stand, record.columns(), title, meta, _sentences(case, record, errors, mismatch, seed), record)
+    words = errors.words(case, record, f"mismatch {mismatch}, seed {seed}")
+    return _result(stand, record.columns(), title, meta, words, record)
 
 
 def _coordinates(errors: Errors) -> Result:
@@ -231,32 +231,6 @@ def _coordinates(errors: Errors) -> Result:
         orders = [str(k) for k in range(1, len(errors.harmonics) + 1)]
         columns.append(column("harmonics", "", errors.harmonics.T, orders))
     return Result("errors of coordinates", columns, rows="coordinates", index="coordinate", details=("harmonics",))
-
-
-def _sentences(case: Following, record: Record, errors: Errors, mismatch: Any, seed: int) -> list[str]:
-    names = [s.name for s in case.reference.stand.flywheels]
-    furthest, strongest = int(np.argmax(errors.apart)), int(np.argmax(np.abs(record.tau).max(axis=0)))
-    about = (
-        f"about its mean, over the last {errors.periods} of {case.periods} periods"
-        if errors.end is None
-        else f"{100 * (errors.share_end or 0.0):.3g} % at the end"
-    )
-    lines = [
-        f"error of the carrier {100 * errors.share:.3g} % of its amplitude (rms {100 * errors.share_rms:.3g} %), "
-        f"{about}; mismatch {mismatch}, seed {seed}",
-        f"flywheels: at most {1e3 * errors.apart[furthest]:.3g} mrad from the programme ({names[furthest]}); torque at "
-        f"most {np.abs(record.tau[:, strongest]).max():.4g} N m ({names[strongest]}), cut in {record.limited} of "
-        f"{len(record.t)} samples",
-    ]
-    if errors.slew is not None:
-        angle, rate = (math.degrees(errors.slew[key]) * 3600 for key in ("angle", "rate"))
-        lines.append(f"the slew ends {angle:.3g} arcsec from its end, with rates up to {rate:.3g} arcsec/s")
-    if case.design is not None:
-        lines.append(
-            f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} per round; the settled trim "
-            f"converges while its model is less than {100 * case.design.margin:.3g} % wrong"
-        )
-    return lines
 
 
 def _name(given: Any, otherwise: str) -> str:

@@ -126,7 +126,7 @@ def vibration(
     warn_of_turn(own)
     verdicts = [found.judge(each) for each in limits]
     meta: dict[str, Any] = {"requirements": [_verdict(found, each) for each in verdicts]} if limits else {}
-    messages = [*(_verdict_line(found, each) for each in verdicts), *_messages(found)]
+    messages = [*map(found.verdict_words, verdicts), *found.remarks()]
     ok = all(each.met for each in verdicts)
     if improve:
         better, words = _improve(own, found, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
@@ -209,53 +209,6 @@ def _verdict(found: Study, verdict: Verdict) -> dict[str, Any]:
     }
 
 
-def _verdict_line(found: Study, verdict: Verdict) -> str:
-    said = f"{'met' if verdict.met else 'FAILED'}: {verdict.requirement.text}"
-    where = f" at {_rpm(found, verdict.step)}" if found.plan.sweep is not None else ""
-    if not np.isfinite(verdict.value):
-        return f"{said}: there is no steady motion{where}"
-    return f"{said}: {100.0 * verdict.value / verdict.requirement.limit:.4g} % of it{where}"
-
-
-def _rpm(found: Study, step: int) -> str:
-    from mahovik.contract.quantities import RPM
-
-    return f"{RPM * found.value[step]:.6g} rpm"
-
-
-def _messages(found: Study) -> list[str]:
-    """Remarks on accuracy, problems, stability, and what is held."""
-    from mahovik.contract.quantities import RPM
-    from mahovik.core.stand.hold import numbers_in_words
-
-    many, messages = len(found.value), []
-    if many > 1:
-        of = f"the whole equations are solved at {len(found.whole)} of {many} speeds; "
-        messages.append(f"{of}the RMS of the linear ones is that of theirs within {found.off:.1e}")
-    for step, words in list(found.problems.items())[:1]:
-        where = f"at {_rpm(found, step)}: " if many > 1 else ""
-        more = f"; so at {len(found.problems)} speeds" if len(found.problems) > 1 else ""
-        messages.append(f"warning: {where}{words}{more}")
-    if found.coarse is not None:
-        near = f"coarse near {RPM * found.coarse:.6g} rpm"
-        messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
-    unstable = [step for step, each in found.whole.items() if each.unstable]
-    if unstable:
-        messages.append(f"warning: unstable at {_rpm(found, min(unstable))}: deviations from this motion grow")
-    hold = max((each.hold for each in found.whole.values()), key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
-    if np.abs(hold).max() > 1e-12:
-        force, moment = (float(np.linalg.norm(part)) for part in (hold[:3], hold[3:]))
-        words = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m holds its mean place"
-        messages.append(f"the stand is free to drift: {words}")
-    if found.chain.makers.structure is not None:
-        mass, gyro = (float(each.max(initial=0.0)) for each in found.chain.ratios)
-        shift = f"would shift a frequency by up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
-        messages.append(f"structural modes do not act back on the wheels, which {shift}")
-    if found.seen.name.startswith("hold.") and (words := numbers_in_words(found.scene.stand.hold, "hold.")):
-        messages.append(words)
-    return messages
-
-
 def _improve(
     stand: Stand, found: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
 ) -> tuple[dict[str, Any], list[str]]:
@@ -263,55 +216,20 @@ def _improve(
     from mahovik.contract.quantities import RPM
     from mahovik.core.stand.units import SPEED
     from mahovik.errors import whole_number
-    from mahovik.out.arguments import quantity
-    from mahovik.use.vibration.improve import Freedom, improve
-    from mahovik.use.vibration.speeds import SpeedPlan
-    from mahovik.use.vibration.study import vibration as find
+    from mahovik.out.arguments import quantity, vector
+    from mahovik.use.vibration.improve import Freedom, avoided_bands, improve_vibration
 
     most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
-    freedom = Freedom.of(stand, found.speeds[0], _momentum(momentum), most, avoided_bands(found, avoid))
+    wanted = None if momentum is None else vector("momentum", momentum, 'in N m s, as "0 0 14"')
     whole_number("seed", seed, 0)
-    speeds, phases = improve(found.chain, freedom, band, seed=seed, go_on=clock.go_on)
-    plan, within = SpeedPlan.constants(stand, speeds.tolist()), None if band == (0.0, np.inf) else band
-    after = find(found.scene, plan, found.seen, phases=phases.tolist(), makers=found.chain.makers, bands=[within])
-    before, now = (float(np.linalg.norm(each.sums(within).rms[0])) for each in (found, after))
-    words = f"{before / now:.4g} times quieter" if 0.0 < now < before else "no allowed speeds are quieter"
-    said = [f"{words}: RMS {before:.4g} before, {now:.4g} {found.seen.measure.unit} after, of the whole equations"]
-    for wheel, turning, angle in zip(plan.names, speeds, phases, strict=True):
+    freedom = Freedom.of(stand, found.speeds[0], wanted, most, avoided_bands(found, avoid))
+    better = improve_vibration(found, freedom, band, seed=seed, go_on=clock.go_on)
+    before, after = better.before, better.after
+    words = f"{before / after:.4g} times quieter" if 0.0 < after < before else "no allowed speeds are quieter"
+    said = [f"{words}: RMS {before:.4g} before, {after:.4g} {found.seen.measure.unit} after, of the whole equations"]
+    for wheel, turning, angle in zip(found.plan.names, better.speeds, better.phases, strict=True):
         said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
-    return {"speeds": speeds, "phases": phases, "before": before, "after": now}, said
-
-
-def _momentum(given: Any) -> Any:
-    """The momentum to hold (3); None: that of the speeds. Raises UsageError."""
-    from mahovik.errors import UsageError
-
-    if given is None:
-        return None
-    try:
-        found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
-    except ValueError:
-        found = np.zeros(0)
-    if found.shape != (3,) or not np.isfinite(found).all():
-        raise UsageError(f'momentum {given}: expected three numbers, in N m s, as "0 0 14"')
-    return found
-
-
-def avoided_bands(found: Study, avoid: str | Sequence[str]) -> list[Interval]:
-    """Bands (Hz) to be avoided: ranges as they are, 10 % to both sides of frequencies. Raises UsageError."""
-    from mahovik.use.vibration.band import read_band, read_frequency
-    from mahovik.use.vibration.campbell import natural_at
-
-    bands = []
-    for text in [avoid] if isinstance(avoid, str) else avoid:
-        if ".." in text:
-            bands.append(read_band("avoid", text))
-            continue
-        single = [read_frequency("avoid", text)] if text != "modes" else []
-        if text == "modes" and found.scene.count:
-            single = natural_at(found.scene, found.plan, found.value)[0][0].tolist()
-        bands += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
-    return bands
+    return better._asdict(), said
 
 
 def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:
@@ -338,7 +256,7 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
     largest, listed = found.largest(band), _line_columns(found, band)
     wheel = found.plan.names[found.plan.swept or 0]
     peak = {"value": largest.value, "unit": unit, "speed": float(found.value[largest.step]), "quantity": seen.quantity}
-    line = f"largest amplitude {largest.value:.6g} {unit} at {_rpm(found, largest.step)}, {largest.frequency:.6g} Hz"
+    line = f"largest amplitude {largest.value:.6g} {unit} at {found.rpm(largest.step)}, {largest.frequency:.6g} Hz"
     return Result(
         f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
         (

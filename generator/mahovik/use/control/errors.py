@@ -8,6 +8,7 @@ its required state: there the errors are those of the whole run, and what is lef
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -19,7 +20,7 @@ from mahovik.core.motion.required import Slew, rows_of
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import scale_of, twist
-from mahovik.use.control.loop import MEASURED, Record
+from mahovik.use.control.loop import MEASURED, Case, Record
 from mahovik.use.numeric.se3 import Array
 
 HARMONICS = 6
@@ -63,6 +64,31 @@ class Errors:
     def shares(self) -> list[float | None]:
         """Peak errors over each coordinate's own amplitude; None for one that is held still."""
         return [float(p / a) if a > STILL else None for p, a in zip(self.peak, self.amplitude, strict=True)]
+
+    def words(self, case: Case, record: Record, of: str) -> list[str]:
+        """How well the carrier follows, in sentences; `of`: the mismatch of the run."""
+        names = [s.name for s in case.reference.stand.flywheels]
+        furthest, torques = int(np.argmax(self.apart)), np.abs(record.tau).max(axis=0)
+        strongest = int(np.argmax(torques))
+        about = f"about its mean, over the last {self.periods} of {case.periods} periods"
+        if self.end is not None:
+            about = f"{100 * (self.share_end or 0.0):.3g} % at the end"
+        found = [
+            f"error of the carrier {100 * self.share:.3g} % of its amplitude (rms {100 * self.share_rms:.3g} %), "
+            f"{about}; {of}",
+            f"flywheels: at most {1e3 * self.apart[furthest]:.3g} mrad from the programme ({names[furthest]}); torque "
+            f"at most {torques[strongest]:.4g} N m ({names[strongest]}), cut in {record.limited} of {len(record.t)} "
+            "samples",
+        ]
+        if self.slew is not None:
+            angle, rate = (math.degrees(self.slew[key]) * 3600 for key in ("angle", "rate"))
+            found.append(f"the slew ends {angle:.3g} arcsec from its end, with rates up to {rate:.3g} arcsec/s")
+        if case.design is not None:
+            found.append(
+                f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} per round; the settled "
+                f"trim converges while its model is less than {100 * case.design.margin:.3g} % wrong"
+            )
+        return found
 
 
 def errors_of(record: Record, periods: int = MEASURED) -> Errors:

@@ -26,6 +26,9 @@ DIRECTIONS = 4096
 ROUNDING = 1e-12
 """Part of the sum of all magnitudes below which power is rounding."""
 
+NEUTRAL = 1e-6
+"""Growth over the velocity, 1/m, that rounding may give to a double eigenvalue 0 of derivatives by differences."""
+
 _SEED = 24
 _STEP = 1e-6
 
@@ -47,6 +50,13 @@ class Power:
     speed: float
     twist: tuple[float, ...]
     power: float
+
+    def __str__(self) -> str:
+        drives = "drives nowhere that was tried"
+        if self.positive:
+            twist = ", ".join(f"{x + 0.0:.3g}" for x in self.twist)
+            drives = f"drives from {self.speed:.3g} m/s: {self.power:.3g} W at ({twist})"
+        return f"laws of the fluid on {self.body}, {'twists ahead' if self.ahead else 'any twist'}: {drives}"
 
 
 @dataclass(frozen=True)
@@ -82,6 +92,26 @@ class Fluid:
     added_mass: AddedMass | None
     velocity: float
     growth: float
+
+    def words(self) -> list[str]:
+        """What is found, in sentences."""
+        found = [str(one) for one in self.powers] or ["fluid: no body has a law of its twist relative to the fluid"]
+        if self.engines:
+            found.append(f"propellers on {', '.join(self.engines)} are there to drive, and left out")
+        if (added := self.added_mass) is not None:
+            kind = "definite" if added.least > 1e-9 else "semidefinite"
+            found.append(
+                f"added mass: symmetric, {kind} in its {added.rows} rows (least eigenvalue at unit diagonal "
+                f"{added.least:.4g}); moment of Munk {added.sway:.5g} kg u v about z, {added.heave:.5g} kg u w about y"
+            )
+            if added.without:
+                bodies = ", ".join(added.without)
+                found.append(f"the published derivatives on {bodies} contain these products: they count once")
+        neutral = abs(self.growth) <= NEUTRAL * self.velocity
+        course = "neutral" if neutral else "the course is unstable" if self.growth > 0.0 else "small motions decay"
+        growth = 0.0 if neutral else self.growth
+        found.append(f"at {self.velocity:g} m/s ahead, without weight: growth rate {growth:.4g} 1/s, {course}")
+        return found
 
 
 def fluid(stand: Stand, velocity: float) -> Fluid:

@@ -19,11 +19,14 @@ from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import stream_at
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
 from mahovik.proof.verify.scales import Scales
 from mahovik.use.simulate.held import displacement, home, move
 
 Array = NDArray[np.float64]
+
+TWIST = ("x", "y", "z", "rx", "ry", "rz")
+"""Parts of a small twist."""
 
 AT_REST = 1e-12
 """m/s2, rad/s2: largest component of V_dot in equilibrium, or rounding if that is larger."""
@@ -55,6 +58,39 @@ class Rest:
     free: tuple[Vec6, ...]
     unstable: bool
     frequencies: tuple[float, ...] = ()
+
+    def words(self) -> list[str]:
+        """Pose, free directions, stability and natural frequencies, in sentences."""
+        w, *vector = self.state.quaternion or (1.0, 0.0, 0.0, 0.0)
+        turn = 2.0 * math.degrees(math.atan2(math.hypot(*vector), w))
+        place = ", ".join(f"{round(x, 9) + 0.0:.9g}" for x in self.state.position)
+        left = f"V_dot {max(map(abs, self.V_dot)):.2g} remains"
+        found = [f"rest pose: O1 at ({place}) m in E0, turned by {turn:.6g} deg; {left}"]
+        if self.free:
+            directions = (twist_words(twist, 6) for twist in self.free)
+            found.append(f"free directions, m and rad in E1: {'; '.join(directions)}")
+        if self.unstable:
+            found.append("warning: unstable, the stand would leave this pose")
+        elif any(self.frequencies):
+            frequencies = "  ".join(f"{f:.5g}" for f in self.frequencies)
+            found.append(f"natural frequencies, flywheels locked, Hz: {frequencies}")
+        return found
+
+
+def twist_words(twist: Sequence[float], digits: int) -> str:
+    """The parts of a small twist that are not zero to some decimals, by name."""
+    parts = ((name, round(x, digits)) for name, x in zip(TWIST, twist, strict=True))
+    return "  ".join(f"{name} {x:.6g}" for name, x in parts if x)
+
+
+def sag(stand: Stand, state: State) -> Array | None:
+    """How far isolators sag (6; m, rad in E1) from where they are unloaded; None without isolators."""
+    suspension: Any = next((law for law in stand.laws if getattr(law, "isolators", ())), None)
+    if suspension is None:
+        return None
+    C = carrier_rotation(stand, state)
+    turned = attitude(stand.angles, *suspension.angles).T @ C
+    return np.concatenate([C.T @ np.subtract(state.position, suspension.position), rotation_vector(turned)])
 
 
 def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:

@@ -14,6 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
+from mahovik.core.stand.hold import numbers_in_words
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.numeric.se3 import Array
@@ -123,6 +125,48 @@ class Vibration:
         values = np.where(np.isfinite(values), values, np.inf)
         step, axis = np.unravel_index(int(np.argmax(values)), values.shape)
         return Verdict(requirement, float(values.max()), int(step), int(axis))
+
+    def rpm(self, step: int) -> str:
+        """The swept speed at a step, in words."""
+        return f"{RPM * self.value[step]:.6g} rpm"
+
+    def verdict_words(self, verdict: Verdict) -> str:
+        """A requirement and how far it is met, in words."""
+        said = f"{'met' if verdict.met else 'FAILED'}: {verdict.requirement.text}"
+        where = f" at {self.rpm(verdict.step)}" if self.plan.sweep is not None else ""
+        if not np.isfinite(verdict.value):
+            return f"{said}: there is no steady motion{where}"
+        return f"{said}: {100.0 * verdict.value / verdict.requirement.limit:.4g} % of it{where}"
+
+    def remarks(self) -> list[str]:
+        """Sentences on accuracy, problems, stability, and what is held."""
+        many, messages = len(self.value), []
+        if many > 1:
+            of = f"the whole equations are solved at {len(self.whole)} of {many} speeds; "
+            messages.append(f"{of}the RMS of the linear ones is that of theirs within {self.off:.1e}")
+        for step, words in list(self.problems.items())[:1]:
+            where = f"at {self.rpm(step)}: " if many > 1 else ""
+            more = f"; so at {len(self.problems)} speeds" if len(self.problems) > 1 else ""
+            messages.append(f"warning: {where}{words}{more}")
+        if self.coarse is not None:
+            near = f"coarse near {RPM * self.coarse:.6g} rpm"
+            messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
+        unstable = [step for step, each in self.whole.items() if each.unstable]
+        if unstable:
+            messages.append(f"warning: unstable at {self.rpm(min(unstable))}: deviations from this motion grow")
+        holds = [each.hold for each in self.whole.values()]
+        hold = max(holds, key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
+        if np.abs(hold).max() > 1e-12:
+            force, moment = (float(np.linalg.norm(part)) for part in (hold[:3], hold[3:]))
+            words = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m holds its mean place"
+            messages.append(f"the stand is free to drift: {words}")
+        if self.chain.makers.structure is not None:
+            mass, gyro = (float(each.max(initial=0.0)) for each in self.chain.ratios)
+            shift = f"would shift a frequency by up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
+            messages.append(f"structural modes do not act back on the wheels, which {shift}")
+        if self.seen.name.startswith("hold.") and (words := numbers_in_words(self.scene.stand.hold, "hold.")):
+            messages.append(words)
+        return messages
 
     def largest(self, band: Band | None = None) -> Largest:
         """The largest amplitude in a band; lines of one frequency add up."""
