@@ -41,7 +41,6 @@ LISTS = {
     "index": "",
     "python": "python/",
     "tutorial": "tutorial-",
-    "diagnosis": "audits",
 }
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""
 

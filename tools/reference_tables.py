@@ -27,7 +27,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.datasheet import UnbalanceTable
 from mahovik.core.stand.declare import Declared, Tables
 from mahovik.core.stand.fields import Mat3, Mat6, QuantityValidator, Table, Vec3
-from mahovik.core.stand.law import Bounds, FreedomItem
+from mahovik.core.stand.law import BodyLaw, Bounds, FreedomItem, HeldLaw
 from mahovik.core.stand.laws import body_laws, body_table, carrier_laws
 from mahovik.core.stand.model import (
     Carrier,
@@ -208,6 +208,24 @@ def top_rows() -> Iterator[tuple[str, ...]]:
             yield from (row for row in key_rows(keys, law) if row[0].strip("`") in law.header)
 
 
+def law_lines() -> Iterator[str]:
+    """The table of laws, in the order in which their wrenches are added up."""
+    rows = [("`laws/weight`", "`gravity`", "every body", "Force of gravity at the centre of mass")]
+    for law in (*body_laws(), *carrier_laws()):
+        data = law.item or law
+        words = inspect.cleandoc(data.__doc__ or "").partition("\n")[0].rstrip(".")
+        prefix, bearer = "", "carrier"
+        if issubclass(law, HeldLaw):
+            prefix, bearer = "hold.", "freedoms"
+        elif law.mounted:
+            bearer = "carrier, instruments"
+        elif issubclass(law, BodyLaw):
+            bearer = "every body"
+        key = f"`[[{prefix}{law.key}]]`" if law.item else f"`{law.key}`"
+        rows.append((f"`laws/{law.__module__.split('.')[2]}`", key, bearer, words))
+    return table(("folder", "keys", "acts on", "what it is"), rows)
+
+
 # -- functions of the C ----------------------------------------------------------------------------------------------
 
 
@@ -236,14 +254,14 @@ def function_lines() -> Iterator[str]:
     for name, (stand, function, program) in functions().items():
         taken = ", ".join(a.name + lengths(a.shape) for a in function.arguments if a.direction != "out")
         given = ", ".join(map(result_text, (a for a in function.arguments if a.direction != "in")))
-        more = ", ".join(f"`{status}`" for status in function.statuses if status not in COMMON)
-        counted = f"{cost(function, program.whole).total:,}, {stack_bound(function, program):,}"
+        more = [f"`{status}`" for status in function.statuses if status not in COMMON]
         does = purpose_with_number(function).replace(f"the task {task_of(function.name)}", "a task")
-        rows.append((
-            f"`{name}`", f"{does[0].upper()}{does[1:]} Takes `{taken}`; gives `{given}`", more,
-            counted if stand == "bench8" else f"{counted} ({stand})",
-        ))  # fmt: skip
-    return table(("function", "what it does, and its arguments", "statuses", "operations, stack"), rows)
+        text = f"{does[0].upper()}{does[1:]} Takes `{taken}`; gives `{given}`."
+        if more:
+            text += f" Also returns {', '.join(more)}."
+        counted = f"{cost(function, program.whole).total:,}" + ("" if stand == "bench8" else f" ({stand})")
+        rows.append((f"`{name}`", text, counted, f"{stack_bound(function, program):,}"))
+    return table(("function", "what it does, takes, gives and returns", "operations", "stack"), rows)
 
 
 def lengths(shape: Shape) -> str:
@@ -322,6 +340,7 @@ def contract_lines() -> Iterable[str]:
 
 MADE: dict[str, Callable[[], Iterable[str]]] = {
     **key_tables(),
+    "laws": law_lines,
     "functions": function_lines,
     "arguments": argument_lines,
     "statuses": status_lines,

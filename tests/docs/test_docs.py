@@ -52,6 +52,21 @@ def test_pages_named_in_the_code_exist() -> None:
             assert (ROOT / name).is_file() or (ROOT / "templates" / f"{name}.j2").is_file(), (source.name, name)
 
 
+@pytest.mark.parametrize("name", ["architecture", "model"])
+def test_files_of_the_package_named_on_a_page_exist(name: str) -> None:
+    """By their paths in the package, or below the folder that the head of the table names."""
+    folders = [
+        PACKAGE,
+        *(
+            PACKAGE / each
+            for each in ("core", "core/stand", "proof/reference", "proof/second", "laws/fin", "laws/cross_flow")
+        ),
+    ]
+    named = set(re.findall(r"`([a-z][\w/]*\.py)`", prose(ROOT / "docs" / f"{name}.md")))
+    files = {each for each in named if not each.startswith(("tools/", "tests/"))}
+    assert [each for each in files if not any((folder / each).is_file() for folder in folders)] == []
+
+
 # ---- C ----
 
 SNIPPETS = [

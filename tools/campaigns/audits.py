@@ -62,7 +62,7 @@ TABLES = {
         },
         claim,
         is_right,
-        "What an audit is and how it is done: [audits](audits.md).",
+        "What an audit is and how it is done: [audits](diagnosis.md#public-models).",
         hidden=("named", "missing", "false"),
     )
 }  # fmt: skip
