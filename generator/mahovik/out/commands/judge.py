@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -18,8 +18,9 @@ from mahovik.out.result import Result
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
-    from mahovik.core.stand.state import State
+    from mahovik.proof.diagnose.answers import Answers
     from mahovik.proof.diagnose.diagnosis import Diagnosis
+    from mahovik.proof.diagnose.explain import Judged
     from mahovik.proof.verify.check import Report
     from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.states import Request
@@ -27,40 +28,14 @@ if TYPE_CHECKING:
 StandPath = Annotated[str | Path, "STAND.toml"]
 Command = Annotated[str, "COMMAND"]
 
-States = Sequence[tuple[str, "State"]]
-Answers = Callable[["Request"], Mapping[str, Any]]
-
-ROWS_OF_FAULTS = 14
-"""Rows of a log at which its error is compared with that of each fault."""
-
 MARGIN = 10.0
 """Accepted difference over the error of derived accelerations."""
 
 COARSEST = 0.01
 """Largest accepted difference of derived accelerations."""
 
-ROWS_OF_TERMS = 3
-"""Rows of a log for each product whose factor is looked for, at most."""
-
 STATES = 200
 """Number of states by default."""
-
-
-@dataclass(frozen=True)
-class Judged:
-    """A verdict, and what can be asked to find its fault.
-
-    answers    of requests
-    tolerance  accepted difference, relative to the natural scale
-    states     the only ones with answers, those of a log; None: any
-    program    that answers; None of a log
-    """
-
-    found: Report
-    answers: Callable[[Sequence[Request]], Answers]
-    tolerance: float
-    states: States | None = None
-    program: Program | None = None
 
 
 def judge(
@@ -133,6 +108,7 @@ def judge(
         raise UsageError("attitude: only of a program, --with; a map and a log have their own attitudes")
     if log is not None and (states is not None or timeout is not None):
         raise UsageError(f"{'timeout' if states is None else 'states'}: not with --log, of which all rows are judged")
+    from mahovik.proof.diagnose.explain import Judged
     from mahovik.proof.verify.fmu import fmu_program
     from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
@@ -191,6 +167,7 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
 
 def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
     """The verdict on a log."""
+    from mahovik.proof.diagnose.explain import Judged
     from mahovik.proof.verify.foreign import verify_log
     from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
@@ -218,57 +195,11 @@ def _explained(
     """The verdict with its diagnosis, where one is asked for and possible."""
     if not explain or judged.found.error:
         return judged.found, None
+    from mahovik.out.api.stands import Stand
+    from mahovik.proof.diagnose.explain import diagnose_fault
+
     tell(progress, Progress("distinguish faults"))
     try:
-        return judged.found, _diagnosis(stand, judged, seed)
+        return judged.found, diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
     except CheckError as error:
         return replace(judged.found, error=str(error)), None
-
-
-def _diagnosis(stand: CoreStand, judged: Judged, seed: int) -> Diagnosis:
-    """Diagnosis of what differs, for the wants that it offers. Raises CheckError, UsageError."""
-    from mahovik.proof.diagnose.answers import spread_rows
-    from mahovik.proof.diagnose.columns import count
-    from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis
-    from mahovik.proof.diagnose.search import WANTS, TermSearch
-
-    found, states, program = judged.found, judged.states, judged.program
-    if found.passed:
-        return Diagnosis("none")
-    offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
-    if not offered:
-        return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
-    rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
-    from mahovik.out.api.stands import Stand
-
-    document = Stand.of(stand).to_dict()
-    diagnoser = Diagnoser(
-        stand, document, seed=seed, wants=offered, states=rows, tolerance=judged.tolerance, program=program
-    )
-    diagnosed = diagnoser.diagnose(judged.answers(diagnoser.requests))
-    diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
-    precision = diagnosed.precision
-    if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
-        if diagnosed.verdict == "none" and diagnosed.failed:
-            return replace(diagnosed, verdict="unnamed")
-        return diagnosed
-    if not set(offered) & set(WANTS):
-        return diagnosed
-    if states is not None:
-        states = spread_rows(states, ROWS_OF_TERMS * count(stand))
-    terms = TermSearch(stand, seed, offered, states, precision, program, diagnosed.wrong)
-    try:
-        return diagnosed.with_terms(terms.find(judged.answers(terms.requests)))
-    except CheckError as error:
-        if not (diagnosed.missing or diagnosed.causes):
-            raise
-        return diagnosed if diagnosed.verdict == "named" else replace(diagnosed, hindrance=str(error))
-
-
-def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
-    """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
-    return tuple(
-        f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
-        for row in found.failures
-        if not any(f"{each}.".startswith(f"{row.judged}: {row.quantity}.") for each in compared)
-    )

@@ -214,8 +214,8 @@ def _follow(
         meta["trim"] = {"rounds": record.rounds} | {
             key: getattr(case.design, key) for key in ("radius", "margin", "rank")
         }
-    words = errors.words(case, record, f"mismatch {mismatch}, seed {seed}")
-    return _result(stand, record.columns(), title, meta, words, record)
+    said = errors.words(case, record, f"mismatch {mismatch}, seed {seed}")
+    return _result(stand, record.columns(), title, meta, said, record)
 
 
 def _coordinates(errors: Errors) -> Result:
