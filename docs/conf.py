@@ -39,7 +39,6 @@ html_show_copyright = False
 
 LISTS = {
     "index": "",
-    "python": "python/",
     "tutorial": "tutorial-",
 }
 """Pages whose lists of links become tables of contents, and the folder of the listed pages."""

@@ -14,7 +14,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import click
-from reference_tables import MADE
+from python_reference import python_lines
+from reference_tables import MADE as TABLES
 
 from mahovik.out.command_line import main
 from mahovik.out.commands import COMMANDS as SECTIONS
@@ -69,6 +70,9 @@ How long a start takes is [measured](results.md#generation). The rest of this pa
 
 WIDTH = 100
 """Columns of the help."""
+
+MADE = {**TABLES, "python": python_lines}
+"""What stands between marks on pages, by the name of the mark."""
 
 
 def commands_page() -> str:

@@ -45,7 +45,7 @@ def lines(*patterns: str) -> int:
 
 
 def words() -> int:
-    """Words of README and pages, without kept results, notebooks and what tools/pages.py makes of the code."""
+    """Words of README and pages, without kept results and what tools/pages.py makes of the code."""
     made = ("docs/commands.md", "docs/results")
     pages = [p for p in files("README.md", "docs/*.md") if not str(p.relative_to(ROOT)).startswith(made)]
     texts = (path.read_text(encoding="utf-8") for path in pages)
