@@ -26,7 +26,7 @@ from campaigns import ROOT, Row
 
 NAMES = (
     "verification", "judges", "audits", "targets", "proofs", "fuzz", "cost", "benchmarks", "generation",
-    "vibration", "planning", "identification", "balancing", "campaigns",
+    "vibration", "planning", "identification", "balancing",
 )  # fmt: skip
 """Campaigns in the order of the page."""
 
@@ -35,13 +35,10 @@ PAGE = ROOT / "docs" / "results.md"
 
 HEAD = """# Results
 
-Every figure here was measured once, by the command of that commit, on the day and, where it was kept, the processor
-that stand behind it; it does not follow the code. Today `python tools/campaign.py NAME --write` measures again, keeps
-the rows in `docs/results/NAME.json` and writes this page. `make nightly` runs the campaigns that judge. Differences are
-relative to the [natural scale](verification.md#the-natural-scale).
-
-## What was measured
-
+See how exact, how fast and how small the C is, and what judges say of it. Every figure was measured once, by the
+command at the commit, on the day and, where it was kept, the processor that stand behind it. `python tools/campaign.py
+NAME --write` measures again, keeps the rows in `docs/results/NAME.json` and writes this page; commands of older commits
+have other names. Differences are relative to the [natural scale](verification.md#the-natural-scale).
 """
 
 
@@ -117,17 +114,17 @@ def processor() -> str:
 
 
 def page() -> str:
-    """docs/results.md: a line for each claim, then the tables."""
-    claims, sections = "", ""
+    """docs/results.md: what was found, how it was measured, and a table, campaign by campaign."""
+    text = HEAD
     for name in NAMES:
         kept, module = results(name), load(name)
         tables = {table: module.TABLES[table] for table in module.TABLES if table in kept}
         if tables:
-            sections += f"\n## {name.capitalize()}\n"
+            text += f"\n## {name.capitalize()}\n"
         for table, shown in tables.items():
-            claims += f"* {shown.claim(kept[table].rows)} ({kept[table].provenance})\n"
-            sections += f"\n{shown.note}\n\n{shown.text(kept[table].rows)}"
-    return HEAD + claims + sections
+            rows, measured = kept[table].rows, kept[table].provenance
+            text += f"\n**{shown.claim(rows)}** ({measured}). {shown.note}".rstrip() + f"\n\n{shown.text(rows)}"
+    return text
 
 
 def parse() -> argparse.Namespace:

@@ -49,7 +49,10 @@ def words() -> int:
     made = ("docs/commands.md", "docs/results")
     pages = [p for p in files("README.md", "docs/*.md") if not str(p.relative_to(ROOT)).startswith(made)]
     texts = (path.read_text(encoding="utf-8") for path in pages)
-    return sum(len(re.sub(r"(?s)(: tools/pages\.py -->).*?(<!-- end of)", r"\1\2", text).split()) for text in texts)
+    return sum(
+        len(re.sub(r"(?s)<!-- [\w ]+: tools/pages\.py -->.*?<!-- end of [\w ]+ -->", "", text).split())
+        for text in texts
+    )
 
 
 def sizes() -> dict[str, int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 import subprocess
 from dataclasses import replace
@@ -130,26 +129,6 @@ def test_the_program_in_cpp(tmp_path: Path) -> None:
     strict = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
     run(require("g++", "g++"), *strict, tmp_path / "user.cpp", tmp_path / "stand.o", "-o", tmp_path / "user")
     assert re.fullmatch(r"-?\d\S* m/s2\n", run(tmp_path / "user"))
-
-
-def test_the_speed_that_a_hold_blocks(tmp_path: Path) -> None:
-    """The function of the page: zero of V = S u in any pose, else what is blocked; a status of a NaN."""
-    (snippet,) = (b.text for b in blocks(C_INTERFACE) if "double blocked_speed(" in b.text)
-    emit("pendulum", tmp_path)
-    states = [(0.0, 2.0, 0.0), (1.0, -3.0, 0.0), (1.0, -3.0, 0.25), (2.5, 1.0, -0.5)]
-    lines = "".join(
-        f"x.attitude[0] = {math.cos(angle / 2)!r}; x.attitude[2] = {math.sin(angle / 2)!r};\n"
-        f'x.V[4] = {speed!r}; x.V[0] = {off!r}; printf("%.17g\\n", blocked_speed(&x));\n'
-        for angle, speed, off in states
-    )
-    (tmp_path / "main.c").write_text(
-        f"#include <stdio.h>\n{snippet}\nint main(void)\n{{\n"
-        f"pendulum_state x = {{ .attitude = {{ 1 }} }};\n{lines}"
-        'x.V[4] = 0.0 / 0.0;\nprintf("%g\\n", blocked_speed(&x));\nreturn 0;\n}\n'
-    )
-    _compile([*BITS, "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "main.c", "pendulum.c", "-o", "main"], tmp_path)
-    found = [float(x) for x in run(tmp_path / "main").split()]
-    assert found == pytest.approx([0.0, 0.0, 0.25, 0.5, -1.0], abs=1e-15)
 
 
 # ---- model ----

@@ -79,12 +79,11 @@ def test_motions_are_read() -> None:
     assert isinstance(slew, Slew) and slew.name == json.loads(turn)["name"]
 
 
-@pytest.mark.parametrize("name", ["tolerances.toml", pytest.param("balanced.toml", marks=pytest.mark.slow)])
-def test_campaigns_give_rows(name: str, tmp_path: Path) -> None:
+def test_campaigns_give_rows(tmp_path: Path) -> None:
     """Every sample has all quantities, which differ from sample to sample."""
-    (text,) = (block.text for block in blocks(DOCS / "campaigns.md") if block.file == name)
-    (tmp_path / name).write_text(text, encoding="utf-8")
-    campaign = load_campaign(tmp_path / name)
+    (text,) = (block.text for block in blocks(DOCS / "campaigns.md") if block.file)
+    (tmp_path / "tolerances.toml").write_text(text, encoding="utf-8")
+    campaign = load_campaign(tmp_path / "tolerances.toml")
     rows = campaign.rows(0, 3)
     assert rows["error"] == [""] * 3
     for quantity in campaign.quantities:

@@ -41,8 +41,8 @@ def measure(options: Namespace) -> Iterator[tuple[str | int | None, ...]]:
 
 
 def control_loop_functions(rows: Rows) -> Rows:
-    """The functions of a control loop on the smallest, the usual and the largest example stand."""
-    return [row for row in rows if row["stand"] in ("demo3", "sat4", "bench8") and row["function"] in SHOWN]
+    """The functions of a control loop on the largest example stand."""
+    return [row for row in rows if row["stand"] == "bench8" and row["function"] in SHOWN]
 
 
 def claim(rows: Rows) -> str:

@@ -123,6 +123,11 @@ def claim(rows: Rows) -> str:
     )
 
 
+def plain_motions(rows: Rows) -> Rows:
+    """The rows of the plain motion by number of flywheels, without those of harder variants."""
+    return [row for row in rows if row["motion, windings"] in ("rock", "spin")]
+
+
 TABLES = {
     "planning": Table(
         measure,
@@ -135,6 +140,7 @@ TABLES = {
         "A carrier of 12 kg on a suspension of 1.5 Hz, flywheels of 0.5 to 1.2 kg with axes anywhere, their centres 4 "
         "to 10 mm off them. Motions of 10 Hz in x, y, z, psi, theta to 0.2 mm and 0.6 mrad; `Omega` = 2 pi 10 Hz. "
         "Processor times of the search.",
+        shown=plain_motions,
         hidden=("refused",),
     )
 }  # fmt: skip
