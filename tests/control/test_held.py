@@ -51,7 +51,9 @@ def swinging(own: Stand) -> tuple[RequiredMotion, Programme]:
     moment = np.array([2.0 * WEIGHT * (-1.0) ** ((n - 1) // 2) * jv(n, SWING) if n % 2 else 0.0 for n in k])
     moment[0] -= INERTIA * SWING * OMEGA**2
     cos = (moment / 0.01 / (OMEGA * k) ** 2)[:, None]
-    programme = make_programme(own, required, np.zeros(1), (0,), Fourier(np.zeros(1), cos, np.zeros_like(cos)), {})
+    programme = make_programme(
+        own, required.name, required.span, np.zeros(1), (0,), Fourier(np.zeros(1), cos, np.zeros_like(cos)), {}
+    )
     return required, programme
 
 

@@ -11,7 +11,6 @@ import pytest
 from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.errors import MotionError
 from mahovik.use.numeric.residual import PrescribedMotion, linear, prescribe
 from mahovik.use.plan.objective import (
     KINDS,
@@ -68,16 +67,6 @@ def test_rows_are_what_they_say(kind: str) -> None:
         "power": power / (J * OMEGA**3),
     }[kind]
     assert found == pytest.approx(expected, rel=1e-12)
-
-
-def test_power_without_motor_constants_is_refused() -> None:
-    """One line names all flywheels that have a weight, and none without."""
-    _, mechanics, _ = random_course(21, N, replace(EVERYTHING, motors=False))
-    with pytest.raises(MotionError) as refused:
-        Cost.of(mechanics, required(N, power=(1.0, 0.0, 2.0)).objective, OMEGA)
-    (words,) = refused.value.problems
-    first, _, third = (s.name for s in mechanics.stand.flywheels)
-    assert f'flywheels "{first}", "{third}" have no motor with `constant`' in words
 
 
 ALL = Bounds(

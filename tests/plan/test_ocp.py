@@ -88,7 +88,9 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
     own = of_held(tilted(), 0.3)
     T, t = own.motion.span, np.linspace(0.0, own.motion.span, 201)
     course = Fourier(np.zeros(2), np.array([[1.0, 0.0]]), np.zeros((1, 2)))  # the second wheel does nothing at first
-    start = make_programme(own.stand, own.motion, np.zeros(1), (0, 0), course, {})
+    start = make_programme(
+        own.stand, own.motion.name, own.motion.span, np.zeros(1), (0, 0) if own.motion.periodic else None, course, {}
+    )
     found = solve(own, start, Mesh(12), Budget(0))
     assert found.usable and found.span == T
     at = prescribe(own.mechanics, own.motion.at(t))
@@ -101,7 +103,8 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
 def test_bench8_is_solved() -> None:
     """Verified, and no worse than its start, which has (12) at the nodes by the other derivation as well."""
     lines: list[str] = []
-    found = plan_ocp(*example("bench8"), PlanOptions(winding="rock"), lambda state: lines.append(state.words))
+    stand, motion_ = example("bench8")
+    found = plan_ocp(stand, replace(motion_, winding="rock"), on_progress=lambda state: lines.append(state.words))
     assert found.status == "OK"
     report: Any = found.programmes[0].report
     own = report["ocp"]

@@ -57,7 +57,11 @@ def spinning(bounds: Bounds = NONE) -> tuple[Stand, RequiredMotion, Programme]:
     motion = replace(motion, runup=LASTS, bounds=bounds)
     none = np.zeros((0, 2))
     course = Fourier(np.array([-1.5822788629852351, 4.723871516575028]), none, none)
-    return stand, motion, make_programme(stand, motion, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {})
+    return (
+        stand,
+        motion,
+        make_programme(stand, motion.name, motion.span, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {}),
+    )
 
 
 @cache
@@ -113,7 +117,7 @@ def test_momentum_that_nothing_takes_up_is_told() -> None:
     stand, motion = example("demo3")
     motion = replace(motion, runup=0.1)
     course = Fourier(np.zeros(3), np.zeros((0, 3)), np.zeros((0, 3)))
-    programme = make_programme(stand, motion, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
+    programme = make_programme(stand, motion.name, motion.span, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
     made = with_runup(stand, motion, programme)
     assert made.runup is None and made.rundown is None
     assert all("cannot absorb the momentum" in line for line in shortcomings(made))
@@ -238,7 +242,9 @@ def shaken(bounds: Bounds, apart: float = 0.0) -> tuple[Stand, RequiredMotion, P
     required = replace(read_motion(json.dumps(document), own, "m.json"), runup=HELD_LASTS, bounds=bounds)
     mean = cmath.phase(response) + apart / 2 * np.array([1.0, -1.0])
     course = Fourier(mean, np.zeros((0, 2)), np.zeros((0, 2)))
-    programme = make_programme(own, required, np.array([-MASS * 9.81 / STIFFNESS]), (1, 1), course, {})
+    programme = make_programme(
+        own, required.name, required.span, np.array([-MASS * 9.81 / STIFFNESS]), (1, 1), course, {}
+    )
     return own, required, programme
 
 

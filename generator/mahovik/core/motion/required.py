@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -18,7 +18,6 @@ from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.task import places_of, row_vector
 from mahovik.core.stand.units import ANGLE, ANGULAR_ACCELERATION, PLAIN, SPEED, TORQUE, QuantityError
-from mahovik.errors import MotionError
 
 Winding = Literal["any", "spin", "rock"] | tuple[int, ...]
 Kind = Literal["attitude", "sight", "still"]
@@ -215,15 +214,6 @@ class RequiredMotion:
     def harmonics(self) -> tuple[int, ...]:
         """Numbers k of the harmonics, rising; none for a finite motion."""
         return self.course.harmonics
-
-    def with_winding(self, winding: Winding) -> RequiredMotion:
-        """The motion with another winding than its file's. Raises MotionError: the bounds exclude it."""
-        shown = winding if isinstance(winding, str) else ",".join(str(n) for n in winding)
-        problems = Problems(f"{self.name}, winding {shown}")
-        self.bounds.contradictions(problems, winding, self.span if self.periodic else None)
-        if problems.lines:
-            raise MotionError(problems.lines)
-        return replace(self, winding=winding)
 
     def check(self, stand: Stand, problems: Problems) -> None:
         """Note a singular attitude on the way, and what leaves the ranges in which coordinates and numbers count."""

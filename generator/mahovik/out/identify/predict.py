@@ -27,6 +27,7 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.use.measured import Recording
 from mahovik.use.measured.headers import LETTERS, sensors
+from mahovik.use.numeric.se3 import left_jacobian
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.course import motion
 from mahovik.use.simulate.held import home
@@ -204,7 +205,7 @@ class Predictor:
         m = S.shape[1]
         step, V = (np.einsum("imn,mn->in", S, part) for part in (starts[:m], starts[m:]))
         C = Rotation.from_quat(np.broadcast_to(attitude, (4, n)).T, scalar_first=True)
-        moved = position + C.apply(_shift(step[:3], step[3:]).T).T
+        moved = position + C.apply((left_jacobian(step[3:].T) @ step[:3].T[:, :, None])[:, :, 0]).T
         return np.concatenate([moved, (C * Rotation.from_rotvec(step[3:].T)).as_quat(scalar_first=True).T, V])
 
 
@@ -214,17 +215,6 @@ def _row(label: str, names: Sequence[str]) -> int:
     if quantity == "reaction":
         return READINGS * len(names) + LETTERS.index(axis)
     return READINGS * names.index(name) + (TWIST if quantity == "rate" else FORCE) + LETTERS.index(axis)
-
-
-def _shift(v: Array, r: Array) -> Array:
-    """Shift (3, n) of the screw motion with the twist (v, r), which turns by r: (E + a <r> + b <r>^2) v."""
-    angle = np.linalg.norm(r, axis=0)
-    small = angle < 1e-3
-    size = np.where(small, 1.0, angle)
-    a = 0.5 * np.sinc(0.5 * angle / np.pi) ** 2  # (1 - cos angle) / angle^2
-    b = np.where(small, 1.0 / 6.0 - angle**2 / 120.0, (size - np.sin(size)) / size**3)
-    across = np.cross(r, v, axis=0)
-    return np.asarray(v + a * across + b * np.cross(r, across, axis=0))
 
 
 class Samples:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.functions import Angles, Fourier, Samples
+from mahovik.core.motion.functions import Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
@@ -17,7 +17,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import prescribe, torques
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.problem import Periodic, Problem
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """Optional tables of a programme: key in the file, and name in messages."""
@@ -27,26 +27,22 @@ ROUNDING = 1e-15
 
 
 def make_programme(
-    stand: Stand,
-    motion: RequiredMotion,
-    bias: Array,
-    winding: tuple[int, ...],
-    course: Fourier | Samples,
+    stand: Stand, motion: str, span: float, bias: Array, winding: tuple[int, ...] | None, course: Fourier | Samples,
     report: Mapping[str, Any],
-) -> Programme:
-    """The programme of a stand for a motion."""
+) -> Programme:  # fmt: skip
+    """The programme of a stand for a motion of this name; `winding`: of a periodic one, None: it is finite."""
     whose = identities(stand)
     return Programme(
         stand=stand.name,
         structure=whose.structure,
         physics=whose.physics,
-        motion=motion.name,
+        motion=motion,
         flywheels=tuple(s.name for s in stand.flywheels),
-        periodic=motion.periodic,
-        span=motion.span,
+        periodic=winding is not None,
+        span=span,
         bias=np.where(np.abs(bias) < ROUNDING, 0.0, bias),
         coordinates=() if stand.hold is None else coordinates_of(stand).names,
-        winding=winding,
+        winding=winding or (0,) * len(stand.flywheels),
         course=course,
         report=report,
     )
@@ -107,12 +103,13 @@ def figures(problem: Problem, motion: Periodic) -> dict[str, Any]:
     """
     grid = problem.grid(20 * (2 * motion.H + 2), motion.H, 0.5)
     angles = motion.at(grid.basis)
+    tau = torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
     sigma, determinants = singular_values(problem.mechanics, angles.phi)
     return {
         "residual": problem.relative(motion),
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
-        "peak_torque": np.abs(torques_on(problem, grid, motion, angles)).max(axis=0),
+        "peak_torque": np.abs(tau).max(axis=0),
         "least_singular_value": float(sigma.min()) if sigma.size else 0.0,
         "det_I_sign_changes": sign_changes(determinants, periodic=True),
     }
@@ -123,11 +120,6 @@ def sign_changes(values: Array | None, *, periodic: bool) -> int | None:
     if values is None:
         return None
     return int(np.sum(values[1:] * values[:-1] < 0.0) + (periodic and values[0] * values[-1] < 0.0))
-
-
-def torques_on(problem: Problem, grid: Grid, motion: Periodic, angles: Angles) -> Array:
-    """Drive torques (M, N; N m) at the times of a grid."""
-    return torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
 
 
 def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:

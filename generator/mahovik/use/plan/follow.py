@@ -75,11 +75,7 @@ def _tables(problem: Problem, bias: Array, phi: Array, phi_dot: Array, steps: in
 
 def _rate(problem: Problem, along: PrescribedMotion, k: int, y: Array) -> Array:
     """(phi', phi'') (2, K, N) at time k of the prescribed motion: the smallest phi'' that solves (12)."""
-    here = PrescribedMotion(
-        along.mechanics, along.balance[k : k + 1], along.fixed[:, :, k : k + 1], along.moving[:, :, k : k + 1],
-        along.V_r[k : k + 1],
-    )  # fmt: skip
-    found = linear(here, y[0], y[1], np.zeros_like(y[0]))
+    found = linear(along[k : k + 1], y[0], y[1], np.zeros_like(y[0]))
     root = problem.norm.root
     coupling = np.nan_to_num(
         root @ found.by_phi_ddot, posinf=0.0, neginf=0.0

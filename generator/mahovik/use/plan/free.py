@@ -29,6 +29,7 @@ from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.mean_pose import mean_pose
+from mahovik.use.plan.objective import Rows, bound_uses
 from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.points import jacobian
@@ -249,18 +250,13 @@ class FreeProblem:
     def _excess(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
         """Hinge rows of speed, acceleration and torque, and their derivatives by the waves."""
         bounds, angles, I = problem.motion.bounds, motion.at(grid.basis), np.eye(motion.N)
-        one, none = np.ones_like(angles.phi), np.zeros_like(angles.phi)
-        kinds = {"speed": (angles.phi_dot, none, one, none), "acceleration": (angles.phi_ddot, none, none, one)}
-        if bounds.torque is not None:
-            at = problem.linear(grid, motion)[1]
-            kinds["torque"] = (at.tau, at.tau_by_phi, at.tau_by_phi_dot, at.tau_by_phi_ddot)
+        kept = replace(bounds, angle=None, speed_min=None)
+        torque = Rows.of(angles.phi) if bounds.torque is None else Rows.torque(problem.linear(grid, motion)[1])
         rows, slopes = [np.zeros(0)], [np.zeros((0, motion.waves.size))]
-        for kind, (value, *by) in kinds.items():
-            if (limit := getattr(bounds, kind)) is not None:
-                over = np.abs(value) / np.array(limit) - KNEE
-                factor = np.where(over > 0.0, np.sign(value), 0.0) / np.array(limit)
-                rows.append(np.maximum(over, 0.0).ravel())
-                slopes.append(grid.basis.chain(*((factor * x)[:, :, None] * I for x in by)))
+        for use in bound_uses(kept, angles, angles.phi, torque, motion.winding).values():
+            over, by = use.value > KNEE, (use.by_phi, use.by_phi_dot, use.by_phi_ddot)
+            rows.append(np.where(over, use.value - KNEE, 0.0).ravel())
+            slopes.append(grid.basis.chain(*((over * x)[:, :, None] * I for x in by)))
         return np.concatenate(rows), np.vstack(slopes)
 
     def descend(self, y: Array, motion: Periodic, budget: Budget) -> tuple[Array, Periodic]:

@@ -95,7 +95,7 @@ class Improver:
 
     @staticmethod
     def of(problem: Problem) -> Improver:
-        """Improver for a problem's objective. MotionError: power is weighted without motor constants."""
+        """Improver for a problem's objective."""
         Omega = 2.0 * np.pi / problem.motion.span * min(problem.motion.harmonics, default=1)
         return Improver(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
 

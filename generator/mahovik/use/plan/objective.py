@@ -29,7 +29,6 @@ from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.required import Bounds, Objective
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
-from mahovik.errors import MotionError
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Linear
 from mahovik.use.numeric.se3 import Array
@@ -135,37 +134,22 @@ class Drives:
     coulomb_speed: Array
 
     @staticmethod
-    def of(stand: Stand, wanted: tuple[float, ...]) -> Drives:
-        """Motors of a stand. MotionError: a flywheel with `wanted` above 0 has no motor constant or resistance."""
-        missing, columns = [], []
-        for flywheel, weight in zip(stand.flywheels, wanted, strict=True):
-            motor = flywheel.motor
-            if motor is not None and motor.constant and motor.resistance is not None:
-                columns.append((motor.constant, motor.resistance, motor.viscous, motor.coulomb, motor.coulomb_speed))
-                continue
-            columns.append((1.0, 0.0, 0.0, 0.0, 1.0))
-            if weight > 0.0:
-                missing.append(f'"{flywheel.name}"')
-        if missing:
-            which = f"flywheel {missing[0]} has" if len(missing) == 1 else f"flywheels {', '.join(missing)} have"
-            raise MotionError(
-                [
-                    f"objective: power: {which} no motor with `constant` and `resistance`: give them in the stand "
-                    "file, or weight 0"
-                ]
-            )
-        return Drives(*np.array(columns).reshape(-1, 5).T)
+    def of(stand: Stand) -> Drives:
+        """Motors of a stand; power of one without constant or resistance, which motion files do not weigh, is 0."""
+        none = (1.0, 0.0, 0.0, 0.0, 1.0)
+        columns = [
+            (m.constant, m.resistance, m.viscous, m.coulomb, m.coulomb_speed)
+            if (m := s.motor) is not None and m.constant and m.resistance is not None
+            else none
+            for s in stand.flywheels
+        ]
+        return Drives(*np.array(columns, dtype=np.float64).reshape(-1, 5).T)
 
     def friction(self, phi_dot: Array) -> tuple[Array, Array]:
         """Torque of the motor against friction (M, N; N m), and its slope by speed."""
         smooth = np.tanh(phi_dot / self.coulomb_speed)
         slope = self.viscous + self.coulomb / self.coulomb_speed * (1.0 - smooth**2)
         return self.viscous * phi_dot + self.coulomb * smooth, slope
-
-    def power(self, tau: Array, phi_dot: Array) -> Array:
-        """Electrical power R i^2 + tau_m phi' (M, N; W) at drive torques tau and speeds."""
-        own = tau + self.friction(phi_dot)[0]
-        return np.asarray(self.resistance * (own / self.constant) ** 2 + own * phi_dot)
 
 
 @dataclass(frozen=True, eq=False)
@@ -183,8 +167,8 @@ class Cost:
 
     @staticmethod
     def of(mechanics: Mechanics, objective: Objective, Omega: float) -> Cost:
-        """The objective on this stand. MotionError: power is weighted without motor constants."""
-        drives = Drives.of(mechanics.stand, objective.power)
+        """The objective on this stand."""
+        drives = Drives.of(mechanics.stand)
         weights = {kind: np.array(getattr(objective, kind), dtype=np.float64) for kind in KINDS}
         return Cost(weights, drives, Omega, mechanics.tables.Theta_ff)
 

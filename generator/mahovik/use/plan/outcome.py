@@ -8,7 +8,6 @@ from typing import Any, Literal, Protocol
 
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import Winding
 from mahovik.errors import whole_number
 from mahovik.use.plan.problem import Periodic
 
@@ -19,8 +18,6 @@ class PlanOptions:
 
     seed     of all random numbers; the same file and seed give the same programme
     seconds  time limit; None: only the budget of starts and steps ends the search
-    winding  replaces the motion file's
-    keep     programmes to return, best first
     enough   programmes of each kind of winding to choose from
     verify   whether to verify the programmes independently
     steps    limit of steps of search and optimisation
@@ -29,8 +26,6 @@ class PlanOptions:
 
     seed: int = 0
     seconds: float | None = None
-    winding: Winding | None = None
-    keep: int = 1
     enough: int = 1
     verify: bool = True
     steps: int = 20_000
@@ -38,7 +33,6 @@ class PlanOptions:
 
     def __post_init__(self) -> None:
         whole_number("seed", self.seed, 0)
-        whole_number("keep", self.keep, 1, 99)
 
 
 Status = Literal["OK", "OK_LIMIT", "NO_PROGRAM", "SINGULAR_ATTITUDE"]
@@ -68,7 +62,7 @@ class Plan:
                 (proven) or SEARCH (not)
     words       reasons, one per line: the refusal, or the exceeded bounds and their excess
     warnings    further remarks, one per line
-    programmes  best first
+    programmes  the best one, if any
     effort      starts, steps, windings tried, best residual, seed, whether time cut the search
     """
 

@@ -54,8 +54,6 @@ def plan_motion(
     """
     options = options or PlanOptions()
     refuse_unplannable(stand, motion)
-    if options.winding is not None:
-        motion = motion.with_winding(options.winding)
     whole = Budget(0, options.seconds)
     with_tables = motion.runup is not None and motion.periodic
     options = replace(options, seconds=whole.seconds_left(SEARCH if with_tables else 1.0))
@@ -86,11 +84,11 @@ def _plan_periodic(
 
     Run-ups have the time after the search, the verification has no limit.
     """
-    improver, enough = Improver.of(problem), max(options.enough, options.keep)
+    improver = Improver.of(problem)
     if isinstance(options.start, Periodic):
         found = single(improver, options.start, budget)
     else:
-        found = search(problem, improver, first.bias, options.seed, budget, enough, on_progress=tell)
+        found = search(problem, improver, first.bias, options.seed, budget, options.enough, on_progress=tell)
 
     def say(doing: str) -> None:
         found.doing = doing
@@ -111,7 +109,7 @@ def _plan_periodic(
             yield programme
 
     words = () if chosen else (not_found_message(found),)
-    return _verified_plan(problem.stand, first, found, words, effort, programmes(), whole, options.keep)
+    return _verified_plan(problem.stand, first, found, words, effort, programmes(), whole)
 
 
 def _plan_finite(
@@ -128,7 +126,7 @@ def _plan_finite(
         made = fit(problem, first.bias, options.start, budget)
         found = Search[FiniteSolution]([made] if made and made.residual < problem.tolerance else [], starts=1)
     else:
-        found = search_finite(problem, first.bias, options.seed, budget, max(options.enough, options.keep), tell)
+        found = search_finite(problem, first.bias, options.seed, budget, options.enough, tell)
     reports = [_finite_report(problem, cost, each) for each in found.found]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
@@ -136,17 +134,17 @@ def _plan_finite(
     tell(found)
 
     def programmes() -> Iterator[Programme]:
-        for k in order[: options.keep]:
+        for k in order:
             solved, report = found.found[k], {**reports[k], "search": effort}
             table, bias = table_of(problem, solved), solved.motion.bias
-            programme = make_programme(own.stand, own.motion, bias, (0,) * own.N, table, report)
+            programme = make_programme(own.stand, own.motion.name, own.motion.span, bias, None, table, report)
             if options.verify:
                 with defer_interrupt(budget.interrupt, again=True):
                     programme = certify(own.stand, own.motion, programme)
             yield programme
 
     words = () if found.found else (_finite_not_found_message(found, own.stand),)
-    return _verified_plan(own.stand, first, found, words, effort, programmes(), budget, options.keep)
+    return _verified_plan(own.stand, first, found, words, effort, programmes(), budget)
 
 
 def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
@@ -170,32 +168,20 @@ def _verified_plan(
     effort: dict[str, Any],
     programmes: Iterable[Programme],
     budget: Budget,
-    keep: int,
 ) -> Plan:
-    """The plan of the first `keep` programmes without objections of the verification; Ctrl-C: those so far.
-
-    `words`: why there is none to verify.
-    """
-    if words:
-        warnings = (*first.warnings, *first.hint)
-        return Plan("NO_PROGRAM", "SEARCH", words, warnings, (), effort, found.interrupted)
-    good: list[Programme] = []
-    refused = []
+    """The plan of the first programme without objections of the verification; `words`: why there is none to verify."""
+    refused = list(words)
     for programme in programmes:
-        wrong = failed_items(programme)
-        if wrong:
+        if wrong := failed_items(programme):
             refused.append(f"a programme was found and refused by the verification: {wrong}")
-        else:
-            good.append(programme)
-        if len(good) == keep or (good and budget.interrupted):
-            break
+            continue
+        warnings = (*first.warnings, *motor_warnings(stand, programme.report))
+        over = (*programme.report["exceeded"], *shortcomings(programme))
+        interrupted = found.interrupted or budget.interrupted
+        return Plan("OK_LIMIT" if over else "OK", None, over, warnings, (programme,), effort, interrupted)
+    warnings = (*first.warnings, *first.hint)
     interrupted = found.interrupted or budget.interrupted
-    if not good:
-        return Plan("NO_PROGRAM", "SEARCH", tuple(refused), (*first.warnings, *first.hint), (), effort, interrupted)
-    limits = motor_warnings(stand, good[0].report)
-    warnings = (*first.warnings, *limits)
-    over = (*good[0].report["exceeded"], *shortcomings(good[0]))
-    return Plan("OK_LIMIT" if over else "OK", None, over, warnings, tuple(good), effort, interrupted)
+    return Plan("NO_PROGRAM", "SEARCH", tuple(refused), warnings, (), effort, interrupted)
 
 
 def not_found_message(found: Search[Candidate]) -> str:
@@ -236,7 +222,8 @@ def _periodic_programme(
         **more,
     }
     course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
-    return make_programme(problem.stand, motion, own.bias, tuple(int(n) for n in own.winding), course, report)
+    winding = tuple(int(n) for n in own.winding)
+    return make_programme(problem.stand, motion.name, motion.span, own.bias, winding, course, report)
 
 
 def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -> dict[str, Any]:

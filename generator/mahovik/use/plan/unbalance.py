@@ -1,7 +1,7 @@
 """What unbalance and asymmetry add to a programme of the mean stand: the stand itself with the same flywheel motions.
 
 The carrier of the stand has the momentum that the mean stand has at t = 0, so that it rests where unbalance only shakes
-it; from there (8) with the programme's phi(t), block by block, each by Picard's iteration at uniform nodes.
+it; from there (8) with the programme's phi(t), block by block, each by collocation at uniform nodes.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
-from mahovik.errors import StateError
-from mahovik.use.numeric.course import INTERVALS, Chart, integrate
+from mahovik.use.numeric.course import INTERVALS, Chart, course
 from mahovik.use.numeric.frame import Frame
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import drive
@@ -33,8 +32,6 @@ BLOCK = 1024
 
 LONGEST = 0.5
 """s: a longer block is cut."""
-
-_ROUNDS, _SETTLED = 40, 1e-13
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,28 +89,11 @@ def unbalance_effect(stand: Stand, motion: RequiredMotion, programme: Programme)
     for k in range(blocks):
         times = t[k * size : (k + 1) * size + 1]
         chart = Chart(mechanics, Frame.at_pose(stand, C, O1))
-        y = _block(chart, programme, times, h, np.concatenate([np.zeros(6), V]))
+        given, begin = drive(mechanics, *programme.at(times)), np.concatenate([np.zeros(6), V])
+        guess = begin + np.outer(times - times[0], np.concatenate([V, np.zeros(6)]))
+        y = course(chart, given, h, begin, guess, None).y
         here, wanted = chart.twists(y[1:]), mechanics.frame.twists(motion.at(times[1:], programme.bias))
         turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ here.C).as_rotvec())
         shifts.append(here.O1 - wanted.O1)
         O1, C, V = here.O1[-1], here.C[-1], y[-1, 6:]
     return UnbalanceEffect(t, np.vstack(turns), np.vstack(shifts))
-
-
-def _block(chart: Chart, programme: Programme, t: Array, spacing: float, start: Array) -> Array:
-    """y (M, 12) of a chart from the start (12) under the flywheels' motion at times t (M, s)."""
-    given = drive(chart.mechanics, *programme.at(t))
-    y = start + np.outer(t - t[0], np.concatenate([start[6:], np.zeros(6)]))
-    before = np.inf
-    for _ in range(_ROUNDS):
-        parts = integrate(chart.rate(given, y), spacing)
-        ends = start + np.vstack([np.zeros((1, 12)), np.cumsum(parts[:, -1], axis=0)])
-        new = np.vstack([start[None], (ends[:-1, None] + parts).reshape(-1, 12)])
-        change = float(np.abs(new - y).max())
-        y = new
-        if change < _SETTLED or (change < 1e-11 and change > 0.5 * before):
-            return y
-        if not np.isfinite(change) or chart.frame.is_lost(y[:, :6]):
-            break
-        before = change
-    raise StateError(f"the carrier moves too violently at t = {t[0]:.5g} s: its course cannot be computed")

@@ -26,8 +26,7 @@ from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import linear, prescribe, prescribed_at, torques
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
-from mahovik.use.plan.slew.share import Mean
+from mahovik.use.plan.slew.share import Mean, NoSlewError, unreached_motion
 
 _SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 _ROUNDS = 60

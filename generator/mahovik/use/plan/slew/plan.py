@@ -12,20 +12,18 @@ from mahovik.core.motion.functions import Angles, PlannedCourse, Samples
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import SINGULAR, Slew, rows_of
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.mean import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Norm, prescribe, residual, torques
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.certificate import certify, failed_items
+from mahovik.use.plan.certificate import certify, failed_items, make_programme
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
 from mahovik.use.plan.slew.limits import Limits, LimitUse, limit_uses
 from mahovik.use.plan.slew.path import Path, PathTable
-from mahovik.use.plan.slew.refusal import NoSlewError, unreached_motion
-from mahovik.use.plan.slew.share import Mean, choices
+from mahovik.use.plan.slew.share import Mean, NoSlewError, choices, unreached_motion
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
 from mahovik.use.plan.unbalance import unbalance_effect
 
@@ -325,9 +323,9 @@ def _intervals(exact: Exact, limits: Limits, found: SlewMotion) -> tuple[Array, 
     return sizes, limit_uses(limits, np.concatenate([found.t, t]), phi_dot, phi_ddot, tau)
 
 
-def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Programme:
+def _programme(stand: Stand, slew: Slew, planned: Table, sharp: Sharp | None) -> Programme:
     """The programme with its report."""
-    found, whose, limits = made.motion, identities(stand), Limits.of(stand, slew.bounds)
+    found, limits = planned.motion, Limits.of(stand, slew.bounds)
     angles: Angles = found.angles
     report: dict[str, Any] = {
         "kind": "slew",
@@ -336,10 +334,10 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         "angle": slew.angle,
         "duration": float(found.t[-1]),
         "least_duration": None if sharp is None else sharp.duration,
-        "residual": made.residual,
+        "residual": planned.residual,
         "exceeded": [],
-        "used": {each.kind: each.share for each in made.limit_uses},
-        "hardest": [each.words for each in made.limit_uses],
+        "used": {each.kind: each.share for each in planned.limit_uses},
+        "hardest": [each.words for each in planned.limit_uses],
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
         "peak_torque": np.abs(found.tau).max(axis=0),
@@ -348,21 +346,10 @@ def _programme(stand: Stand, slew: Slew, made: Table, sharp: Sharp | None) -> Pr
         "through_zero": _through_zero(limits.names, angles.phi_dot),
         "strayed": float(np.linalg.norm(found.course.q[:, :3] - np.array(slew.position), axis=1).max()),
     }
-    return Programme(
-        stand=stand.name,
-        structure=whose.structure,
-        physics=whose.physics,
-        motion=slew.name,
-        flywheels=tuple(s.name for s in stand.flywheels),
-        periodic=False,
-        span=float(found.t[-1]),
-        bias=np.zeros(6),
-        winding=(0,) * len(stand.flywheels),
-        course=Samples(found.t, *angles),
-        report=report,
-        carrier=PlannedCourse(found.t, *found.course),
-        unbalance=slew.unbalance,
-    )
+    made = make_programme(
+        stand, slew.name, float(found.t[-1]), np.zeros(6), None, Samples(found.t, *angles), report
+    )  # fmt: skip
+    return replace(made, carrier=PlannedCourse(found.t, *found.course), unbalance=slew.unbalance)
 
 
 def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
