@@ -103,9 +103,10 @@ class Diagnosis:
     def with_terms(self, terms: TermSearchResult) -> Diagnosis:
         """The diagnosis after the search for wrong terms, of an error that has no other name.
 
-        In place of two numbers terms are named only where they are fewer.
+        In place of two numbers terms are named only where they are fewer; one in two wants is one term.
         """
-        if self.verdict == "named" and not (terms.whole and len(terms.terms) < len(self.causes)):
+        different = {(term.component, term.term) for term in terms.terms}
+        if self.verdict == "named" and not (terms.whole and len(different) < len(self.causes)):
             return self
         if not terms.whole:
             unsure = replace(self, verdict="unnamed", causes=(), unexplained=1.0) if terms.doubtful else self

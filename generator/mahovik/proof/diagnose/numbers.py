@@ -12,7 +12,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.read import read
-from mahovik.errors import StandError, UsageError
+from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
 from mahovik.proof.reference.array import Array
 
@@ -91,7 +91,7 @@ class NumberSearch:
             raise StandError([str(error)]) from None
 
     def solutions(self, count: int) -> list[SolvedNumbers]:
-        """Single numbers (count 1) or pairs of them, those that leave least of the error first."""
+        """Single numbers (count 1) or pairs of them that a stand can have, those that leave least of the error first."""
         size = np.linalg.norm(self._slopes, axis=0)
         there = np.flatnonzero(size > 0.0)
         unit = self._slopes[:, there] / size[there]
@@ -100,7 +100,16 @@ class NumberSearch:
         order = np.argsort(-explained, axis=None, kind="stable")[: MOST[count]]
         chosen = [{there[i] for i in divmod(int(k), len(there))} for k in order if explained.flat[k] > least]
         solved = (self._solve([self._numbers[j] for j in sorted(places)], sorted(places)) for places in chosen)
-        return sorted((each for each in solved if each is not None), key=lambda each: each.left)
+        possible = (x for x in solved if x is not None and (count == 1 or self._is_physical(x.values)))
+        return sorted(possible, key=lambda each: each.left)
+
+    def _is_physical(self, values: Mapping[StandNumber, float]) -> bool:
+        """Whether there can be bodies with these numbers."""
+        try:
+            read(self._file.with_values(values), self._stand.name)
+        except MahovikError:
+            return False
+        return True
 
     def rounded(self, solved: SolvedNumbers) -> SolvedNumbers:
         """The same numbers with the fewest digits that leave nothing beyond rounding."""

@@ -17,14 +17,14 @@ from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import Scales
+from mahovik.proof.verify.scales import ROUNDINGS, Scales
 from mahovik.proof.verify.states import Request
 
 HALF_TURN = 1e-9
 """Distance from half a turn, rad, at which its angle may be of either sign."""
 
-LAST_PLACES, NEIGHBOURS, ROUNDINGS = 2.0**-51, 3, 16.0
-"""Relative distance of states by which rounding is measured, how many there are, and how much larger it may be."""
+LAST_PLACES, NEIGHBOURS = 2.0**-51, 3
+"""Relative distance of states by which rounding is measured, and how many there are."""
 
 
 def _half_turns_as(expected: Any, q: Any) -> Any:

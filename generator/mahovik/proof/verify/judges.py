@@ -30,10 +30,10 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, Report, difference, report
-from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS, ROUNDINGS
+from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress
-from mahovik.proof.verify.scales import Scales
+from mahovik.proof.verify.scales import ROUNDINGS, Scales
 from mahovik.proof.verify.states import Backend, Request
 
 Array = NDArray[np.float64]

@@ -25,13 +25,16 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.inverse import Cuts, inverse_root
+from mahovik.proof.reference.inverse import Cuts, inverse_root, scaled_demand
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.states import stand_at
 
 ORDINARY = 2
 """Seed of the ordinary state whose scales are floors at all others."""
+
+ROUNDINGS = 16.0
+"""Units in the last place of its scale by which rounding may move a number."""
 
 KEPT = 256
 """States whose neighbours are kept: they are drawn first, and judged then."""
@@ -60,6 +63,7 @@ class Scales:
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
+        self._last_place = float(np.finfo(np.float32 if real == "float" else np.float64).eps)
         others = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
         self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
         self._kept: dict[int, tuple[State, list[tuple[Stand, State, Pieces]]]] = {}
@@ -85,9 +89,22 @@ class Scales:
             return None
         if state.task:
             return found
+        if want == "inverse":
+            found = replace(found, undecided=found.undecided or self._rounding_decides_reach(state, found))
         if want not in self._ordinary:
             self._ordinary[want] = self._ordinary_scales(want)
         return replace(found, scales=_raised(found.scales, self._ordinary[want]))
+
+    def _rounding_decides_reach(self, state: State, inverse: Measured) -> bool:
+        """Whether the residual's own rounding may reach over the bound of UNREACHABLE: of terms far above the demand.
+
+        Neighbours do not show it, as each has its own answer with its own residual.
+        """
+        _, near, at = self.neighbours(state)[0]
+        scaled = scaled_demand(at, vector(near.V_dot))
+        left = np.linalg.norm(scaled.root @ inverse.values["residual"])
+        rounding = ROUNDINGS * self._last_place * np.linalg.norm(scaled.root * inverse.scales["residual"])
+        return bool(abs(left - self.cuts.reached * np.linalg.norm(scaled.r)) < rounding)
 
     def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
         """Scales at an ordinary state; none where the reference refuses it."""

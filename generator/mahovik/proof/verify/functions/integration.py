@@ -11,6 +11,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from mahovik.contract.limits import RESTING
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.state import Quaternion, State
@@ -26,9 +27,9 @@ from mahovik.proof.verify.case import Case, Rows
 STATES = 2
 """States from which a motion starts; of `step`, the second has locked flywheels."""
 
-RADIANS = 0.25
+RADIANS, SLIGHT = 0.25, 1e-6
 """Length of a motion: time in which the fastest of flywheels and carrier turns by this angle, and the hardest driven of
-them, from rest, as well."""
+them, from rest, as well, and a vibration of the carrier. Part of it in which its accelerations change slightly."""
 
 SHORTER = tuple(4.0**-k for k in range(9))
 """Parts of this time that are tried: on a short way no law has a kink, and no vibration is too fast for the steps."""
@@ -125,20 +126,29 @@ class Motion:
         base, N = self._rates(np.zeros(len(self._start))), case.count
         turning = np.linalg.norm(state.V[3:]) + np.abs(self._start[18 + N :]).max(initial=0.0)
         driven = np.abs([*base[15:18], *base[18 + N :]]).max()  # rad/s2; a small wheel is driven hard
-        # a power of two, so that a float has it and its parts exactly
-        self.time = 2.0 ** math.floor(math.log2(RADIANS / max(turning, math.sqrt(0.5 * RADIANS * driven), 1e-3)))
         measured = case.scales.want(state, "forward" if self._driven else "coupled")
         scales = {} if measured is None else measured.scales
         self._rounded = {name: np.max(scales.get(name, 0.0), initial=0.0) for name in ("V_dot", "phi_ddot")}
+        fastest = max(turning, math.sqrt(0.5 * RADIANS * driven), 1e-3)
+        # a power of two, so that a float has it and its parts exactly
+        self.time = 2.0 ** math.floor(math.log2(RADIANS / max(fastest, self._vibration(base, SLIGHT / fastest))))
+
+    def _vibration(self, base: Array, dt: float) -> float:
+        """Angular frequency, rad/s, with which accelerations of the carrier change: of springs, stops and dampers."""
+        with np.errstate(all="ignore"):
+            jerk = (self._rates(dt * base) - base) / dt
+        largest = max(np.linalg.norm(base[12:18]), RESTING * self._rounded["V_dot"], 1e-20)
+        found = float(np.linalg.norm(jerk[12:18]) / largest)
+        return found if math.isfinite(found) else 0.0
 
     def error(self, part: float, steps: int = STEPS, order: int = 4) -> float:
         """Difference of the changes in a part of the time, relative to the largest of each kind, of the worst number.
 
-        What rounding takes from the state in each step may be lost; with a carry nothing, but O1 of a held carrier is
-        where its rounded attitude puts it.
+        What rounding takes from the state in each step may be lost, with a carry what it takes from that; but O1 of a
+        held carrier is where its rounded attitude puts it.
         """
         expected, time = self._reference_change(part), part * self.time
-        lost = 0.0 if self.carried else steps * self._case.unit
+        lost = steps * self._case.unit ** (2 if self.carried else 1)
         return self._relative(self._change(time / steps, steps, order) - expected, part, lost)
 
     def _relative(self, off: Array, part: float, lost: float = 0.0) -> float:

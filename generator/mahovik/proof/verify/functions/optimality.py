@@ -351,26 +351,29 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
         rows.demand("its status", status_words(status) == "NOT_POSITIVE_DEFINITE", question.name, status_words(status))
         return
 
+    known = question.scaled(case.stand, case.scales.at(question.state))
+    z = np.linalg.lstsq((known.W / question.weight).T, phi_ddot / np.diag(known.to_phi_ddot), rcond=None)[0]
+
     def sides(stand: Stand, _: State, at: Pieces) -> Values:
+        """Both are solved one after the other, each to rounding of its own terms: z is kept, whatever W is."""
         scaled = question.scaled(stand, at)
         y = phi_ddot / np.diag(scaled.to_phi_ddot)
         gram = normal_matrix(scaled, question.weight, question.damping[1])
         if scaled.W.shape[1] < len(scaled.r):
             return {"equations": np.stack([gram @ y, scaled.W.T @ scaled.r])}
-        back = (scaled.W / question.weight).T
-        z = np.linalg.lstsq(back, y, rcond=None)[0]
-        return {"equations": np.stack([gram @ z, scaled.r]), "y": np.stack([y, back @ z])}
+        return {"equations": np.stack([gram @ z, scaled.r]), "y": np.stack([y, (scaled.W / question.weight).T @ z])}
 
     rows.balance("normal equations", question.name, question.state, sides)
 
 
 def least_pivot(gram: Array) -> float:
     """The least part of a diagonal element that is left of it as a pivot of gram = L D L^T."""
-    kept = 1.0
+    kept, left = 1.0, gram
     for j in range(len(gram)):
-        before = gram[:j, j]
-        left = gram[j, j] - (before @ np.linalg.lstsq(gram[:j, :j], before, rcond=None)[0] if j else 0.0)
-        kept = min(kept, float(left / gram[j, j])) if kept > 0 and gram[j, j] > 0 else 0.0
+        if not left[j, j] > 0.0:
+            return 0.0
+        kept = min(kept, float(left[j, j] / gram[j, j]))
+        left = left - np.outer(left[:, j], left[j]) / left[j, j]
     return kept
 
 
