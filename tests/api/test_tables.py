@@ -147,3 +147,15 @@ def test_another_structure_is_a_reason() -> None:
     found = possible_tables(m, {"gravity": np.array([m.stand.gravity, (0.0, 0.0, 0.0)])})
     assert found.numbers.tolist() == [0]
     assert "another structure" in found.reasons[1]
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_each_of_many_samples_moves_as_its_own_stand(real: str) -> None:
+    """Of more samples than are simulated together: the later ones begin within the tables."""
+    m, n = model("demo3", real), 272
+    tables = m.tables({"carrier.mass": np.linspace(10.0, 14.0, n)})
+    start = m.state(V=[0.1, 0, 0, 0, 0.2, 0], phi_dot=100.0)
+    found = m.simulate(2e-3, start=start, tables=tables)
+    for j in (0, 255, 256, n - 1):
+        own = mahovik.build(tables.stand(j), real=real).simulate(2e-3, start=start)
+        assert own["V"].tobytes() == found["V"][j].tobytes()
