@@ -46,9 +46,10 @@ TINY, TINY_STEPS = {"double": 2.0**-45, "float": 2.0**-16}, 64
 MIDPOINTS = (2, 4, 6, 8, 10)
 """Numbers of steps of the modified midpoint rule that are extrapolated: order 10."""
 
-LARGE, STEADY = 1e-3, 0.3
-"""Relative difference above which the steps are too long to show their order; and by how much it differs between pairs
-of them at most: more where a kink of a law is on the way."""
+LARGE, STEADY, SMOOTH = 1e-3, 0.3, 0.1
+"""Relative difference above which the steps are too long to show their order; by how much it differs between pairs
+of them at most; and part of a difference that the reference differs by, with steps half as long, where there is no kink
+of a law on the way."""
 
 COARSE_EDGE, COARSE_ANSWERS = 1e-3, 2
 """Relative distance of a step from the bound of COARSE; answers that are judged on each side of it, for each order."""
@@ -94,18 +95,22 @@ def _judge_motions(case: Case, rows: Rows, carried: str) -> None:
 
 
 def _least(judged: Callable[[float], float], limit: float, parts: Sequence[float] = SHORTER) -> float:
-    """What is judged of the first part of the time where it is within its limit, or the least. Raises StateError."""
-    least, refusal = math.inf, None
+    """What is judged of the first part of the time where it is within its limit, or the least.
+
+    Raises StateError: every part is refused, not only those whose steps are too long.
+    """
+    found, refusal = list[float](), StateError("no part of the time is tried")
     for part in parts:
         try:
-            least = min(least, judged(part))
-        except StateError as error:  # of steps that are too long
+            found.append(judged(part))
+        except StateError as error:
             refusal = error
-        if least <= limit:
-            return least
-    if refusal is not None and least == math.inf:
+            continue
+        if found[-1] <= limit:
+            break
+    if not found:
         raise refusal
-    return least
+    return min(found)
 
 
 class Motion:
@@ -173,6 +178,9 @@ class Motion:
         first, second, third = (self._relative(finer - coarser, part) for coarser, finer in pairwise(changes))
         if third < self._case.limits.integration or first > LARGE:
             return math.inf
+        finer = self._reference_change(part, 2)
+        if self._relative(finer - self._reference_change(part), part) > SMOOTH * third:
+            return math.inf  # a kink of a law on the way
         seen, again = math.log2(first / second), math.log2(second / third)
         return abs(again - order) if abs(again - seen) < STEADY else math.inf
 
@@ -196,21 +204,21 @@ class Motion:
         return np.concatenate(list(change.values()))
 
     @lru_cache(maxsize=16)  # noqa: B019 - a motion lives as long as its checks are made
-    def _reference_change(self, part: float) -> Array:
-        """Change of the state by the reference, by Gragg's extrapolation of the midpoint rule.
+    def _reference_change(self, part: float, finer: int = 1) -> Array:
+        """Change of the state by the reference, by Gragg's extrapolation of the midpoint rule, of `finer` steps.
 
         Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.9.
         """
         table: list[Array] = []
         with np.errstate(all="ignore"):  # of a way that is too long
-            for row, count in enumerate(MIDPOINTS):
+            for row, count in enumerate(finer * n for n in MIDPOINTS):
                 step, before = part * self.time / count, np.zeros(len(self._start))
                 after = step * self._rates(before)
                 for _ in range(count - 1):
                     before, after = after, before + 2.0 * step * self._rates(after)
                 columns = [(after + before + step * self._rates(after)) / 2.0]
                 for k in range(row):
-                    ratio = (count / MIDPOINTS[row - 1 - k]) ** 2
+                    ratio = (MIDPOINTS[row] / MIDPOINTS[row - 1 - k]) ** 2
                     columns.append(columns[k] + (columns[k] - table[k]) / (ratio - 1.0))
                 table = columns
             z = table[-1]
