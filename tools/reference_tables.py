@@ -14,7 +14,7 @@ from typing import Annotated, Any
 from pydantic.fields import FieldInfo
 
 from mahovik.contract.evaluation import text_lines
-from mahovik.contract.functions import ALL, CHOSEN, ROWS, task_of
+from mahovik.contract.functions import ALL, CHOSEN, JUDGES, ROWS, task_of
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, Bound
 from mahovik.contract.status import STATUSES
 from mahovik.core.emit.declaration import purpose_with_number
@@ -43,6 +43,8 @@ from mahovik.core.stand.model import (
 )
 from mahovik.core.stand.numbers import quantity_and_table
 from mahovik.core.stand.units import Dimension
+from mahovik.out.campaign.file import CampaignTable
+from mahovik.out.campaign.quantities import QuantityTable
 from mahovik.stands import path
 
 HELD = Path(__file__).resolve().parents[1] / "docs" / "held" / "pendulum.toml"
@@ -78,19 +80,23 @@ def entries(*classes: type) -> dict[str, str]:
 Rows = Callable[[], Iterable[tuple[str, ...]]]
 
 
-def key_rows(keys: type[Table], data: type[Declared], known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
+def key_rows(keys: type[Table], data: type, known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
     """A row for each key of a table of the file, as its class declares it; without those that `known` has likewise.
 
     Raises KeyError where a docstring has no entry for a key.
     """
-    meanings = {law.key: law_words(law) for law in body_laws() if not law.mounted} | entries(data.keys, keys, data)
+    meanings = {law.key: law_words(law) for law in body_laws() if not law.mounted} | entries(
+        getattr(data, "keys", data), keys, data
+    )
     first = ("schema_", "name", "freedom", "mount", "position", "wrench", "of")
     for name, info in sorted(keys.model_fields.items(), key=lambda item: (*first, item[0]).index(item[0])):
         before = known.model_fields.get(name) if known else None
         if before is None or (before.is_required(), before.default) != (info.is_required(), info.default):
             key = info.alias or name
             reader = next(validators(info.annotation, *info.metadata), None)
-            default = "required" if info.is_required() else default_words(info.default, reader)
+            default = (
+                "required" if info.is_required() else default_words(info.get_default(call_default_factory=True), reader)
+            )
             yield f"`{key}`", value_words(data, name, info, reader), default, meanings[key]
 
 
@@ -115,14 +121,15 @@ SHAPES: tuple[tuple[Any, str], ...] = (
 """Words for types of keys."""
 
 
-def value_words(data: type[Declared], name: str, info: FieldInfo, reader: QuantityValidator | None) -> str:
+def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidator | None) -> str:
     """What a key takes: shape, unit and bounds, or its words."""
     if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(name)):
         units = dict.fromkeys(found.si for kind in ("slide", "turn") if (found := data.dimension(name, kind)))
         return ", ".join([" or ".join(units), *bound_words(bounds)])
     inner = quantity_and_table(info.annotation)[1]
     if reader is None or inner is not None:
-        return "tables" if typing.get_origin(info.annotation) is list else "table" if inner else "number"
+        kind = typing.get_origin(info.annotation)
+        return "tables" if kind is list else "table" if inner or kind is dict else "number"
     if reader.words:
         return ", ".join(f'`"{word}"`' for word, _ in reader.words)
     shape = reader.shape or next((words for kind, words in SHAPES if kind == typed(info.annotation)), "list")
@@ -158,8 +165,9 @@ def bound_words(bounds: QuantityValidator | Bounds) -> list[str]:
 
 def digits(value: float) -> str:
     """A number in its shortest form: 1e5, 0.1, 1e-6."""
-    return min((re.sub(r"e\+?(-?)0*", r"e\1", text) for text in (f"{value:.6e}", f"{value:.0e}", f"{value:g}")
-                if float(text) == value), key=len)  # fmt: skip
+    texts = (f"{value:.6e}", f"{value:.0e}", f"{value:g}", repr(value))
+    exact = (re.sub(r"e\+?(-?)0*", r"e\1", text) for text in texts if float(text) == value)
+    return min(exact, key=len)
 
 
 def default_words(value: Any, reader: QuantityValidator | None) -> str:
@@ -192,6 +200,8 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["flywheel"] = partial(key_rows, body_table(Flywheel), Flywheel, carrier)
     rows["unbalance"] = partial(key_rows, UnbalanceTable, Flywheel)
     rows["top"] = top_rows
+    rows["campaign"] = partial(key_rows, CampaignTable, CampaignTable)
+    rows["quantity"] = partial(key_rows, QuantityTable, QuantityTable)
     return {f"keys {key}": partial(key_table, found) for key, found in rows.items()}
 
 
@@ -324,6 +334,11 @@ def range_lines() -> Iterator[str]:
     )
 
 
+def judge_names() -> Iterator[str]:
+    """The table of the independent checks of functions."""
+    return table(("judge", "what it is"), ((f"`{name}`", words) for name, words in JUDGES.items()))
+
+
 def judge_lines() -> Iterator[str]:
     """The table of who offers and judges each function; forms that take sines have the row of their function."""
     rows = []
@@ -346,6 +361,7 @@ MADE: dict[str, Callable[[], Iterable[str]]] = {
     "statuses": status_lines,
     "ranges": range_lines,
     "judges": judge_lines,
+    "judge names": judge_names,
     "contract": contract_lines,
 }
 """What stands between marks on pages, by the name of the mark."""

@@ -24,7 +24,7 @@ from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
 from mahovik.core.stand.problems import keys_of
 from mahovik.out.campaign.designs import DESIGNS
-from mahovik.out.campaign.file import CampaignTable, load_campaign
+from mahovik.out.campaign.file import load_campaign
 from mahovik.out.campaign.quantities import SIGNALS, STATISTICS
 from mahovik.out.campaign.runs import KINDS as RUNS
 from mahovik.out.campaign.vary import KINDS
@@ -47,7 +47,7 @@ def fields(*tables: type) -> set[str]:
 @pytest.mark.parametrize(
     ("page", "head", "keys"),
     [
-        ("campaigns.md", "key", {"schema", *fields(CampaignTable), *KINDS}),
+        ("campaigns.md", "distribution", {*KINDS}),
         ("campaigns.md", "design", {*DESIGNS}),
         ("campaigns.md", "key of `[over]`", {*RUNS}),
         ("campaigns.md", "signal", {*SIGNALS}),

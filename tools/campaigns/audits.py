@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import re
 from argparse import Namespace
 from collections.abc import Iterator
+from pathlib import PurePosixPath
 
 from campaigns import Row, Rows, Table, cores, side_by_side
 
@@ -53,6 +55,22 @@ def claim(rows: Rows) -> str:
     )
 
 
+SOURCE = re.compile(r"github\.com/([\w.-]+/[\w.-]+), ([\w./-]+), ([0-9a-f]{8})")
+
+"""Repository, file and revision."""
+
+
+def with_links(rows: Rows) -> Rows:
+    """The rows with their source behind the finding, as links."""
+
+    def link(file: re.Match[str]) -> str:
+        return f"[{PurePosixPath(file[2]).name}, {file[3]}](https://github.com/{file[1]}/blob/{file[3]}/{file[2]})"
+
+    titles = ("model", "finding", "differs", "largest difference")
+    words = [f"{row['finding']} {SOURCE.sub(link, row['source'])}" for row in rows]
+    return [{title: row[title] for title in titles} | {"finding": text} for row, text in zip(rows, words, strict=True)]
+
+
 TABLES = {
     "audits": Table(
         measure,
@@ -62,7 +80,7 @@ TABLES = {
         },
         claim,
         is_right,
-        "What an audit is and how it is done: [audits](diagnosis.md#public-models).",
-        hidden=("named", "missing", "false"),
+        "[How a model is audited](diagnosis.md#public-models).",
+        with_links,
     )
 }  # fmt: skip

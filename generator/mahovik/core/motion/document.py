@@ -171,7 +171,7 @@ def whole_number(least: int, most: int) -> PlainValidator:
             raise QuantityError(f"{value}: expected {least} to {most}")
         return value
 
-    return validator(read)
+    return validator(read, least=least, most=most)
 
 
 def choice(*names: str) -> PlainValidator:
@@ -182,7 +182,7 @@ def choice(*names: str) -> PlainValidator:
             raise QuantityError(f"unknown {show(raw)}{suggestion(raw, names)}")
         return str(raw)
 
-    return validator(read)
+    return validator(read, words=tuple((name, name) for name in names))
 
 
 def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:

@@ -39,14 +39,30 @@ SHORTEST_CHUNK, LONGEST_CHUNK, CHUNKS = 16, 10_000, 64
 
 
 class CorrelationTable(Table):
-    """One `[[correlation]]`: numbers of which every two have this coefficient."""
+    """One `[[correlation]]`: numbers of which every two have this coefficient.
+
+    of           paths, or patterns, in `vary`
+    coefficient  of a Gaussian copula: each number keeps its distribution
+    """
 
     of: Annotated[tuple[str, ...], validator(lambda raw: tuple(text(each) for each in any_list(raw)))]
     coefficient: Annotated[float, scalar(PLAIN, least=-1.0, most=1.0)]
 
 
 class CampaignTable(Table):
-    """A campaign file."""
+    """A campaign file.
+
+    name         without it that of the file
+    stand        a stand file beside this one, or the name of an example
+    samples      number of samples; `"morris"` and `"saltelli"` round it up to whole blocks
+    seed         another seed draws other samples
+    design       how samples are placed
+    chunk        samples of a chunk; without it a 64th of all, 16 to 10,000
+    vary         numbers that vary
+    correlation  numbers that depend on each other
+    over         over what each sample is computed
+    quantity     what is kept of each sample
+    """
 
     name: Text | None = None
     stand: Text

@@ -42,7 +42,15 @@ def _band(raw: Any) -> tuple[float, float]:
 
 
 class QuantityTable(Table):
-    """One `[[quantity]]`."""
+    """One `[[quantity]]`.
+
+    name   of its column
+    what   a statistic and a signal, such as `"rms acceleration"`
+    at     what the signal is of: a point, a flywheel, `carrier`, `hold.reaction`
+    axis   one component of a vector, in place of its length
+    band   lower and upper frequency, of an `rms`
+    after  earlier times do not count
+    """
 
     name: Name
     what: Text
