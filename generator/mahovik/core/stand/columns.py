@@ -5,8 +5,8 @@ the same bits. Where it decides by a comparison, the first sample of the column 
 another one are noted in `Run.diverged`: what was computed is not true of them, and they are read again by themselves.
 
 `polar` has r cos(a) and r sin(a) rounded correctly: the same bits on every machine, which no libm promises. One number
-is computed with 40 digits. Arrays are computed as sums of two doubles (Dekker 1971), with an error below 2^-93 of r:
-where both ends of that interval round to one double it is the answer, elsewhere 40 digits decide.
+is computed with 40 digits. Arrays are computed in long double: where both ends of the interval that its error leaves
+round to one double it is the answer, elsewhere 40 digits decide.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, is_dataclass, replace
-from functools import cache, partial
+from functools import partial
 from typing import Any, TypeVar, cast
 
 import numpy as np
@@ -160,16 +160,14 @@ def _with_numbers(change: Callable[[Any], Any], value: Any) -> Any:
 
 # -- r cos(a), r sin(a) ----------------------------------------------------------------------------------------------
 
-Double = tuple[Any, Any]
-"""An unevaluated sum: the second is below half a place of the first."""
-
 _DIGITS = 40
-_PARTS = 64
-"""Parts of a half turn for which sine and cosine are in a table."""
-_LARGEST = 1e3
-"""rad; beyond, and for lengths whose products leave the range of doubles, 40 digits are used at once."""
-_ERROR = 2.0**-93
-_SPLIT = 134217729.0  # 2^27 + 1
+
+_LONG = np.finfo(np.longdouble)
+_IS_LONGER = _LONG.nmant in (63, 112)
+"""Whether long double has more digits than double; elsewhere 40 digits are used for every sample."""
+
+_ERROR = 4 * _LONG.eps
+"""Most relative error of a quotient times a cosine in long double, each rounded within one place of its last digit."""
 
 
 def polar(length: Any, angle: Any, divisor: Any) -> tuple[Any, Any]:
@@ -184,29 +182,18 @@ def polar(length: Any, angle: Any, divisor: Any) -> tuple[Any, Any]:
 
 def _polar_of_arrays(length: Any, angle: Any, divisor: Any) -> tuple[Array, Array]:
     """`length / divisor` times (cos, sin) of `angle`, each correctly rounded; one of them is an array."""
+    U, a, m = np.broadcast_arrays(*(np.asarray(x, dtype=np.longdouble) for x in (length, angle, divisor)))
+    parts, uncertain = [], np.full(U.shape, not _IS_LONGER)
     with np.errstate(all="ignore"):
-        U, m = np.asarray(length, dtype=np.float64), np.asarray(divisor, dtype=np.float64)
-        ratio = _quotient(U, m)
-        if isinstance(angle, np.ndarray):
-            cosine, sine = _cos_sin(angle)
-            error = np.abs(ratio[0]) * _ERROR
-        else:  # with all digits, also near a zero
-            cosine, sine = _double(_high(float(angle), "cos")), _double(_high(float(angle), "sin"))
-            error = np.zeros(())
-        found = []
-        uncertain: NDArray[np.bool_] = ~(
-            (np.abs(ratio[0]) > 1e-200) & (np.abs(ratio[0]) < 1e200) & (np.abs(U) > 1e-200)
-        )
-        uncertain = uncertain | ~((np.abs(m) < 1e200) & (np.abs(m) > 1e-200)) | ~(np.abs(angle) <= _LARGEST)
-        for part in (cosine, sine):
-            high, low = _product(ratio, part)
-            bound = error + np.abs(high) * _ERROR
-            uncertain = uncertain | (high + (low + bound) != high + (low - bound))
-            found.append(np.array(high + low) + 0.0)
+        for function in (np.cos, np.sin):
+            value = U / m * function(a)
+            error = np.abs(value) * _ERROR
+            least, most = (value - error).astype(np.float64), (value + error).astype(np.float64)
+            uncertain |= (least != most) | ((value != 0.0) & (np.abs(most) < np.finfo(np.float64).tiny))
+            parts.append(most + 0.0)
     for j in np.flatnonzero(uncertain):
-        each = (float(x[j] if isinstance(x, np.ndarray) else x) for x in (length, angle, divisor))
-        found[0][j], found[1][j] = _exact(*each)
-    return found[0], found[1]
+        parts[0][j], parts[1][j] = _exact(float(U[j]), float(a[j]), float(m[j]))
+    return parts[0], parts[1]
 
 
 def _exact(length: float, angle: float, divisor: float) -> tuple[float, float]:
@@ -217,109 +204,3 @@ def _exact(length: float, angle: float, divisor: float) -> tuple[float, float]:
     with mpmath.workdps(_DIGITS):
         ratio, at = mpmath.mpf(length) / mpmath.mpf(divisor), mpmath.mpf(angle)
         return float(ratio * mpmath.cos(at)) + 0.0, float(ratio * mpmath.sin(at)) + 0.0
-
-
-# -- sums of two doubles ---------------------------------------------------------------------------------------------
-
-
-def _sum(a: Array, b: Array) -> Double:
-    """a + b exactly."""
-    s = a + b
-    t = s - a
-    return s, (a - (s - t)) + (b - t)
-
-
-def _times(a: Any, b: Any) -> Double:
-    """a b exactly."""
-    p = a * b
-    u, v = a * _SPLIT, b * _SPLIT
-    a1, b1 = u - (u - a), v - (v - b)
-    a2, b2 = a - a1, b - b1
-    return p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
-
-
-def _product(a: Double, b: Double) -> Double:
-    p, e = _times(a[0], b[0])
-    return _sum(p, e + (a[0] * b[1] + a[1] * b[0]))
-
-
-def _plus(a: Double, b: Double) -> Double:
-    s, e = _sum(a[0], b[0])
-    t, f = _sum(a[1], b[1])
-    s, e = _sum(s, e + t)
-    return _sum(s, e + f)
-
-
-def _quotient(a: Array, b: Array) -> Double:
-    q = a / b
-    p, e = _times(q, b)
-    second = ((a - p) - e) / b
-    p2, e2 = _times(second, b)
-    rest = (((a - p) - e) - p2) - e2
-    high, low = _sum(q, second)
-    return _sum(high, low + rest / b)
-
-
-def _negative(a: Double) -> Double:
-    return -a[0], -a[1]
-
-
-# -- sine and cosine -------------------------------------------------------------------------------------------------
-
-
-def _high(x: float, name: str) -> Any:
-    import mpmath
-
-    with mpmath.workdps(_DIGITS):
-        return getattr(mpmath, name)(mpmath.mpf(x))
-
-
-def _double(x: Any, parts: int = 2) -> Any:
-    """A number of many digits as a sum of doubles."""
-    import mpmath
-
-    with mpmath.workdps(3 * _DIGITS):
-        found = []
-        for _ in range(parts):
-            found.append(np.float64(float(x)))
-            x = x - mpmath.mpf(float(x))
-    return tuple(found)
-
-
-@cache
-def _constants() -> tuple[Array, Array, Array, tuple[Double, ...]]:
-    """pi / 64 in three parts; cosine and sine of its multiples; 1/2!, 1/3!, ... 1/7! as sums of two doubles."""
-    import mpmath
-
-    with mpmath.workdps(3 * _DIGITS):
-        unit = mpmath.pi / _PARTS
-        cosines = np.array([_double(mpmath.cos(unit * k)) for k in range(2 * _PARTS)])
-        sines = np.array([_double(mpmath.sin(unit * k)) for k in range(2 * _PARTS)])
-        fractions = tuple(_double(1 / mpmath.factorial(k)) for k in range(8))
-        return np.array(_double(unit, 3)), cosines, sines, fractions
-
-
-def _cos_sin(angle: Array) -> tuple[Double, Double]:
-    """Cosine and sine, error below 2^-95: reduced to |r| <= pi/128 by a table, then series."""
-    unit, cosines, sines, over = _constants()
-    k = np.rint(angle / unit[0])
-    first, second, third = (_times(k, np.float64(each)) for each in unit)
-    r = _plus(_plus(_sum(angle, -first[0]), _sum(-first[1], -second[0])), _sum(-second[1], -third[0]))
-    z = _product(r, r)
-    x = z[0]
-    # from the eighth power on doubles suffice
-    tail = x * x * x * x * (1 / 40320.0 - x * (1 / 3628800.0 - x * (1 / 479001600.0)))
-    series = _plus(over[4], _product(_negative(over[6]), z))
-    series = _plus(_negative(over[2]), _product(series, z))
-    cosine = _plus(_plus((np.float64(1.0), np.float64(0.0)), _product(series, z)), (tail, np.zeros_like(tail)))
-    tail = x * x * x * x * (1 / 362880.0 - x * (1 / 39916800.0 - x * (1 / 6227020800.0)))
-    series = _plus(over[5], _product(_negative(over[7]), z))
-    series = _plus(_negative(over[3]), _product(series, z))
-    ratio = _plus(_plus((np.float64(1.0), np.float64(0.0)), _product(series, z)), (tail, np.zeros_like(tail)))
-    sine = _product(r, ratio)
-    place = np.mod(np.where(np.isfinite(k), k, 0.0), 2 * _PARTS).astype(np.int64)
-    C, S = ((each[place, 0], each[place, 1]) for each in (cosines, sines))
-    return (
-        _plus(_product(C, cosine), _negative(_product(S, sine))),
-        _plus(_product(S, cosine), _product(C, sine)),
-    )
