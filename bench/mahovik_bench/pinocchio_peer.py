@@ -5,8 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from mahovik.core.stand.frames import pose
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center, pose
 from mahovik_bench.build import CACHE, NATIVE, Recipe
 from mahovik_bench.cases import Case
 from mahovik_bench.contestant import Peer

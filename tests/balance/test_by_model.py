@@ -13,7 +13,7 @@ import mahovik
 from balance.bench import read, write
 from cli.run import refused, run
 from mahovik.core.stand import load
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.errors import BalanceError, UsageError
 from mahovik.out.result import Result
 from mahovik.use.balance.by_model import Planes, balance_wheels

@@ -12,7 +12,7 @@ from math import cos, pi, radians, sin
 import pytest
 
 from by_hand.stands import SPIN, stand, wheel
-from mahovik.core.stand.frames import placement
+from mahovik.core.stand.masses import placement
 from mahovik.out.commands.check import check
 from mahovik.out.commands.report import bodies_part, limits_part
 from mahovik.out.report.page import Part

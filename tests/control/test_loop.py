@@ -14,8 +14,7 @@ from mahovik import stands as examples
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import RunUpTable
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.frames import placement
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center, placement
 from mahovik.core.stand.model import Encoder
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.law import Suspension

@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import assume, given, settings
 from pytest import approx
 
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center
 from mahovik.core.stand.model import Stand
 from mahovik.out.report.drawing import disc, draw_stand, ellipsoid
 from strategies import stands

@@ -15,11 +15,10 @@ from scipy.spatial import ConvexHull
 
 from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.capacity import envelope, momentum_capacity, torque_capacity
-from mahovik.core.stand.mean import mean_stand
+from mahovik.core.stand.masses import mass_properties, mean_stand
 from mahovik.core.stand.random import random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
-from mahovik.core.stand.whole import mass_properties
 from mahovik.proof import reference
 
 CARRIER = 'schema = 1\nname = "a"\n[carrier]\nmass = 3\ninertia = [0.5, 0.6, 0.7]\n'

@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.frames import pose
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center, pose
 from mahovik.core.stand.random import BARE, random_stand, random_state
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.c_backend import CBackend

@@ -23,12 +23,11 @@ from mahovik.core.stand.content import content
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, require, run, version
-from mahovik.core.toolchain.callgrind import NATIVE, instructions_of_host
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target
-from mahovik.core.toolchain.workload import read, workload
+from mahovik.core.toolchain.workload import NATIVE, instructions_of_host, read, workload
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify import selftest
 from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, require_own

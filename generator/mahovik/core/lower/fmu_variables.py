@@ -11,8 +11,7 @@ from mahovik.core.lower import stream_profile, units
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import OF_HOLD, Layout
 from mahovik.core.lower.limits import limits
-from mahovik.core.lower.member import Member, matrix, member, members, vector
-from mahovik.core.lower.units import Unit
+from mahovik.core.lower.units import Member, Unit, matrix, member, members, vector
 from mahovik.core.lower.values import Values
 from mahovik.core.program.types import Field, Struct
 from mahovik.core.stand.hold import freedom_names, freedom_words, numbered_freedoms

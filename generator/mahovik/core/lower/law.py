@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.member import Member, members
-from mahovik.core.lower.units import Unit
+from mahovik.core.lower.units import Member, Unit, members
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import argument, body, changed
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core import routines
-from mahovik.core.lower import checks, coordinates, placement, rotation
+from mahovik.core.lower import checks, coordinates, prepare, rotation
 from mahovik.core.lower.law import ATTITUDE, OWN_TWIST, BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
@@ -47,7 +47,7 @@ def law_functions(own: Structure) -> tuple[Library, Interpreter, Columns]:
     lib.add(rotation.rotation())
     lib.add(rotation.rotate_back)
     lib.add(coordinates.quaternion(lib))
-    placement.add_frame_of_axes(lib)
+    prepare.add_frame_of_axes(lib)
     add_laws(lib)
     wrench: Any = result("", 6, unit="N, N m")
     refuses = any(law.refuses for law in layout.law_tables)

@@ -25,7 +25,6 @@ from mahovik.core.lower import (
     matrices,
     mounts,
     parameters,
-    placement,
     points,
     prepare,
     regressor,
@@ -184,7 +183,7 @@ def _program(lib: Library) -> Program:
 def _add_prepare(lib: Library) -> None:
     """`prepare`, and what it needs."""
     layout = lib.layout
-    placement.add_frame_of_axes(lib)
+    prepare.add_frame_of_axes(lib)
     prepare.add_carry(lib)
     if layout.along:
         if "project_mass" not in lib:
@@ -196,9 +195,9 @@ def _add_prepare(lib: Library) -> None:
         lib.add(parameters.check_body(lib, layout.flywheel_body))
     if layout.flywheels:
         purpose = "Origin and axes (at phi = 0) of a flywheel in E1."
-        placement.add_placement(lib, "place_flywheel", layout.flywheel_parameters, purpose)
+        prepare.add_placement(lib, "place_flywheel", layout.flywheel_parameters, purpose)
     if layout.structure.points:
-        placement.add_placement(lib, "place_point", layout.point_parameters, "Origin and axes of a point in E1.")
+        prepare.add_placement(lib, "place_point", layout.point_parameters, "Origin and axes of a point in E1.")
     if layout.added_mass:
         parameters.add_added_mass(lib)
     parameters.add_check_parameters(lib)

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 from mahovik.core.lower import units
-from mahovik.core.lower.member import Member, member
+from mahovik.core.lower.units import Member, member
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import StreamProfile
 from mahovik.core.stand.structure_facts import Structure

@@ -47,8 +47,7 @@ from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import FREE, Coordinates, SixRows, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
 from mahovik.core.stand.fields import Length3, Table, Text, direction, require_bounds, scalar, validator, vec3, vector
-from mahovik.core.stand.frames import turn
-from mahovik.core.stand.mean import Unbalance
+from mahovik.core.stand.masses import Unbalance, turn
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.task import check_tasks

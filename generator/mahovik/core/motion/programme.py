@@ -31,7 +31,7 @@ from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse,
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Table, Text, scalar, validator, vector
-from mahovik.core.stand.mean import Unbalance, mean_stand
+from mahovik.core.stand.masses import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show

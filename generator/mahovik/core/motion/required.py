@@ -13,7 +13,7 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.document import Data, bound_per_flywheel, per_flywheel
 from mahovik.core.motion.functions import Array, Course, Harmonics, PlannedCourse, SampledCourse
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
-from mahovik.core.stand.mean import Unbalance
+from mahovik.core.stand.masses import Unbalance
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.task import places_of, row_vector

@@ -13,9 +13,8 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import inertia_about_origin, placed_bodies, vec3
 from mahovik.core.stand.model import Flywheel, Stand, Vec3
-from mahovik.core.stand.whole import placed_bodies, vec3
 
 Array = NDArray[np.float64]
 

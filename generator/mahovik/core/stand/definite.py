@@ -11,8 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.frames import blocks, cross, placement, transfer
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import blocks, cross, inertia_about_origin, placement, transfer
 from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Stand
 
 Array = NDArray[np.float64]

@@ -24,8 +24,8 @@ from mahovik.core.stand.datasheet import FlywheelForm, UnbalanceTable
 from mahovik.core.stand.echoes import moments_of
 from mahovik.core.stand.fields import QuantityValidator, Table
 from mahovik.core.stand.hold import find_freedom
-from mahovik.core.stand.inertia import inertia_about_origin
 from mahovik.core.stand.laws import arrays, headers, held_laws, hold_table, tables
+from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Hold, Stand
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.units import PLAIN, Dimension, number, show

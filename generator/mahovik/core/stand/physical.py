@@ -9,8 +9,8 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand.definite import condition_of_twists, least_eigenvalue
 from mahovik.core.stand.echoes import Moments
 from mahovik.core.stand.hold import twists
-from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.laws import body_laws
+from mahovik.core.stand.masses import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import INERTIA

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.columns import Column, numbers
-from mahovik.core.stand.frames import mount_of
+from mahovik.core.stand.masses import mount_of
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Instrument, Stand
 from mahovik.core.stand.physical import LARGEST, LEAST_EIGENVALUE, RELATIVE
 

@@ -9,10 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import RPM
-from mahovik.core.stand.balance import eccentric_velocity, grade
-from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
+from mahovik.core.stand.masses import (
+    PlacedBody,
+    eccentric_velocity,
+    grade,
+    inertia_about_center,
+    inertia_about_origin,
+    placed_bodies,
+)
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
-from mahovik.core.stand.whole import PlacedBody, placed_bodies
 
 Array = NDArray[np.float64]
 

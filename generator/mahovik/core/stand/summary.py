@@ -9,17 +9,24 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.stand.balance import eccentric_velocity, grade, plane_velocity
 from mahovik.core.stand.capacity import Capacity, momentum_capacity, torque_capacity
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.hold import twists, words
-from mahovik.core.stand.inertia import inertia_about_center, inertia_about_origin
 from mahovik.core.stand.law import HoldNumber
 from mahovik.core.stand.laws import body_laws, carrier_laws, held_laws
+from mahovik.core.stand.masses import (
+    eccentric_velocity,
+    grade,
+    inertia_about_center,
+    inertia_about_origin,
+    mass_properties,
+    placed_bodies,
+    plane_velocity,
+    vec3,
+)
 from mahovik.core.stand.model import WRENCH_LETTERS, Flywheel, Instrument, Stand, Vec3
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
-from mahovik.core.stand.whole import mass_properties, placed_bodies, vec3
 
 USUAL_SPEED = 100 * math.pi  # 3000 rpm, rad/s
 _NEAR = math.radians(5.0)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import name_problem
-from mahovik.core.stand.frames import cross, placement, turn
+from mahovik.core.stand.masses import cross, placement, turn
 from mahovik.core.stand.model import COMPONENTS, Instrument, Point, Task, TaskRow
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show

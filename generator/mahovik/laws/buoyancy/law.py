@@ -11,8 +11,8 @@ from mahovik.core.stand.declare import AS_VECTOR, TIMES, Default, Draw, Drawn, S
 from mahovik.core.stand.fields import ZERO3, Length3, Mass
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.masses import mass_properties, placed_bodies
 from mahovik.core.stand.model import Stand, Vec3
-from mahovik.core.stand.whole import mass_properties, placed_bodies
 
 LEVEL = 1e-9
 """m: heights that differ by less are one, rounded."""

@@ -12,7 +12,7 @@ import numpy as np
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
-from mahovik.core.lower.member import Member, member
+from mahovik.core.lower.units import Member, member
 from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body, Stand

@@ -8,7 +8,7 @@ from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
-from mahovik.core.lower.member import Member, members
+from mahovik.core.lower.units import Member, members
 from mahovik.core.program.expression import real
 from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct

@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
-from mahovik.core.lower.member import Member, member
+from mahovik.core.lower.units import Member, member
 from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot

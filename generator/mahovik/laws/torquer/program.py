@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import WRENCH, CarrierProgram, declared
-from mahovik.core.lower.member import Member, vector
+from mahovik.core.lower.units import Member, vector
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, argument, body, reals
 from mahovik.core.program.types import Field, Kind, Struct

@@ -56,7 +56,7 @@ class Tables:
 
     def laws(self) -> dict[str, Any]:
         """Numbers of the laws between E0 and the carrier, by member of a table, with the samples last."""
-        from mahovik.core.lower.variants import columns, law_struct, reals
+        from mahovik.core.lower.values import columns, law_struct, reals
 
         layout, _program = lower_structure(structure(self.made_of), self.real)
         varied = iter(self._found.varied)

@@ -123,7 +123,7 @@ def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] 
     Raises StandError for a sample that cannot be read, UsageError, InputError. With `refused` a sample that cannot be
     read, or is of another structure, is noted there by number with the reason, and the others are read.
     """
-    from mahovik.core.lower.variants import variant
+    from mahovik.core.lower.values import variant
 
     wanted, n = structure(stand), samples.n
     layout, program = lower_structure(wanted, real)

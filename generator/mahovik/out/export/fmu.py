@@ -8,8 +8,7 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mahovik.core.emit.fmu import block_sources, compiled_sources, fmu_sources
-from mahovik.core.emit.fmu_description import fmu_build, fmu_description
+from mahovik.core.emit.fmu import block_sources, compiled_sources, fmu_build, fmu_description, fmu_sources
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form

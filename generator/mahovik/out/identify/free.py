@@ -18,7 +18,7 @@ from pydantic import Field
 from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.fields import Table
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import TIME, QuantityError, number

@@ -20,10 +20,9 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.definite import least_eigenvalue
-from mahovik.core.stand.frames import pose
 from mahovik.core.stand.hold import is_closed, twists
-from mahovik.core.stand.inertia import inertia_about_center
 from mahovik.core.stand.laws import body_laws, carrier_laws
+from mahovik.core.stand.masses import inertia_about_center, pose
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.state import State

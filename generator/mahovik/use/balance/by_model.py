@@ -19,8 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.balance import grade
-from mahovik.core.stand.frames import pose
+from mahovik.core.stand.masses import grade, pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
 from mahovik.use.balance.influence import INDEPENDENT, Array, Complex

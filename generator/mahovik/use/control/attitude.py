@@ -15,9 +15,8 @@ from typing import Literal
 import numpy as np
 
 from mahovik.core.stand.capacity import Array, envelope, momentum_capacity, torque_capacity
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import inertia_about_origin, mass_properties, placed_bodies
 from mahovik.core.stand.model import Flywheel, Motor, Stand, Task
-from mahovik.core.stand.whole import mass_properties, placed_bodies
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 

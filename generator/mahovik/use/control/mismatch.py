@@ -10,8 +10,7 @@ import numpy as np
 
 from mahovik.core.stand.declare import Errors
 from mahovik.core.stand.fields import Mat3
-from mahovik.core.stand.frames import placement
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center, placement
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAxes, Stand, Vec3
 from mahovik.core.stand.physical import check_body, check_stand
 from mahovik.core.stand.problems import Problems

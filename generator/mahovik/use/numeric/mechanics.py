@@ -12,8 +12,8 @@ from functools import cached_property
 import numpy as np
 
 from mahovik.core.lower.law_arrays import LawArrays, TwistLaws, law_arrays
-from mahovik.core.stand.frames import pose, transfer
 from mahovik.core.stand.hold import twists as freedom_twists
+from mahovik.core.stand.masses import pose, transfer
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.use.numeric.frame import Frame, Twists, in_E1
 from mahovik.use.numeric.se3 import (

@@ -7,9 +7,9 @@ import numpy as np
 from mahovik.core.motion.motion_file import NO_SLEW
 from mahovik.core.motion.required import RequiredMotion, Slew
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.frames import transfer
 from mahovik.core.stand.hold import twists as freedom_twists
 from mahovik.core.stand.hold import wrenches
+from mahovik.core.stand.masses import transfer
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError
 from mahovik.use.numeric.frame import Frame, Twists

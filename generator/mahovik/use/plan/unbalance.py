@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.stand.mean import mean_stand
+from mahovik.core.stand.masses import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.course import INTERVALS, Chart, course
 from mahovik.use.numeric.frame import Frame

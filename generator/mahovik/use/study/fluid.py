@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.lower.law_arrays import TwistLaws, law_arrays
-from mahovik.core.stand.inertia import inertia_about_center
+from mahovik.core.stand.masses import inertia_about_center
 from mahovik.core.stand.model import Body, Carrier, Instrument, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.proof.reference.assembly import pieces

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.inertia import inertia_about_origin
+from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Stand
 
 PART = 1e-3

@@ -12,7 +12,7 @@ from mahovik.core.motion.functions import Angles, PlannedCourse, Samples
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import SINGULAR, Slew, rows_of
-from mahovik.core.stand.mean import mean_stand
+from mahovik.core.stand.masses import mean_stand
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.use.numeric.mechanics import Mechanics

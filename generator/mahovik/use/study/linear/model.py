@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.core.stand.frames import pose, transfer
 from mahovik.core.stand.hold import freedom_names, is_closed, twists
+from mahovik.core.stand.masses import pose, transfer
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StateError, UsageError
