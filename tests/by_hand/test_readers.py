@@ -20,8 +20,8 @@ from by_hand.stands import stand, wheel
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.summary import summarize
 from mahovik.core.stand.units import ANGLE, INERTIA, SPEED, STATIC_UNBALANCE, TORQUE, Dimension, number
-from mahovik.out.foreign.merge import make_stand
-from mahovik.out.foreign.urdf import read_urdf
+from mahovik.out.foreign.original import read
+from mahovik.out.foreign.stand import make_stand
 
 
 @pytest.mark.parametrize(
@@ -86,7 +86,7 @@ URDF = """
 
 def test_a_urdf_by_its_definition(tmp_path: Path) -> None:
     (tmp_path / "box.urdf").write_text(URDF)
-    box = make_stand(read_urdf(tmp_path / "box.urdf"), "box", "box.urdf").stand
+    box = make_stand(read(tmp_path / "box.urdf", None)[0], "box", "box.urdf").stand
     assert box.carrier.mass == 5.0
     assert box.carrier.center_of_mass == pytest.approx((0.1, 0.0, 0.0))
     apart = 4 * 0.1**2 + 1 * 0.4**2  # about the common mass centre

@@ -30,10 +30,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import MotionError
 from mahovik.out.campaign.file import load_campaign
-from mahovik.out.foreign.merge import make_stand
-from mahovik.out.foreign.mjcf import read_mjcf
-from mahovik.out.foreign.urdf import read_urdf
-from mahovik.out.foreign.write import stand_file
+from mahovik.out.foreign.original import read
+from mahovik.out.foreign.stand import make_stand
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.foreign import read_results
@@ -64,7 +62,7 @@ MOTIONS, PROGRAMMES = (
     [json.loads(data) for data in files] for files in ([*SHIPPED, *examples("motion-*")], examples("programme-*"))
 )
 MODELS = Path(__file__).parents[1] / "foreign" / "models"
-URDF, MJCF = ((MODELS / f"sat.{kind}").read_text(encoding="utf-8") for kind in ("urdf", "xml"))
+URDF, MJCF, SDF = ((MODELS / f"sat.{kind}").read_text(encoding="utf-8") for kind in ("urdf", "xml", "sdf"))
 
 
 def read_servo_file(file: Path) -> None:
@@ -89,8 +87,7 @@ def read_programme_file(file: Path) -> None:
 
 def read_model(file: Path) -> None:
     """The stand of a model, as a stand file."""
-    stand = make_stand(read_urdf(file) if file.suffix == ".urdf" else read_mjcf(file), "x", file.name)
-    stand_file(stand, file.name, "x")
+    stand = make_stand(read(file, None)[0], "x", file.name)
     assert all("\n" not in note for note in stand.notes)
 
 
@@ -141,6 +138,7 @@ FILES = {
     "programme": Reader(read_programme_file, "programme.json", as_json(PROGRAMMES), spoiled_json(PROGRAMMES)),
     "URDF": Reader(read_model, "m.urdf", [URDF.encode()], spoiled_xml(URDF)),
     "MJCF": Reader(read_model, "m.xml", [MJCF.encode()], spoiled_xml(MJCF)),
+    "SDF": Reader(read_model, "m.sdf", [SDF.encode()], spoiled_xml(SDF)),
 }
 
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from itertools import takewhile
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import FilePath, Progressing, Text, vector
+from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
 from mahovik.out.notices import Progress, tell
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
-    from mahovik.out.foreign.agreement import Original
-    from mahovik.out.foreign.merge import ImportedStand
-    from mahovik.out.foreign.model import ForeignModel
+    from mahovik.out.foreign.stand import ImportedStand
+
+SUFFIXES = (".urdf", ".xml", ".mjcf", ".sdf")
+"""Files of other programs."""
 
 ADAPTER = "adapter"
 """What `new` writes that is no stand."""
@@ -32,6 +32,8 @@ def new(
     carrier: Text | None = None,
     instruments: bool = False,
     gravity: Vector | None = None,
+    armature: Literal["wheel"] | None = None,
+    fix: Names | None = None,
     list: bool = False,
     progress: Progressing = None,
 ) -> Result:
@@ -39,10 +41,10 @@ def new(
 
     NAME is an example, which comes with its motions and servos; or `adapter`, of which `-o adapter.py` or
     `-o adapter.cpp` is a program that reads states and answers them, to be judged by `mahovik judge --with`: put your
-    own equations into it. FILE is a URDF (.urdf) or a model of MuJoCo (.xml): its root link or free body is the
-    carrier, joints that turn without end are flywheels, fixed bodies are merged, bodies without mass and sites become
-    points; features that a stand cannot have are refused, all of them at once, and the result is compared with the
-    original.
+    own equations into it. FILE is a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), read with MuJoCo: the body that moves
+    on the world is the carrier, its joint there is the hold, joints that turn on it without end are flywheels, fixed
+    bodies are merged, bodies without mass and sites become points; what a stand cannot have is refused by name, what is
+    left out is said, and the result is compared with the original.
 
     Args:
         source: example, adapter, or file of another program.
@@ -51,7 +53,10 @@ def new(
         name: name of the stand in the new file; default that of -o, else the example's or the model's.
         carrier: body of FILE whose frame is E1, fixed to the first one; default the first.
         instruments: keep bodies of FILE that are fixed on the carrier as instruments, in place of merging them.
-        gravity: gravity in E0, m/s2, which a URDF does not have; default 0.
+        gravity: gravity in E0, m/s2, where FILE has none; default 0.
+        armature: `wheel`: the armature of a flywheel's joint is a thin disc on the flywheel, taken from the carrier;
+            default: it is refused.
+        fix: joints of FILE that are fixed where FILE has them.
         list: list the examples.
 
     Raises:
@@ -72,10 +77,14 @@ def new(
     place = None if output is None else str(output)
     if source == ADAPTER:
         return _adapter(Path(place or "adapter.py"), name)
-    if Path(source).suffix in (".urdf", ".xml", ".mjcf"):
-        return _import(Path(source), place, name, carrier, gravity, instruments, progress)
-    if carrier is not None or instruments or gravity is not None:
-        what = "carrier" if carrier is not None else "instruments" if instruments else "gravity"
+    if Path(source).suffix in SUFFIXES:
+        fixed = [] if fix is None else fix.split(",") if isinstance(fix, str) else [*fix]
+        down = None if gravity is None else vector("gravity", gravity, "as 0,0,-9.81")
+        options: dict[str, Any] = {"carrier": carrier, "instruments": instruments, "armature": armature, "fix": fixed}
+        made, comparison = _imported(Path(source), name, down, progress, **options)
+        return _write_stand(made, comparison, place)
+    given = {"carrier": carrier, "instruments": instruments, "gravity": gravity, "armature": armature, "fix": fix}
+    for what in (key for key, value in given.items() if value):
         raise UsageError(f"{what}: of a FILE of another program, not of the example {source}")
     return _example(source, place, name)
 
@@ -132,89 +141,36 @@ def _adapter(path: Path, called: str | None) -> Result:
     return _list_of([path], (), is_written_through(path))
 
 
-def _import(
-    source: Path, output: str | None, called: str | None, carrier: str | None, gravity: Any, instruments: bool,
-    progress: Progressing,
-) -> Result:  # fmt: skip
-    """The stand of a model of another program, compared with the original. Raises ForeignError, CheckError."""
+def _imported(
+    source: Path, called: str | None, gravity: Any, progress: Progressing, **options: Any
+) -> tuple[ImportedStand, str]:
+    """The stand of a model of another program, and how it compares with that. Raises ForeignError, CheckError."""
+    from mahovik.out.foreign.original import LIMIT, compare, read
+    from mahovik.out.foreign.stand import make_stand, stand_name
 
-    from mahovik.out.foreign.merge import make_stand
-    from mahovik.out.foreign.naming import stand_name
-    from mahovik.out.foreign.write import stand_file
+    model, original = read(source, gravity)
+    made = make_stand(model, called or stand_name(model.name or source.stem), source.name, **options)
+    tell(progress, Progress(f"comparing with {source.name}"))
+    differences = compare(made, original)
+    if wrong := ", ".join(f"{what} by {value:.2g}" for what, value in differences.items() if not value <= LIMIT):
+        raise CheckError(f"{source.name}: the stand differs from MuJoCo's model, {wrong}: nothing was written")
+    if not differences:
+        return made, "not compared with the original: it has no motion"
+    most = max(differences, key=lambda what: differences[what])
+    words = f"largest relative difference {differences[most]:.1g} ({most})"
+    return made, f"agrees with MuJoCo's model of the file at 20 random states, {words}"
+
+
+def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Result:
+    """The stand file, written; what was found, left out and compared."""
     from mahovik.writing import write
 
-    original: Callable[[ImportedStand], Original]
-    if source.suffix == ".urdf":
-        from mahovik.out.foreign.urdf import read_urdf
-
-        model: ForeignModel = read_urdf(source)
-
-        def original(found: ImportedStand) -> Original:
-            from mahovik.out.foreign.agreement import PinocchioOriginal
-
-            return PinocchioOriginal(source, found, model.free is True)
-    else:
-        from mahovik.out.foreign.mjcf import read_mjcf
-
-        if gravity is not None:
-            raise UsageError("gravity: a model of MuJoCo has its own")
-        model = read_mjcf(source)
-
-        def original(found: ImportedStand) -> Original:
-            from mahovik.out.foreign.agreement import MujocoOriginal
-            from mahovik.out.foreign.mjcf import compile_model
-
-            return MujocoOriginal(compile_model(source), found, model.free is not False)
-
-    own = called or stand_name(model.name or source.stem)
-    target = new_file(output, own)
-    down = None if gravity is None else vector("gravity", gravity, "as 0,0,-9.81")
-    made = make_stand(
-        model,
-        own,
-        source.name,
-        carrier=carrier,
-        gravity=down,
-        instruments=instruments,
-    )
-    text = stand_file(made, source.name, "mahovik new")
-    tell(progress, Progress(f"comparing with {source.name}"))
-    comparison = _comparison_words(made, original, source)
-    write(target, text)
     stand = made.stand
+    target = new_file(output, stand.name)
+    write(target, made.text)
     parts = [(len(stand.instruments), "instrument"), (len(stand.flywheels), "flywheel"), (len(stand.points), "point")]
     words = [f"{n} {noun}{'' if n == 1 else 's'}" for n, noun in parts if n or noun == "flywheel"]
     return _list_of([target], [f"carrier {made.carrier}, {', '.join(words)}", *made.notes, comparison])
-
-
-def _comparison_words(made: ImportedStand, original: Callable[[ImportedStand], Original], source: Path) -> str:
-    """Agreement of the stand with the original file, in words. Raises CheckError."""
-    from mahovik.out.foreign.agreement import LIMIT, agreement, disagreement
-
-    try:
-        theirs = original(made)
-    except ImportError as error:
-        return f"not compared with the original: {error.name or error} is not installed: pip install pin"
-    except ValueError as error:
-        return f"not compared with the original: {' '.join(str(error).split())}"
-    errors = agreement(made, theirs)
-    if wrong := disagreement(errors):
-        raise CheckError(
-            f"{source.name}: the stand differs from the original in {theirs.name}, {wrong}: nothing was written"
-        )
-    if not errors:
-        return "not compared with the original: fixed on the world and without flywheels it has no motion"
-    alone = "" if "K" in errors else f" in {', '.join(errors)} alone, since it is fixed on the world there"
-    loose = {name: error for name, error in errors.items() if error > LIMIT}  # an acceleration: the equations agree
-    tight = {name: error for name, error in errors.items() if error <= LIMIT}
-    most, but = "", ""
-    if tight:
-        worst = max(tight, key=lambda name: tight[name])
-        most = f", largest relative difference {tight[worst]:.1g} ({worst})"
-    if loose:
-        apart = max(loose, key=lambda name: loose[name])
-        but = f"; but {apart} by {loose[apart]:.1g}: the mass matrix is so uneven that rounding decides"
-    return f"agrees with the original in {theirs.name} at 20 random states{alone}{most}{but}"
 
 
 def new_file(output: str | None, name: str) -> Path:

@@ -1,5 +1,4 @@
-"""Stand files from models of other programs: URDF and MuJoCo's MJCF.
+"""Stand files from models of other programs: URDF and MJCF, which MuJoCo's `MjSpec` reads, and SDF, which `sdf` reads.
 
-The reader of each format returns a `ForeignModel`, links on fixed and turning joints, and refuses features that a stand
-cannot have. `merge` turns it into a Stand, `agreement` compares that with Pinocchio or MuJoCo on the original file.
+All become one tree of bodies on joints (`model`), of which `stand` makes the text of a stand file.
 """

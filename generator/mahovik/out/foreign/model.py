@@ -1,14 +1,28 @@
-"""Parts of other programs' models that a stand can have: links, fixed or turning on others; their rotations."""
+"""Models of other programs as one tree of bodies on joints, and the XML that they stand in."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from mahovik.core.stand.content import readable
+from mahovik.core.stand.frames import cross
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.units import show
+from mahovik.errors import ForeignError
 
 Array = NDArray[np.float64]
+
+KINDS = {"robot": "URDF", "mujoco": "MJCF", "sdf": "SDF"}
+"""Formats by the root element of their files."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,97 +38,185 @@ class RigidMass:
 class Place:
     """A frame in another: origin (3, m) and axes (3x3: columns are its axes there)."""
 
-    origin: Array
-    axes: Array
+    origin: Array = field(default_factory=lambda: np.zeros(3))
+    axes: Array = field(default_factory=lambda: np.eye(3))
 
     def __matmul__(self, inner: Place) -> Place:
         """A frame given in this one, in the frame that this one is given in."""
-        return Place(self.origin + self.axes @ inner.origin, self.axes @ inner.axes)
+        return Place(self.point(inner.origin), self.axes @ inner.axes)
 
     @property
     def inverse(self) -> Place:
         """The outer frame in this one."""
         return Place(-(self.axes.T @ self.origin), self.axes.T)
 
+    def point(self, inside: Array) -> Array:
+        """A point (3, m) of this frame in the outer one."""
+        return self.origin + self.axes @ inside
+
+    def mass(self, inside: RigidMass) -> RigidMass:
+        """A body of this frame in the outer one."""
+        inertia = self.axes @ inside.inertia @ self.axes.T
+        return RigidMass(inside.mass, self.point(inside.center), (inertia + inertia.T) / 2)
+
 
 @dataclass(frozen=True, eq=False)
-class Spin:
-    """A joint that turns without end: its name; axis (3, any length) and a point of it (3, m) in the link's frame.
+class Joint:
+    """What a body can do on its parent, by a coordinate q (rad or m) that is `zero` where the body is at its place.
 
-    `number`: its index among the joints of the file, which is the order of the flywheels.
-    `zero`: the joint's coordinate, rad, at which the link has its `place`. Torques of the joint: `viscous`
-    N m s/rad, `coulomb` N m, the largest that a drive gives N m, None for no limit.
+    kind            "hinge", "slide", "ball", "free"
+    axis, anchor    unit vector and a point of the axis (m), in the body's frame
+    number          of the joint in the file: the order of flywheels
+    damping, friction, stiffness    force or torque by speed, at any speed, by coordinate from `spring_zero`
+    armature        inertia that acts on the coordinate's acceleration alone, kg m2 or kg
+    range           least and largest coordinate; None without an end
+    effort          largest force or torque of its drive; None without a limit
     """
 
-    joint: str
-    number: int
+    name: str
+    kind: str
     axis: Array
     anchor: Array
+    number: int
     zero: float = 0.0
-    viscous: float = 0.0
-    coulomb: float = 0.0
-    torque: float | None = None
+    damping: float = 0.0
+    friction: float = 0.0
+    stiffness: float = 0.0
+    spring_zero: float = 0.0
+    armature: float = 0.0
+    range: tuple[float, float] | None = None
+    effort: float | None = None
+
+    def moved(self, way: float) -> Place:
+        """Where the body is, in its own frame of before, after `way` of a hinge or slide."""
+        if self.kind == "slide":
+            return Place(self.axis * way)
+        turned = np.asarray(Rotation.from_rotvec(self.axis * way).as_matrix())
+        return Place(self.anchor - turned @ self.anchor, turned)
+
+    @property
+    def endless(self) -> bool:
+        """Whether it can be the axis of a flywheel."""
+        return self.kind == "hinge" and self.range is None and not self.stiffness
 
 
 @dataclass(frozen=True, eq=False)
-class Link:
-    """A rigid body. `place`: its frame in that of its parent; `mass`, `spin`: or None.
+class Body:
+    """A rigid body at `place` in its parent's frame, on joints one after another; fixed where it has none.
 
-    `parent` is None only for the first link, whose place has no meaning.
+    `parent`: its name; "" is the world. `mass`: None where it has none.
     """
 
     name: str
-    parent: str | None
+    parent: str
     place: Place
     mass: RigidMass | None
-    spin: Spin | None = None
+    joints: tuple[Joint, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
-    """A place of interest on a link: a site, a link without mass."""
+class Model:
+    """A model as read: bodies, parents first, and named places on them (name, body, place there).
 
-    name: str
-    link: str
-    place: Place
-
-
-@dataclass(frozen=True, eq=False)
-class ForeignModel:
-    """A model as read: links, parents first; `free`: whether the first one moves freely, None: the file cannot say.
-
-    `gravity` (3, m/s2), None: the format has none; `notes`: features left out, one line each; `noun`: the format's
-    word for a body. `problems`: why it cannot be a stand, one line each; links may then be missing.
+    noun        the format's word for a body
+    gravity     m/s2; None: neither the format nor the user gives it
+    notes       what is left out, one line each
     """
 
     name: str
     noun: str
     gravity: Array | None
-    links: tuple[Link, ...]
-    frames: tuple[Frame, ...]
-    free: bool | None
+    bodies: tuple[Body, ...]
+    points: tuple[tuple[str, str, Place], ...]
     notes: tuple[str, ...]
-    problems: tuple[str, ...] = ()
 
 
-def rotation_from_rpy(roll: float, pitch: float, yaw: float) -> Array:
-    """Axes (3x3) turned by roll, pitch, yaw about fixed x, y, z: C3(yaw) C2(pitch) C1(roll), rad."""
-    a, b, c = math.cos(roll), math.cos(pitch), math.cos(yaw)
-    p, q, r = math.sin(roll), math.sin(pitch), math.sin(yaw)
-    return np.array(
-        [
-            [c * b, c * q * p - r * a, c * q * a + r * p],
-            [r * b, r * q * p + c * a, r * q * a - c * p],
-            [-q, b * p, b * a],
-        ]
-    )
+def read_xml(path: Path) -> ET.Element:
+    """The root element of a file of one of KINDS, without namespaces. Raises ForeignError."""
+    try:
+        root = ET.fromstring(readable(path, "an XML file"))
+    except (ET.ParseError, LookupError) as error:  # an unknown encoding is a LookupError
+        raise ForeignError([f"{path.name}: not XML: {error}"]) from None
+    except ValueError as error:
+        raise ForeignError([str(error)]) from None
+    if root.tag not in KINDS:
+        raise ForeignError([f"{path.name}: its root element is <{root.tag}>: expected one of {', '.join(KINDS)}"])
+    if any("xacro" in element.tag for element in root.iter()):
+        raise ForeignError([f"{path.name}: has xacro macros: run `xacro FILE > model.urdf` first"])
+    return root
 
 
-def rotation_about(axis: Array, angle: float) -> Array:
-    """Rotation (3x3) by an angle, rad, about an axis of any length but 0."""
-    e = axis / np.linalg.norm(axis)
-    cross = np.array([[0, -e[2], e[1]], [e[2], 0, -e[0]], [-e[1], e[0], 0]])
-    return np.asarray(np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * (cross @ cross))
+def left_out(root: ET.Element, read: Mapping[str, str], harmless: str) -> list[str]:
+    """Notes of the elements that are not read, counted by their names.
+
+    read        children that are read, by the name of the element
+    harmless    names of what has no effect on the equations
+    """
+    without, unknown, inside = Counter[str](), Counter[str](), [root]
+    for element in inside:  # grows as it goes
+        for child in element:
+            if child.tag in read[element.tag].split():
+                inside += [child] if child.tag in read else []
+            elif child.tag in harmless.split():
+                without[child.tag] += 1
+            else:
+                unknown[f"<{child.tag}> in <{element.tag}>"] += 1
+    counts = {"left out, without effect on the equations": without, "not read, and not known here": unknown}
+    return [f"{words}: {', '.join(f'{n} {tag}' for tag, n in sorted(c.items()))}" for words, c in counts.items() if c]
+
+
+def tree_order(noun: str, names: list[str], edges: list[tuple[str, str, str]], problems: Problems) -> list[str]:
+    """Names of bodies, parents first, of a tree of edges (joint, parent, child); what it is instead is noted."""
+    before, above = len(problems.lines), dict[str, str]()
+    for what, given in ((noun, names), ("joint", [joint for joint, _, _ in edges])):
+        for name in dict.fromkeys(name for name in given if given.count(name) > 1):
+            problems.add(f"{what} {show(name)}", "there are two of this name")
+    for joint, parent, child in edges:
+        for tag, end in (("parent", parent), ("child", child)):
+            if end not in names:
+                problems.add(f"joint {show(joint)}", tag, f"there is no {noun} {show(end)}")
+        if child in above:
+            problems.add(f"{noun} {show(child)}", f"is child of two joints, on {show(above[child])} and {show(parent)}")
+        above[child] = parent
+    order = [name for name in names if name not in above]
+    if len(problems.lines) == before and len(order) != 1:
+        roots = (
+            f"{len(order)} {noun}s have no parent, {', '.join(map(show, order))}" if order else f"no {noun} is the root"
+        )
+        problems.add(f"{roots}: expected one root")
+    for name in order:  # grows as it goes
+        order += [child for child in names if above.get(child) == name]
+    if len(problems.lines) == before and len(order) < len(names):
+        problems.add("its joints close a loop")
+    return order
+
+
+def numbers(text: str | None, count: int) -> list[float]:
+    """Exactly `count` finite numbers, separated by blanks. Raises ValueError, whose text says what was expected."""
+    expected = "a number" if count == 1 else f"{count} numbers separated by blanks"
+    try:
+        found = [float(word) for word in (text or "").split()]
+    except ValueError:
+        found = []
+    if len(found) != count:
+        raise ValueError(f"expected {expected}, found {show(text or '')}")
+    if not all(map(math.isfinite, found)):
+        raise ValueError(f"{show(text)} is not finite")
+    return found
+
+
+def combined(parts: list[RigidMass]) -> RigidMass:
+    """One rigid body of several in one frame. A single one is unchanged, to the last bit."""
+    if len(parts) == 1:
+        return parts[0]
+    mass = sum(part.mass for part in parts)
+    center, inertia = np.zeros(3), np.zeros((3, 3))
+    with np.errstate(all="ignore"):  # what overflows is refused with the numbers of the stand
+        center = sum((part.mass * part.center for part in parts), center) / (mass or 1.0)
+        for part in parts:
+            d = cross(part.center - center)
+            inertia = inertia + part.inertia - part.mass * (d @ d)
+    return RigidMass(float(mass), center, inertia)
 
 
 def angles_of(axes: Array) -> tuple[float, float, float]:
@@ -124,20 +226,4 @@ def angles_of(axes: Array) -> tuple[float, float, float]:
     s, c = math.sin(psi), math.cos(psi)
     # the rest of the rotation is about the first axis for any psi, which compensates rounding of psi
     phi = math.atan2(s * axes[0, 2] - c * axes[1, 2], c * axes[1, 1] - s * axes[0, 1])
-    return psi, theta, phi
-
-
-def direction_across(axis: Array) -> Array:
-    """A direction across an axis: the coordinate axis that follows its largest component in turn, x y z x."""
-    found = np.zeros(3)
-    found[(int(np.argmax(np.abs(axis))) + 1) % 3] = 1.0
-    return found
-
-
-def spin_axes(axis: Array, zero: Array) -> Array:
-    """Axes (3x3, columns) of a flywheel: the first along `axis`, the second the part of `zero` across it."""
-    first = axis / np.linalg.norm(axis)
-    second = zero - (zero @ first) * first
-    second = second - (second @ first) * first  # once more: what rounding left along the axis of a nearly parallel zero
-    second = second / np.linalg.norm(second)
-    return np.column_stack([first, second, np.cross(first, second)])
+    return psi + 0.0, theta + 0.0, phi + 0.0  # no negative zero

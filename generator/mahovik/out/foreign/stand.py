@@ -1,0 +1,561 @@
+"""A tree of bodies on joints as the text of a stand file, which says where each number came from.
+
+Bodies fixed together are merged. One of the bodies that move on the world is the carrier, with what is fixed on it; its
+joint there becomes `[hold]`, with springs, friction and stops of the joint. What turns on it without end is a flywheel.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from mahovik.core.stand import loads
+from mahovik.core.stand.fields import name_problem, stand_name_problem
+from mahovik.core.stand.frames import cross
+from mahovik.core.stand.hold import (
+    FREEDOMS,
+    Freedom,
+    FreedomKind,
+    Hold,
+    coordinate_problem,
+    freedom_names,
+    is_closed,
+    twists,
+    wrenches,
+)  # fmt: skip
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Motor, MountingAxes, Point, Stand, Vec3
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.toml import text_of
+from mahovik.core.stand.units import show
+from mahovik.core.stand.whole import matrix3, vec3
+from mahovik.core.stand.write import document_of
+from mahovik.errors import ForeignError, StandError
+from mahovik.nearest import suggestion
+from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, angles_of, combined
+
+LONGEST = 1000 * 2 * math.pi
+"""rad: a range beyond it is none."""
+
+FASTEST, FURTHEST = 0.02, math.radians(170.0)
+"""s: in which a stop made of a range pushes back, since a range has no stiffness; rad: beyond it no stop is made."""
+
+NEAR = 1e-12
+"""Largest difference of directions, and of places (m), that is rounding."""
+
+
+@dataclass(frozen=True)
+class ImportedStand:
+    """A stand and its origin.
+
+    text        of the stand file
+    carrier     body of the file whose frame is E1
+    wheels      name of the joint of each flywheel
+    armatures   kg m2, of each flywheel: what was added to its inertia about the axis, and taken from the carrier
+    held        joints of the carrier on the world
+    passive     those whose damping and springs are in the suspension
+    notes       messages to the user, one line each
+    """
+
+    stand: Stand
+    text: str
+    carrier: str
+    wheels: tuple[str, ...]
+    armatures: tuple[float, ...]
+    held: tuple[str, ...]
+    passive: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def make_stand(
+    model: Model,
+    name: str,
+    source: str,
+    *,
+    carrier: str | None = None,
+    instruments: bool = False,
+    armature: str | None = None,
+    fix: Sequence[str] = (),
+) -> ImportedStand:
+    """The stand of a model, from the file `source`. Raises ForeignError with every reason against it.
+
+    carrier      the body whose frame is E1, fixed to the one that moves; default that one
+    instruments  keep bodies fixed on the carrier as bodies
+    armature     "wheel": that of a flywheel's joint is inertia of the flywheel; None: it is refused
+    fix          joints that are fixed where the file has them
+    """
+    return _Maker(model, name, source, instruments, armature).make(carrier, fix)
+
+
+class _Maker:
+    """One model."""
+
+    def __init__(self, model: Model, name: str, source: str, instruments: bool, armature: str | None) -> None:
+        self._model, self._name, self._source = model, name, source
+        self._instruments, self._armature = instruments, armature
+        self._problems = Problems(source)
+        self._notes = list(model.notes)
+        self._names = {"carrier"}
+        self._comments: dict[str, list[str]] = {}
+
+    def make(self, chosen: str | None, fix: Sequence[str]) -> ImportedStand:
+        """See make_stand."""
+        known = [joint.name for body in self._model.bodies for joint in body.joints]
+        for missing in sorted(set(fix) - set(known)):
+            self._problems.add(f"--fix {missing}: is no joint of the file{suggestion(missing, known)}")
+        self._bodies = {body.name: self._settled(body, fix) for body in self._model.bodies}
+        self._merge_massless()
+        self._group()
+        root = self._root(chosen)
+        self._stop()
+        frame = chosen or root
+        self._members = [name for name, head in self._heads.items() if head == root]
+        self._place(root, frame)
+        turning = [body for body in self._bodies.values() if body.joints and body.name != root]
+        turning.sort(key=lambda body: body.joints[0].number)
+        for body in turning:
+            self._check_flywheel(body, root)
+        whole = self._mass(self._members, Place(), self._places)
+        if not whole.mass and not whole.inertia.any():
+            self._problems.add(self._words(root), "has no mass and no inertia, nor has what is fixed on it")
+        self._stop()
+        hold, tables, added_mass, passive = self._hold(self._bodies[root])
+        self._stop()
+
+        names = [name for name in self._members if self._bodies[name].mass is not None and name != frame]
+        own = names if self._instruments else []
+        merged = [name for name in self._members if name not in own]
+        self._comments["carrier"] = [f"Frame: that of {self._words(frame)}.", self._sources(merged)]
+        mass = self._mass(merged, Place(), self._places)
+        for body in turning:
+            axis = self._places[body.name].axes @ body.joints[0].axis
+            mass = replace(mass, inertia=mass.inertia - _disc(body.joints[0].armature, axis))
+        instruments, flywheels = tuple(map(self._instrument, own)), tuple(map(self._flywheel, turning))
+        if driven := ", ".join(show(wheel.name) for wheel in flywheels if wheel.motor):
+            self._notes.append(f"friction and limits of {driven} act in `mahovik simulate`, not in the equations")
+        if not flywheels:
+            self._notes.append("nothing turns without end on the carrier: the stand has no flywheels")
+        if self._model.gravity is None:
+            self._notes.append("the format has no gravity: it is 0; --gravity 0,0,-9.81 gives one")
+        pull = np.zeros(3) if self._model.gravity is None else self._model.gravity
+        carrier = Carrier(name="carrier", **_properties(mass), added_mass=added_mass)
+        points = self._points(frame)
+        stand = Stand(self._name, "ship", _vec3(pull), None, carrier, instruments, flywheels, points, hold=hold)
+        head = [f"Made from {self._source} by `mahovik new`. SI units.", *self._notes]
+        text = _text(stand, tables, self._comments, head)
+        try:
+            stand = loads(text, self._source)
+        except StandError as error:
+            raise ForeignError(error.problems) from None
+        wheels = tuple(body.joints[0] for body in turning)
+        return ImportedStand(
+            stand, text, frame, tuple(joint.name for joint in wheels), tuple(joint.armature for joint in wheels),
+            tuple(joint.name for joint in self._bodies[root].joints), passive, tuple(self._notes),
+        )  # fmt: skip
+
+    @property
+    def _noun(self) -> str:
+        return self._model.noun
+
+    def _words(self, body: str) -> str:
+        return f"{self._noun} {show(body)}"
+
+    def _stop(self) -> None:
+        """Raises ForeignError if there are problems."""
+        if self._problems.lines:
+            raise ForeignError(self._problems.lines)
+
+    # -- joints and bodies ---------------------------------------------------------------------------------------------
+
+    def _settled(self, body: Body, fix: Sequence[str]) -> Body:
+        """The body with joints that move: without those that are fixed, by equal limits or by the user."""
+        place, joints = body.place, []
+        for joint in body.joints:
+            least, most = joint.range or (-math.inf, math.inf)
+            if joint.name in fix:
+                self._notes.append(f"joint {show(joint.name)}: fixed where the file has it")
+            elif least == most:
+                self._notes.append(f"joint {show(joint.name)}: its limits are equal: it is fixed at {least:g}")
+                place = place @ joint.moved(least - joint.zero)
+            else:
+                without_end = joint.kind == "hinge" and most - least > LONGEST
+                joints.append(replace(joint, range=None) if without_end else joint)
+        return replace(body, place=place, joints=tuple(joints))
+
+    def _merge_massless(self) -> None:
+        """Joints of a body without mass, which bears one other on joints, become those of the other."""
+        for body in (self._bodies[name] for name in list(self._bodies)):
+            above = [other for other in self._bodies.values() if other.parent == body.name]
+            turning = body.joints and all(joint.kind != "free" for joint in body.joints)
+            if turning and body.mass is None and len(above) == 1 and above[0].joints:
+                (other,) = above
+                back = other.place.inverse
+                moved = [replace(j, axis=back.axes @ j.axis, anchor=back.point(j.anchor)) for j in body.joints]
+                del self._bodies[body.name]
+                place = body.place @ other.place
+                self._bodies[other.name] = replace(
+                    other, parent=body.parent, place=place, joints=(*moved, *other.joints)
+                )
+
+    def _group(self) -> None:
+        """Head of the bodies fixed together, and the place of each in its head's frame, by name of the body."""
+        self._heads, self._at = {"": ""}, {"": Place()}
+        for body in self._bodies.values():  # parents first
+            fixed = not body.joints
+            self._heads[body.name] = self._heads[body.parent] if fixed else body.name
+            self._at[body.name] = self._at[body.parent] @ body.place if fixed else Place()
+
+    def _root(self, chosen: str | None) -> str:
+        """The body that is the carrier, by its name; "" where none is, which is noted.
+
+        It is the one that moves on the world, and bears what moves or is not a flywheel itself. What is fixed on the
+        world is the carrier, clamped, where flywheels alone turn on it.
+        """
+        bodies, on_world = self._bodies, [body for body in self._bodies.values() if self._heads[body.parent] == ""]
+        moving = [body.name for body in on_world if body.joints]
+        bearing = [name for name in moving if not bodies[name].joints[0].endless or len(bodies[name].joints) > 1]
+        bearing += [name for name in moving if name not in bearing and self._below(name)]
+        mounts = {bodies[name].parent for name in moving}
+        if chosen is not None and chosen not in bodies:
+            self._problems.add(f"--carrier {chosen}: is not in the file{suggestion(chosen, list(bodies))}")
+            return ""
+        if chosen is not None and self._heads[chosen] in ("", *moving):
+            found = [self._heads[chosen] or self._top(chosen)]
+        elif bearing or "" in mounts:
+            found = bearing or moving
+        else:
+            found = list(dict.fromkeys(map(self._top, mounts)))
+        if len(found) != 1:
+            listed = f", {', '.join(map(show, found))}" if found else ""
+            self._problems.add(f"{len(found) or 'no'} bodies move on the world{listed}: expected one, the carrier")
+            return ""
+        (root,) = found
+        self._on_world = self._at[bodies[root].parent] @ bodies[root].place
+        if not bodies[root].joints:  # clamped: it is a group of its own, apart from what else is fixed on the world
+            for name in bodies:
+                if self._heads[name] == "" and self._top(name) == root:
+                    self._heads[name] = root
+                    self._at[name] = bodies[root].place.inverse @ self._at[name]
+        for name in moving:
+            if name != root and self._heads[bodies[name].parent] != root:
+                self._problems.add(self._words(name), f"moves on the world, as the carrier {show(root)}: expected one")
+        if chosen is not None and self._heads[chosen] != root:
+            words = f"turns, expected {show(root)} or a {self._noun} that is fixed to it"
+            self._problems.add(f"--carrier {chosen}: {words}")
+        still = [name for name, head in self._heads.items() if name and head == ""]
+        if still:
+            self._notes.append(f"left out, since it does not move of the world: {', '.join(still)}")
+        return root
+
+    def _place(self, root: str, frame: str) -> None:
+        """Places in E1 of the bodies on the carrier, where the file has them; that of the frame is E1."""
+        self._places = {name: self._at[frame].inverse @ self._at[name] for name in self._members}
+        for body in self._bodies.values():
+            if body.name not in self._places and body.parent in self._places:
+                self._places[body.name] = self._places[body.parent] @ body.place
+
+    def _below(self, head: str) -> list[str]:
+        """Names of the bodies that move on a group."""
+        return [body.name for body in self._bodies.values() if body.joints and self._heads[body.parent] == head]
+
+    def _top(self, name: str) -> str:
+        """The body on the world itself that one fixed on the world is on."""
+        while self._bodies[name].parent:
+            name = self._bodies[name].parent
+        return name
+
+    def _check_flywheel(self, body: Body, root: str) -> None:
+        joint, head = body.joints[0], self._heads[body.parent]
+        where, advice = f"joint {show(joint.name)}", f"--fix {joint.name} imports it where it is"
+        if head not in ("", root):
+            held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
+            self._problems.add(
+                where, f"turns on {self._words(head)}, which turns itself: a flywheel must be on the carrier{held}"
+            )
+        elif len(body.joints) > 1:
+            self._problems.add(self._words(body.name), f"has {len(body.joints)} joints: a flywheel has one")
+        elif joint.kind != "hinge":
+            self._problems.add(where, f"{joint.kind}: a flywheel turns about one axis, as a hinge does; {advice}")
+        elif joint.range is not None:
+            self._problems.add(
+                where, f"turns from {joint.range[0]:g} to {joint.range[1]:g}: a flywheel turns without end; {advice}"
+            )
+        elif joint.stiffness:
+            self._problems.add(where, f"stiffness {joint.stiffness:g}: a flywheel has no spring; {advice}")
+        elif not any(self._bodies[name].mass for name, head in self._heads.items() if head == body.name):
+            self._problems.add(where, f"{self._words(body.name)} turns, but has no mass and no inertia")
+        if joint.armature and self._armature is None:
+            self._problems.add(
+                where,
+                f"armature {joint.armature:g} is inertia without a body: --armature wheel makes it the flywheel's",
+            )
+        elif joint.armature:
+            self._notes.append(
+                f"{where}: its armature {joint.armature:g} kg m2 is a thin disc on the flywheel, taken from the "
+                "carrier: its spin turns the carrier, which that of the file does not"
+            )
+
+    # -- what holds the carrier ----------------------------------------------------------------------------------------
+
+    def _hold(self, root: Body) -> tuple[Hold | None, dict[str, Any], Any, tuple[str, ...]]:
+        """The hold; tables of its springs, friction and stops; added mass; joints whose damping and springs these are.
+
+        What a joint does on its coordinate is a law of the stand where that coordinate is one of the hold too, or where
+        it does the same in every direction.
+        """
+        home = spring = self._on_world
+        for joint in root.joints:
+            home, spring = home @ joint.moved(-joint.zero), spring @ joint.moved(joint.spring_zero - joint.zero)
+        home, spring = home @ self._places[root.name].inverse, spring @ self._places[root.name].inverse
+        ways = [
+            (joint, kind, *self._in_carrier(root.name, axis, joint))
+            for joint in root.joints
+            for kind, axis in _freedoms_of(joint)
+        ]
+        hold, signs = _hold_of([way[1:] for way in ways], home)
+        names = ", ".join(show(joint.name) for joint in root.joints)
+        if not is_closed(hold):
+            self._problems.add(
+                f"joints {names}",
+                "together no directions fixed in the carrier: expected one, slides, a plane, hinges through a point",
+            )
+            return None, {}, None, ()
+        is_free = len(ways) == 6
+        own = [
+            joint.kind in ("ball", "free") or (coordinate_problem(hold, k) is None and not is_free)
+            for k, (joint, *_) in enumerate(ways)
+        ]
+        W = wrenches(hold)
+        tensors = {
+            key: W @ np.diag([getattr(joint, key) * ok for (joint, *_), ok in zip(ways, own, strict=True)]) @ W.T
+            for key in ("stiffness", "damping", "armature")
+        }
+        friction, stops = [], []
+        for k, (joint, kind, *_) in enumerate(ways):
+            where, name = f"joint {show(joint.name)}", freedom_names(hold)[k]
+            unsaid = [key for key in ("damping", "stiffness") if getattr(joint, key) and not own[k]]
+            if joint.armature and not own[k]:
+                self._problems.add(where, "armature: inertia without a body")
+            if joint.friction and own[k] and not is_free:
+                friction.append({"freedom": name, "coulomb": joint.friction})
+            elif joint.friction:
+                unsaid.append("friction")
+            if (
+                joint.range
+                and own[k]
+                and joint.kind != "ball"
+                and (kind == "slide" or max(map(abs, joint.range)) < FURTHEST)
+            ):
+                stiffness = self._inertia(twists(hold)[:, k]) / FASTEST**2
+                for at, side in zip(sorted(signs[k] * np.array(joint.range)), ("below", "above"), strict=True):
+                    stops.append({"freedom": name, "at": float(at), "side": side, "stiffness": stiffness})
+                self._notes.append(
+                    f"{where}: its range is two stops, whose stiffness is chosen here: {FASTEST:g} s to stop"
+                )
+            elif joint.range:
+                unsaid.append("range")
+            if joint.effort is not None:
+                unsaid.append("effort")
+            if unsaid:
+                self._notes.append(f"{where}: {', '.join(unsaid)} left out: no law of a hold says it")
+        tables: dict[str, Any] = {}
+        if tensors["stiffness"].any() or tensors["damping"].any():
+            given = {key: _diagonal_or_rows(tensors[key]) for key in ("stiffness", "damping") if tensors[key].any()}
+            tables["suspension"] = given | {"position": _vec3(spring.origin), "angles": angles_of(spring.axes)}
+            self._comments["suspension"] = [f"Springs and damping of {names}."]
+        tables["hold"] = {"friction": friction, "stop": stops}
+        if not is_free:
+            self._comments["hold"] = [
+                f"{names} on the world." if ways else "Fixed on the world; without [hold] it is free."
+            ]
+        added = tuple(map(tuple, tensors["armature"].tolist())) if tensors["armature"].any() else None
+        passive = tuple(joint.name for (joint, *_), ok in zip(ways, own, strict=True) if ok)
+        return None if is_free else hold, tables, added, passive
+
+    def _in_carrier(self, root: str, axis: Array, joint: Joint) -> tuple[Array, Array]:
+        """Direction and anchor of a way in E1; those of three at once are along its axes."""
+        own = joint.kind in ("hinge", "slide")
+        return _snapped(self._places[root].axes @ axis) if own else axis, self._places[root].point(joint.anchor)
+
+    def _inertia(self, twist: Array) -> float:
+        """Mass or moment of inertia of the whole stand, flywheels at rest, that moves along a twist in E1."""
+        whole = self._mass(list(self._places), Place(), self._places)
+        v = twist[:3] + np.cross(twist[3:], whole.center)
+        return float(whole.mass * (v @ v) + twist[3:] @ whole.inertia @ twist[3:])
+
+    # -- the bodies of the stand ---------------------------------------------------------------------------------------
+
+    def _mass(self, names: Sequence[str], back: Place, at: Mapping[str, Place]) -> RigidMass:
+        """Mass properties of bodies together; `at`: their places in a frame, which `back` turns into another."""
+        masses = [(back @ at[name], self._bodies[name].mass) for name in names]
+        return combined([place.mass(mass) for place, mass in masses if mass is not None])
+
+    def _instrument(self, body: str) -> Instrument:
+        mass, at = self._bodies[body].mass, self._places[body]
+        assert mass is not None
+        name = self._own_name(body, "instrument")
+        self._comments[name] = [f"{self._words(body).capitalize()}, fixed on the carrier."]
+        place: dict[str, Any] = {"position": _vec3(at.origin), "angles": angles_of(at.axes)}
+        return Instrument(name=name, **_properties(mass), **place, added_mass=None)
+
+    def _flywheel(self, body: Body) -> Flywheel:
+        """A flywheel, whose phase is the coordinate of its joint."""
+        (joint,), at = body.joints, self._places[body.name]
+        name = self._own_name(body.name, "flywheel")
+        axis, across = joint.axis, np.eye(3)[(int(np.argmax(np.abs(joint.axis))) + 1) % 3]
+        second = across - (across @ axis) * axis
+        second = second / np.linalg.norm(second)
+        own = Place(joint.anchor, np.column_stack([axis, second, np.cross(axis, second)]))
+        members = [name for name, head in self._heads.items() if head == body.name]
+        mass = self._mass(members, own.inverse, self._at)
+        mass = replace(mass, inertia=mass.inertia + _disc(joint.armature, np.eye(3)[0]))
+        zero = (at @ joint.moved(-joint.zero)).axes @ second
+        motor, sources = None, {"viscous": joint.damping, "coulomb": joint.friction, "torque": joint.effort}
+        if any(sources.values()):
+            motor = Motor(joint.effort, None, None, None, None, joint.damping, joint.friction, 0.1)
+        self._comments[name] = [
+            f"{self._words(body.name).capitalize()} on joint {show(joint.name)}, whose coordinate is the phase.",
+            self._sources(members),
+            *([f"Motor: {', '.join(key for key, x in sources.items() if x)} of the joint."] if motor else []),
+        ]
+        return Flywheel(
+            name=name,
+            **_properties(mass),
+            mount="carrier",
+            position=_vec3(at.point(joint.anchor)),
+            mounting=MountingAxes(_vec3(at.axes @ axis), _vec3(zero)),
+            motor=motor,
+            encoder=None,
+        )
+
+    def _points(self, carrier: str) -> tuple[Point, ...]:
+        """Named places, and bodies without mass, on the carrier."""
+        given = [
+            (name, self._places[name]) for name in self._members if not self._bodies[name].mass and name != carrier
+        ]
+        given = [each for each in given if self._bodies[each[0]].parent]
+        given += [(name, self._places[on] @ at) for name, on, at in self._model.points if on in self._members]
+        if turning := [name for name, on, _ in self._model.points if on not in self._members]:
+            self._notes.append(f"left out, since they are not on the carrier: {', '.join(turning)}")
+        found = []
+        for theirs, at in given:
+            name = self._own_name(theirs, "point")
+            self._comments[name] = [f"{theirs}, fixed on the carrier, without mass."]
+            found.append(Point(name, "carrier", _vec3(at.origin), angles_of(at.axes)))
+        return tuple(found)
+
+    def _sources(self, bodies: Sequence[str]) -> str:
+        """Comment that names the bodies that mass properties are of."""
+        listed = [name for name in bodies if self._bodies[name].mass is not None]
+        merged = ", merged" if len(listed) > 1 else ""
+        return f"Mass, centre of mass, inertia: {', '.join(listed)}{merged}." if listed else "Without mass."
+
+    def _own_name(self, theirs: str, kind: str) -> str:
+        """A name that no other body or point has; a change is noted."""
+        plain = identifier(theirs, kind)
+        if name_problem(plain) is not None:
+            plain += "_"
+        name, number = plain, 2
+        while name in self._names:
+            name, number = f"{plain}_{number}", number + 1
+        self._names.add(name)
+        if name != theirs:
+            self._notes.append(f"{show(theirs)} is called {show(name)}: names become C identifiers")
+        return name
+
+
+def _text(stand: Stand, tables: dict[str, Any], comments: Any, head: Sequence[str]) -> str:
+    """The stand file, with tables that are in no class of the stand."""
+    document = document_of(stand)
+    bodies = {key: document.pop(key) for key in ("instrument", "flywheel", "point") if key in document}
+    if "suspension" in tables:
+        document["suspension"] = tables["suspension"]
+    if "hold" in document:
+        document["hold"] = document.pop("hold") | {key: x for key, x in tables["hold"].items() if x}
+    lines = {name: list(map(_one_line, lines)) for name, lines in comments.items()}
+    return "\n".join(f"# {_one_line(line)}" for line in head) + "\n" + text_of(document | bodies, lines)
+
+
+def _diagonal_or_rows(matrix: Array) -> list[Any]:
+    """A 6x6 as its diagonal, where it is one."""
+    found: list[Any] = (np.diag(matrix) if np.array_equal(matrix, np.diag(np.diag(matrix))) else matrix).tolist()
+    return found
+
+
+def _one_line(text: str) -> str:
+    """A comment cannot hold line ends or control characters, which names of other programs may have."""
+    return "".join(c if c.isprintable() else " " for c in text)
+
+
+def stand_name(given: str) -> str:
+    """The name of a model as the name of a stand."""
+    plain = identifier(given, "stand")
+    if plain.startswith("_"):
+        return f"stand{plain}"
+    return f"{plain}_" if stand_name_problem(plain) is not None else plain
+
+
+def identifier(given: str, fallback: str) -> str:
+    """Letters, digits and _ of a name, which does not begin with a digit."""
+    plain = re.sub(r"[^A-Za-z0-9_]+", "_", given).strip("_")[:60]
+    return f"_{plain}" if plain[:1].isdigit() else plain or fallback
+
+
+def _freedoms_of(joint: Joint) -> list[tuple[FreedomKind, Array]]:
+    """What a joint leaves free: kind and direction of each freedom."""
+    slides: list[tuple[FreedomKind, Array]] = [("slide", axis) for axis in np.eye(3)]
+    turns: list[tuple[FreedomKind, Array]] = [("turn", axis) for axis in np.eye(3)]
+    own: FreedomKind = "slide" if joint.kind == "slide" else "turn"
+    return {"free": [*slides, *turns], "ball": turns}.get(joint.kind, [(own, joint.axis)])
+
+
+def _hold_of(ways: Sequence[tuple[FreedomKind, Array, Array]], home: Place) -> tuple[Hold, Array]:
+    """The hold of freedoms (kind, direction, anchor) in E1, and the sign of each coordinate in it.
+
+    Several are called by the axes of E1, where they are along these and what turns turns about one point; else they are
+    a basis.
+    """
+    turns = [(axis, anchor) for kind, axis, anchor in ways if kind == "turn"]
+    pivot, apart = turns[0][1] if turns else np.zeros(3), 0.0
+    if len(turns) > 1:
+        A = np.concatenate([cross(axis) for axis, _ in turns])
+        b = np.concatenate([cross(axis) @ (anchor - pivot) for axis, anchor in turns])
+        pivot = pivot + np.linalg.lstsq(A, b, rcond=None)[0]
+        apart = float(max(np.linalg.norm(cross(axis) @ (anchor - pivot)) for axis, anchor in turns))
+    signs = np.array([1.0 if len(ways) == 1 else np.sign(axis.sum()) for _, axis, _ in ways])
+    freedoms = [Freedom(kind, _vec3(s * axis)) for s, (kind, axis, _) in zip(signs, ways, strict=True)]
+    if len(ways) > 1 and (apart > NEAR or not set(freedoms) <= set(FREEDOMS.values())):
+        columns = [np.r_[axis, 0, 0, 0] if k == "slide" else np.r_[np.cross(at, axis), axis] for k, axis, at in ways]
+        freedoms = [Freedom("twist", twist=(a, b, c, d, e, f)) for a, b, c, d, e, f in map(np.ndarray.tolist, columns)]
+        signs, pivot = np.ones(len(ways)), np.zeros(3)
+    return Hold(tuple(freedoms), _vec3(pivot), _vec3(home.origin), angles_of(home.axes)), signs
+
+
+def _disc(moment: float, axis: Array) -> Array:
+    """Inertia (3x3) of a thin disc by its moment about its axis, the least body that has this moment."""
+    return moment * (np.eye(3) + np.outer(axis, axis)) / 2
+
+
+def _snapped(axis: Array) -> Array:
+    """An axis of E1 where it is one but for rounding."""
+    nearest = np.round(axis)
+    return nearest if np.abs(axis - nearest).max() < NEAR else axis
+
+
+def _properties(mass: RigidMass) -> dict[str, Any]:
+    """Fields of a body of the stand."""
+    return {
+        "mass": float(mass.mass),
+        "center_of_mass": _vec3(mass.center),
+        "inertia": matrix3(mass.inertia + 0.0),
+        "inertia_about": "center_of_mass",
+        "wrench_input": False,
+    }
+
+
+def _vec3(given: Array) -> Vec3:
+    return vec3(np.asarray(given) + 0.0)  # no negative zero
