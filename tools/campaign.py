@@ -37,8 +37,8 @@ HEAD = """# Results
 
 See how exact, how fast and how small the C is, and what judges say of it. Every figure was measured once, by the
 command at the commit, on the day and, where it was kept, the processor that stand behind it. `python tools/campaign.py
-NAME --write` measures again, keeps the rows in `docs/results/NAME.json` and writes this page; commands of older commits
-have other names. Differences are relative to the [natural scale](verification.md#the-natural-scale).
+NAME --write` measures again and keeps the rows in `docs/results/NAME.json`; commands of older commits have other names.
+Differences are relative to the [natural scale](verification.md#the-natural-scale).
 """
 
 

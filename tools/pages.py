@@ -63,8 +63,7 @@ so. Folders given with `-o` are created. `new`, `generate` and `export` never ov
 write. `-o` also takes a device or a FIFO, such as `/dev/null`: it gets the format that its name ends in, else the first
 one that the help lists.
 
-How long a start takes is [measured](results.md#generation). The rest of this page is written by
-`python tools/pages.py`.
+How long a start takes is [measured](results.md#generation).
 
 """
 
