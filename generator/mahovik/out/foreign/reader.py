@@ -124,18 +124,20 @@ class Reader:
         position = model.jnt_qposadr[i]
         if np.any(model.jnt_stiffnesspoly[i]) or np.any(model.dof_dampingpoly[dof]):
             self.problems.add(f"joint {show(name)}", "a spring or damping that is not linear is no law of a stand")
+        kind = ("free", "ball", "slide", "hinge")[model.jnt_type[i]]
+        has_coordinate = kind in ("slide", "hinge")  # others have a quaternion
         ends = (float(model.jnt_range[i][0]), float(model.jnt_range[i][1])) if model.jnt_limited[i] else None
         return Joint(
             name,
-            ("free", "ball", "slide", "hinge")[model.jnt_type[i]],
+            kind,
             np.array(model.jnt_axis[i]),
             np.array(model.jnt_pos[i]),
             self.numbers.get(name, i),
-            zero=float(model.qpos0[position]),
+            zero=float(model.qpos0[position]) * has_coordinate,
             damping=float(model.dof_damping[dof]) * (not self._is_off(model, "DAMPER")),
             friction=float(model.dof_frictionloss[dof]) * (not self._is_off(model, "FRICTIONLOSS")),
             stiffness=float(model.jnt_stiffness[i]) * (not self._is_off(model, "SPRING")),
-            spring_zero=float(model.qpos_spring[position]),
+            spring_zero=float(model.qpos_spring[position]) * has_coordinate,
             armature=float(model.dof_armature[dof]),
             range=self.ranges.get(name, ends),
             effort=drives.get(i),
