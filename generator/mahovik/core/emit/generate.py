@@ -68,7 +68,8 @@ def generate_all(
         raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name])
     named = (*CHOSEN,) if only == ALL else (*(only or ()), *chosen)
-    program = lower_layout(layout, tuple(name for name in CHOSEN if name in named))
+    slopes = only in (None, ALL) or any("jac" in name for name in only)  # a slip in the name finds the Jacobian as well
+    program = lower_layout(layout, tuple(name for name in CHOSEN if name in named), slopes)
     values = Values(stand, layout, program)
     only = ALL if only in (None, ALL) else _public_names(program, only or (), stand.name)
     if only != ALL:

@@ -59,8 +59,11 @@ def lower(stand: Stand, precision: Precision) -> Program:
     return lower_layout(Layout(structure(stand), precision))
 
 
-def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
-    """The program for a layout. `chosen`: functions of CHOSEN that it has besides; by default none."""
+def lower_layout(layout: Layout, chosen: tuple[str, ...] = (), slopes: bool = True) -> Program:
+    """The program for a layout. `chosen`: functions of CHOSEN that it has besides; by default none.
+
+    Without `slopes` it has no Jacobians, which take a quarter of the time.
+    """
     lib = Library(layout)
     precision = layout.precision
     lib.add(routines.sincos(precision))
@@ -95,7 +98,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = ()) -> Program:
         solve.add_block_solution(lib)
         drive.add_coupled(lib)
     step.add_all(lib)
-    if layout.freedoms or not layout.held:
+    if slopes and (layout.freedoms or not layout.held):
         jacobian.add_all(lib)
     if not layout.held or (layout.freedoms and layout.flywheels):
         _add_inverse(lib)
