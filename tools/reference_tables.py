@@ -19,6 +19,7 @@ from mahovik.contract.quantities import BOUNDS, QUANTITIES, Bound
 from mahovik.contract.status import STATUSES
 from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.generate import generate_all
+from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost, stack_bound
 from mahovik.core.program.function import Function, Program
@@ -165,7 +166,7 @@ def bound_words(bounds: QuantityValidator | Bounds) -> list[str]:
 
 def digits(value: float) -> str:
     """A number in its shortest form: 1e5, 0.1, 1e-6."""
-    texts = (f"{value:.6e}", f"{value:.0e}", f"{value:g}", repr(value))
+    texts = (f"{value:.6e}", f"{value:.0e}", f"{value:g}", f"{value:.17g}")
     exact = (re.sub(r"e\+?(-?)0*", r"e\1", text) for text in texts if float(text) == value)
     return min(exact, key=len)
 
@@ -311,7 +312,13 @@ def argument_lines() -> Iterator[str]:
 
 def status_lines() -> Iterator[str]:
     """The table of statuses."""
-    words = {"unreachable": "1e-6", "rank": "1e-12", "lengths": "a quaternion or (sine, cosine) off unit length"}
+    double, single = THRESHOLDS["double"], THRESHOLDS["float"]
+    both = "{} (`float`: {})".format
+    words = {
+        "unreachable": both(digits(double.unreachable), digits(single.unreachable)),
+        "rank": both(digits(double.rank), digits(single.rank)),
+        "lengths": "a quaternion or (sine, cosine) off unit length",
+    }
     return table(
         ("name", "value", "when"),
         ((f"`{each.name}`", str(each.value), each.meaning.format(**words)) for each in STATUSES),
