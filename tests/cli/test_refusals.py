@@ -49,7 +49,7 @@ CASES = [
     ("simulate", "--mismatch 1%", "--mismatch: needs --programme"),
     ("follow", "--mismatch -1%", "--mismatch -1%: expected 0 or more"),
     ("follow", "--mismatch 90%", "--mismatch 90%: expected 0% to 20%"),
-    ("follow", "--table many", "Invalid value for '--table'"),
+    ("follow", "--table many", "--table many: expected a whole number"),
     ("follow", "--table 2", "--table 2: expected at least 4 nodes"),
     ("follow", "--begin rest", "--begin rest: p.json has no run-up"),
     ("follow", "--dt 1e-4", "--dt: not allowed with --programme"),

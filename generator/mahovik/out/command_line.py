@@ -263,9 +263,32 @@ def _with_options(message: str, parameters: Mapping[str, inspect.Parameter]) -> 
     """A message whose first words are names of arguments, with their options in place of these."""
     begin, colon, rest = message.partition(":")
     names = begin.split(", ") if ", " in begin else [begin.partition(" ")[0]]
-    if not all(name in parameters and parameters[name].kind is inspect.Parameter.KEYWORD_ONLY for name in names):
+    if not all(name in parameters for name in names):
         return message
-    return f"{', '.join(map(option_name, names))}{begin[len(', '.join(names)) :]}{colon}{rest}"
+    made = {one.name: one for one in click.get_current_context().command.params}
+    shown = [str(one.metavar).strip("[]") if isinstance(one := made.get(name), click.Argument) else option_name(name)
+             for name in names]  # fmt: skip
+    return f"{', '.join(shown)}{begin[len(', '.join(names)) :]}{colon}{rest}"
+
+
+def _usage_words(error: click.UsageError) -> str:
+    """What click found, in the words of other messages: the option, what was found, what was expected."""
+    if isinstance(error, click.NoSuchOption):
+        known = [] if error.ctx is None else [name for one in error.ctx.command.params for name in one.opts]
+        return f"no such option {error.option_name}{suggestion(error.option_name, known)}"
+    if isinstance(error, click.BadOptionUsage):
+        return f"{error.option_name}: its value is missing"
+    param = getattr(error, "param", None)
+    words = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
+    if param is None:
+        return words
+    name = param.metavar if isinstance(param, click.Argument) else param.opts[0]
+    if isinstance(error, click.MissingParameter):
+        return f"{name}: missing"
+    found = re.match(r"'(.*)' is not ", error.message)
+    if found and isinstance(param.type, click.Choice):
+        return f'{name}: unknown "{found[1]}", expected one of {", ".join(map(str, param.type.choices))}'
+    return f"{name} {found[1]}: expected a whole number" if found else words
 
 
 # ---- all of them
@@ -283,9 +306,8 @@ def _ends() -> Iterator[None]:
     except click.exceptions.NoArgsIsHelpError:
         raise
     except click.UsageError as error:
-        what = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
         see = "" if error.ctx is None else f"; see {error.ctx.command_path} --help"
-        click.echo(f"error: {what}{see}", err=True)
+        click.echo(f"error: {_usage_words(error)}{see}", err=True)
         raise SystemExit(error.exit_code) from None
     except MahovikError as error:
         for line in str(error).splitlines() or [type(error).__name__]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
@@ -74,7 +75,11 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
         if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
             json.dumps(document, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:
+        if is_json and re.search(r"(?m)^\s*(\[carrier\]|carrier\s*=)", text):
+            raise error([f"{source}: is a stand file; expected another file here: were two swapped?"]) from None
         raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
+    if isinstance(document, dict) and "carrier" in document and "mass" in str(document["carrier"]):
+        raise error([f"{source}: is a stand file; expected another file here: were two swapped?"])
     if not isinstance(document, dict):
         raise error([f"{source}: expected an object, found {show(document)}"])
     if "schema" not in document:

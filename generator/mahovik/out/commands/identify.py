@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven
+from mahovik.out.arguments import FilePath, StandGiven, refuse_stand_file
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -119,4 +119,7 @@ def identify(
 
 def files_of(data: str | Path | Sequence[str | Path]) -> list[Path]:
     """The files of measured data of an argument."""
-    return [Path(data)] if isinstance(data, str | Path) else [Path(file) for file in data]
+    files = [Path(data)] if isinstance(data, str | Path) else [Path(file) for file in data]
+    for file in files:
+        refuse_stand_file("data", file, "a file of measured data")
+    return files

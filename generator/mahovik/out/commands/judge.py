@@ -15,6 +15,7 @@ from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, refuse_
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, tell, warn
 from mahovik.out.result import Result
+from mahovik.writing import probe
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
@@ -91,6 +92,9 @@ def judge(
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
     whole_number("states", 1 if states is None else states)
+    for file in (junit, worst):
+        if file is not None:
+            probe(Path(file))
     if unknown := [each for each in wants if each not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
     for name in ("with_", "fmu", "map", "log"):

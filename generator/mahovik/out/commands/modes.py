@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
-from mahovik.nearest import names_in
+from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
 from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column
@@ -73,6 +73,10 @@ def modes(
     names = None if points is None else list(names_in("points", points))
     if names is None and not (own.points or own.instruments):
         names = ["carrier"]
+    known = [*(one.name for one in own.points), *(one.name for one in own.instruments), own.carrier.name]
+    for name in names or ():
+        if name not in known:
+            raise UsageError(f'points: unknown point "{name}"{suggestion(name, known)}')
     model = linear_model(own, _nominal(own, at), names, locked=flywheels == "locked")
     found = modes_of(model)
     modes = found.modes

@@ -23,6 +23,7 @@ from mahovik.out.arguments import (
 )
 from mahovik.out.notices import Progress, tell, warn
 from mahovik.out.result import Column, Result, column
+from mahovik.writing import probe
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -108,6 +109,9 @@ def verify(
     own = Stand.of(stand)
     whole_number("states", states)
     whole_number("seed", seed, 0)
+    for file in (junit, worst):
+        if file is not None:
+            probe(Path(file))
     ways = {"targets": targets, "cost": cost, "judges": judges, "rigorous": rigorous, "servo": servo}
     chosen = [way for way, value in ways.items() if value and not (way == "targets" and cost)]
     if len(chosen) > 1:
