@@ -233,7 +233,8 @@ HELD = {
         '<joint name="z" type="slide" axis="0 0 1"/><joint name="b" type="ball"/>',
         6,
     ),
-    "free with damping": ('<joint type="free" name="f" damping="0.4" armature="0.2" stiffness="3"/>', 6),
+    "free with damping": ('<joint type="free" name="f" damping="0.4" armature="0.2"/>', 6),
+    "free with a spring": ('<joint type="free" name="f" damping="0.4" stiffness="3"/>', 6),
     "welded": ("", 0),
 }
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.content import readable
-from mahovik.core.stand.frames import cross
+from mahovik.core.stand.masses import cross
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError

@@ -16,7 +16,6 @@ import numpy as np
 
 from mahovik.core.stand import loads
 from mahovik.core.stand.fields import name_problem, stand_name_problem
-from mahovik.core.stand.frames import cross
 from mahovik.core.stand.hold import (
     FREEDOMS,
     Freedom,
@@ -28,11 +27,11 @@ from mahovik.core.stand.hold import (
     twists,
     wrenches,
 )  # fmt: skip
+from mahovik.core.stand.masses import cross, matrix3, vec3
 from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Motor, MountingAxes, Point, Stand, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.toml import text_of
 from mahovik.core.stand.units import show
-from mahovik.core.stand.whole import matrix3, vec3
 from mahovik.core.stand.write import document_of
 from mahovik.errors import ForeignError, StandError
 from mahovik.nearest import suggestion
@@ -326,7 +325,9 @@ class _Maker:
             return None, {}, None, ()
         is_free = len(ways) == 6
         own = [
-            joint.kind in ("ball", "free") or (coordinate_problem(hold, k) is None and not is_free)
+            joint.kind == "ball"
+            or (joint.kind == "free" and not joint.stiffness)
+            or (coordinate_problem(hold, k) is None and not is_free)
             for k, (joint, *_) in enumerate(ways)
         ]
         W = wrenches(hold)
