@@ -7,6 +7,7 @@ import json
 import re
 import typing
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import is_dataclass
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,6 +21,7 @@ from mahovik.contract.status import STATUSES
 from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.motion.regime import DrivenTable
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost, stack_bound
 from mahovik.core.program.function import Function, Program
@@ -47,6 +49,7 @@ from mahovik.core.stand.units import Dimension
 from mahovik.out.campaign.file import CampaignTable
 from mahovik.out.campaign.quantities import QuantityTable
 from mahovik.stands import path
+from mahovik.use.balance.pieces import PiecesTable
 
 HELD = Path(__file__).resolve().parents[1] / "docs" / "held" / "pendulum.toml"
 
@@ -127,13 +130,16 @@ def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidato
     if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(name)):
         units = dict.fromkeys(found.si for kind in ("slide", "turn") if (found := data.dimension(name, kind)))
         return ", ".join([" or ".join(units), *bound_words(bounds)])
-    inner = quantity_and_table(info.annotation)[1]
-    if reader is None or inner is not None:
-        kind = typing.get_origin(info.annotation)
-        return "tables" if kind is list else "table" if inner or kind is dict else "number"
+    kind, inner = typed(info.annotation), quantity_and_table(info.annotation)[1]
+    origin = typing.get_origin(kind)
+    if inner is not None or origin is dict or is_dataclass(kind):
+        return "tables" if origin is list else "table"
+    plain = next((words for each, words in SHAPES if each == kind), "list" if origin else "number")
+    if reader is None:
+        return plain
     if reader.words:
         return ", ".join(f'`"{word}"`' for word, _ in reader.words)
-    shape = reader.shape or next((words for kind, words in SHAPES if kind == typed(info.annotation)), "list")
+    shape = reader.shape or ("list" if plain == "number" and kind is not float else plain)
     unit = reader.dimension.si if isinstance(reader.dimension, Dimension) else ""
     parts = ["" if shape == "number" and unit else shape, unit, *bound_words(reader)]
     return ", ".join(part for part in parts if part)
@@ -175,7 +181,7 @@ def default_words(value: Any, reader: QuantityValidator | None) -> str:
     """A default as the file would have it."""
     if reader is not None and reader.words:
         return next((f'`"{word}"`' for word, meant in reader.words if meant == value), "none")
-    if value is None or value in ((), []):
+    if value is None or value in ((), [], ""):
         return "none"
     if isinstance(value, bool | str):
         return f"`{json.dumps(value)}`"
@@ -202,6 +208,8 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["unbalance"] = partial(key_rows, UnbalanceTable, Flywheel)
     rows["top"] = top_rows
     rows["campaign"] = partial(key_rows, CampaignTable, CampaignTable)
+    rows["pieces"] = partial(key_rows, PiecesTable, PiecesTable)
+    rows["regime"] = partial(key_rows, DrivenTable, DrivenTable)
     rows["quantity"] = partial(key_rows, QuantityTable, QuantityTable)
     return {f"keys {key}": partial(key_table, found) for key, found in rows.items()}
 

@@ -223,11 +223,27 @@ def _bounded(dimension: Dimension, most: float) -> Any:
             raise QuantityError(problem)
         return value
 
-    return validator(read)
+    return validator(read, dimension)
 
 
 class DrivenTable(Table):
-    """One flywheel of a regime, with one law, or the default of all."""
+    """One flywheel of a regime, with one law, or the default of all.
+
+    speed          constant speed
+    hold           `true`: speed zero
+    ramp           `from` (0), `to`, `duration`, `start` (0): speed, linear from one to the other, then constant
+    sweep          the same keys and `scale`, `"linear"` or `"log"`; `from` and `to` also in Hz
+    harmonic       `mean` (0), `amplitude`, `frequency`, `phase` (0): speed
+                   `mean + amplitude sin(2 pi frequency t + phase)`
+    torque         constant torque
+    run_up         `torque`, `to`, `band` (1 % of `to`): torque `torque tanh((to - phi')/band)`
+    torque_speed   the torque that the motor *delivers* at a speed: straight lines between points, constant beyond the
+                   ends; points for speeds from 0 on alone are mirrored
+    table          speed (column `phi_dot`) by a cubic spline, or torque (column `torque`) by linear interpolation, by
+                   time (column `t`) over the whole run
+    phase          angle at `t = 0`, beside any law
+    initial_speed  speed at `t = 0`, beside a law of the torque
+    """
 
     speed: Annotated[float | None, scalar(SPEED)] = None
     hold: Annotated[bool, validator(_true)] = False
@@ -236,8 +252,8 @@ class DrivenTable(Table):
     harmonic: Harmonic | None = None
     torque: Annotated[float | None, scalar(TORQUE)] = None
     run_up: RunUp | None = None
-    torque_speed: Annotated[Curve, validator(read_curve)] = ()
-    table: Annotated[str, validator(_file)] = ""
+    torque_speed: Annotated[Curve, validator(read_curve, shape="`[[speed, torque], ...]`")] = ()
+    table: Annotated[str, validator(_file, shape="name of a CSV file")] = ""
     phase: Annotated[float | None, _bounded(ANGLE, MAX_PHASE)] = None
     initial_speed: Annotated[float | None, _bounded(SPEED, MAX_SPEED)] = None
 

@@ -70,7 +70,19 @@ class Choice:
 
 
 class PiecesTable(Table):
-    """Keys of the pieces of a plane: `positions` are degrees, `holes` a number of equal divisions from `first` on."""
+    """Keys of the pieces of a plane.
+
+    positions  angles of the places, degrees; or `holes`
+    holes      number of equal divisions
+    first      angle of the first of them, degrees
+    amounts    what one weight or hole may have
+    radii      radii to choose from: an amount counts times its radius; without it 1
+    forbidden  sectors `[from, to]` without pieces, degrees
+    most       most pieces in the plane
+    each       most pieces at a place
+    remove     `true`: material is taken away
+    split      `true`: amounts are any numbers up to the largest, as of two screws
+    """
 
     positions: list[Any] | None = None
     holes: Annotated[Count, Field(le=MANY)] | None = None
