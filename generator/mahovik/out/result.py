@@ -132,10 +132,11 @@ def columns_of(
     parts: Mapping[str, Sequence[str]] | None = None,
     shown: Mapping[str, str] | None = None,
 ) -> tuple[Column, ...]:
-    """Columns of attributes of `rows`: `units` by the name of the attribute; `parts`, `shown` as those of `column`."""
+    """Columns of attributes, or entries, of `rows`: `units` by their names; `parts`, `shown` as those of `column`."""
     parts, shown = parts or {}, shown or {}
+    tables = [row if isinstance(row, Mapping) else {name: getattr(row, name) for name in units} for row in rows]
     return tuple(
-        column(name, unit, [getattr(row, name) for row in rows], parts.get(name, ()), shown.get(name, ""))
+        column(name, unit, [row[name] for row in tables], parts.get(name, ()), shown.get(name, ""))
         for name, unit in units.items()
     )
 

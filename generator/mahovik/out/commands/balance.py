@@ -14,7 +14,7 @@ from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.arguments import FileGiven, Number, StandGiven, quantity
 from mahovik.out.commands.identify import DataGiven, files_of
-from mahovik.out.result import Column, Result, column
+from mahovik.out.result import Column, Result, column, columns_of
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -147,7 +147,11 @@ def _by_model(given: Any, files: Sequence[Path], plane: Any) -> Result:
     pieces = {wheel.name: Result(f"Pieces of {wheel.name}", _pieces(wheel.made)) for wheel in wheels if wheel.made}
     if pieces:
         columns += [column("made", "kg m", np.abs(made)), column("made_at", "rad", np.angle(made) % (2.0 * math.pi))]
-    change = [(wheel, kind, *sizes) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    change = [
+        {"flywheel": wheel.name, "quantity": kind, "before": before, "after": after}
+        for wheel in wheels
+        for kind, (before, after) in wheel.vibration.items()
+    ]
     cut = any(wheel.made is not None and not wheel.made.proven for wheel in wheels)
     return Result(
         f"{stand.name}: corrections",
@@ -157,30 +161,36 @@ def _by_model(given: Any, files: Sequence[Path], plane: Any) -> Result:
             "stand": stand.name,
             "flywheels": Result(
                 "Static unbalance",
-                (
-                    column("flywheel", "", [wheel.name for wheel in wheels]),
-                    column("speed", "rad/s", [wheel.speed for wheel in wheels]),
-                    column("static", "kg m", [abs(wheel.static) for wheel in wheels]),
-                    column("residual", "kg m", [wheel.static_residual for wheel in wheels]),
-                    column("grade", "", [wheel.grade(abs(wheel.static)) for wheel in wheels]),
-                    column("residual_grade", "", [wheel.grade(wheel.static_residual) for wheel in wheels]),
-                    column("fit", "", [wheel.fit for wheel in wheels]),
-                ),
+                columns_of([_static(wheel) for wheel in wheels], STATIC),
             ),
             "vibration": Result(
                 "First order, in SI",
-                (
-                    column("flywheel", "", [wheel.name for wheel, *_ in change]),
-                    column("quantity", "", [kind for _, kind, *_ in change]),
-                    column("before", "", [before for *_, before, _ in change]),
-                    column("after", "", [after for *_, after in change]),
-                ),
+                columns_of(change, dict.fromkeys(("flywheel", "quantity", "before", "after"), "")),
             ),
             **{f"pieces of {name}": table for name, table in pieces.items()},
         },
         messages=[*(note for each in recordings for note in each.notes), *([CUT] if cut else [])],
         details=("stand",),
     )
+
+
+STATIC = {
+    "flywheel": "", "speed": "rad/s", "static": "kg m", "residual": "kg m",
+    "grade": "", "residual_grade": "", "fit": "",
+}  # fmt: skip
+"""Units of what is said of the static unbalance of a flywheel."""
+
+
+def _static(wheel: Any) -> dict[str, Any]:
+    static, residual = abs(wheel.static), wheel.static_residual
+    grades = {"grade": wheel.grade(static), "residual_grade": wheel.grade(residual)}
+    return {
+        "flywheel": wheel.name,
+        "speed": wheel.speed,
+        "static": static,
+        "residual": residual,
+        "fit": wheel.fit,
+    } | grades
 
 
 def _planes(stand: Stand, given: Any) -> dict[str, Planes]:

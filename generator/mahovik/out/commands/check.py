@@ -209,9 +209,7 @@ def _tools() -> Result:
     return Result(
         "tools on this machine",
         (
-            column("what", "", [each.what for each in found]),
-            column("serves", "", [each.serves for each in found]),
-            column("found", "", [each.found for each in found]),
+            *columns_of(found, {"what": "", "serves": "", "found": ""}),
             column("install", "", ["" if each.found else each.install for each in found]),
         ),
         rows="tools",

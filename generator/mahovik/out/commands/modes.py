@@ -11,7 +11,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
 from mahovik.out.plots import Line, Panel, stems
-from mahovik.out.result import Result, column
+from mahovik.out.result import Result, column, columns_of
 
 if TYPE_CHECKING:
     from mahovik.core.stand.state import State
@@ -165,7 +165,7 @@ def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
     modes = [str(k) for k in range(1, found.natural.shape[1] - absent + 1)]
     units = {"order": "", "mode": "", "speed": "rad/s", "frequency": "Hz", "damping": ""}
     met = [vars(each) | {"mode": each.mode - absent} for each in found.crossings]
-    crossings = [column(k, unit, [each[k] for each in met], (), "rpm" * (k == "speed")) for k, unit in units.items()]
+    crossings = columns_of(met, units, shown={"speed": "rpm"})
     growing = np.flatnonzero(found.growth > 0.0)
     messages = []
     if len(growing):

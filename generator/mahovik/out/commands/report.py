@@ -22,7 +22,7 @@ from mahovik.out.notices import Progress, tell
 from mahovik.out.plots import Panel
 from mahovik.out.plots import require as require_drawing
 from mahovik.out.report.page import Part, inline, page, table
-from mahovik.out.result import Result, column
+from mahovik.out.result import Result, column, columns_of
 from mahovik.writing import format_of, probe, write
 
 if TYPE_CHECKING:
@@ -220,8 +220,7 @@ def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part 
         (
             column("requirement", "", [each["text"] for each in verdicts]),
             column("largest, of it", "%", [100.0 * each["value"] / each["limit"] for each in verdicts]),
-            column("axis", "", [each["axis"] for each in verdicts]),
-            column("at", "rad/s", [each["speed"] for each in verdicts], shown="rpm"),
+            *columns_of(verdicts, {"axis": "", "speed": "rad/s"}, shown={"speed": "rpm"}),
             column("verdict", "", ["met" if each["met"] else "FAILED" for each in verdicts]),
         ),
     )

@@ -22,7 +22,7 @@ from mahovik.out.arguments import (
     servo_of,
 )
 from mahovik.out.notices import Progress, tell, warn
-from mahovik.out.result import Column, Result, column
+from mahovik.out.result import Column, Result, column, columns_of
 from mahovik.writing import probe
 
 if TYPE_CHECKING:
@@ -31,6 +31,11 @@ if TYPE_CHECKING:
 
 MOST_FUNCTIONS = 20
 """Functions in the short table; a check that failed is always there."""
+
+CHECK_COLUMNS = (
+    "judged", "quantity", "states", "skipped", "value", "limit", "second", "state", "verdict", "words",
+)  # fmt: skip
+"""All there is to say of a check."""
 
 QUANTITY = 40
 """Most columns of a quantity in it."""
@@ -263,12 +268,8 @@ def _log(own: Stand, path: Path, only: tuple[str, ...]) -> Result:
     return Result(
         f"{'PASS' if not found.unchecked else 'not all of it was checked'}   {path}",
         (
-            column("stand", "", [run.stand for run in found.runs]),
-            column("real", "", [run.real for run in found.runs]),
-            column("structure", "", [run.structure for run in found.runs]),
-            column("physics", "", [run.physics for run in found.runs]),
+            *columns_of(found.runs, dict.fromkeys(("stand", "real", "structure", "physics", "sweep"), "")),
             column("functions", "", [len(run.functions) for run in found.runs]),
-            column("sweep", "", [run.sweep for run in found.runs]),
         ),
         rows="runs",
         meta={"checked": found.checked, "unchecked": found.unchecked},
@@ -321,8 +322,7 @@ def _cost(
     return Result(
         f"cost of {own.name}: instructions and bytes",
         (
-            column("target", "", [target["target"] for target, _ in rows]),
-            column("real", "", [target["real"] for target, _ in rows]),
+            *columns_of([target for target, _ in rows], {"target": "", "real": ""}),
             column("function", "", [function["function"] for _, function in rows]),
             *(column(key, "", [_figure(function.get(key)) for _, function in rows]) for key in names),
         ),
@@ -364,7 +364,7 @@ def report_result(
     if worst is not None and (lines := worst_lines(found)):
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
-    checks = Result("", _check_columns(found.rows, by))
+    checks = Result("", columns_of(found.rows, dict.fromkeys(CHECK_COLUMNS, "")))
     short, absent = _shortest(found.rows)
     if not everything and absent:
         text = f"not compared, --all says why: {', '.join(dict.fromkeys(absent))}"
@@ -388,22 +388,6 @@ def _write_junit(path: Any, found: Report) -> None:
     write(Path(path), as_junit(found))
 
 
-def _check_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
-    """All there is to say of every check; the judged is named so in JSON, whatever heads it in text."""
-    return (
-        column("judged", "", [row.judged for row in rows]),
-        column("quantity", "", [row.quantity for row in rows]),
-        column("states", "", [row.states for row in rows]),
-        column("skipped", "", [row.skipped for row in rows]),
-        column("value", "", [row.value for row in rows]),
-        column("limit", "", [row.limit for row in rows]),
-        column("second", "", [row.second for row in rows]),
-        column("state", "", [row.state for row in rows]),
-        column("verdict", "", [row.verdict for row in rows]),
-        column("words", "", [row.words for row in rows]),
-    )
-
-
 def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
     """A check for each function, that nearest to its limit, and all that failed; names of what is not compared."""
     groups: dict[str, list[Check]] = {}
@@ -425,20 +409,16 @@ def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
 
 
 def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
-    def figures(row: Check) -> tuple[float, float]:
-        """The difference that is nearest to its limit, of the C or of the second derivation."""
-        if row.second is not None and row.second * row.limit > row.value * row.accepted_of_second:
-            return row.second, row.accepted_of_second
-        return row.value, row.limit
+    def shown(row: Check) -> tuple[Any, ...]:
+        """The figures that are nearest to their limit are those of the C, or of the second derivation."""
+        second = row.second is not None and row.second * row.limit > row.value * row.accepted_of_second
+        figures = (row.second, row.accepted_of_second) if second else (row.value, row.limit)
+        verdict = f"{row.verdict} {row.words if row.failed else ''}".strip()
+        return (row.judged, row.states, *figures, shorten(row.quantity, QUANTITY, placeholder=" ..."), verdict)
 
-    return (
-        column(by, "", [row.judged for row in rows]),
-        column("states", "", [row.states for row in rows]),
-        column("worst", "", [figures(row)[0] for row in rows]),
-        column("limit", "", [figures(row)[1] for row in rows]),
-        column("nearest to its limit", "", [shorten(row.quantity, QUANTITY, placeholder=" ...") for row in rows]),
-        column("verdict", "", [f"{row.verdict} {row.words if row.failed else ''}".strip() for row in rows]),
-    )
+    heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
+    cells = list(zip(*map(shown, rows), strict=True)) or [()] * len(heads)
+    return tuple(column(head, "", values) for head, values in zip(heads, cells, strict=True))
 
 
 def _draw_shares(found: Result, ax: Any) -> None:
