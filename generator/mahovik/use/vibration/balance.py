@@ -117,6 +117,8 @@ def newton(
     size = np.repeat([1.0, fastest], m)
     least = (ROUNDING + scene.noise) / fastest**2
     linear, before = None, np.inf
+    if not m:  # clamped
+        return Solved(c, h, Linearised(torus, np.zeros((torus.M, 0, 0)), push, scene.free_displacement, w, slow, size))
     for _ in range(STEPS):
         y = torus.values(c)
         if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
@@ -158,23 +160,12 @@ class _Search:
         w, slow = self._frequencies(torus)
         if self.conserves:
             return self._by_momentum(order, torus, w, slow)
-        if not self.scene.count:
-            return self._at_rest(order, torus)
         given = self._drive(torus.nodes)
         solved = newton(self.scene, torus, given, w, slow, self._start(torus), self.rounding, self.fastest)
         if solved is None:
             raise self._failure(order)
         self.before = torus, solved.c
         return self._with_missing(self._result(order, torus, solved.c, solved.h), solved.linear, solved.h)
-
-    def _at_rest(self, order: int, torus: Torus) -> Balance:
-        """The carrier at rest."""
-        none = np.zeros((len(torus.k), 0), dtype=np.complex128)
-        found, larger = self._result(order, torus, none, none), self._larger(order)
-        if larger is None:
-            return found
-        w, slow = self._frequencies(larger)
-        return _with(found, np.zeros((len(w), 0), dtype=np.complex128), w, slow, order + MORE)
 
     def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
         """The motion of a stand that keeps its momentum. Raises CheckError."""

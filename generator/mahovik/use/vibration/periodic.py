@@ -11,17 +11,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import expm
-from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.use.numeric.course import equilibrium
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.study.rest import rest
 from mahovik.use.vibration.balance import newton
-from mahovik.use.vibration.scene import FREE, Scene, coordinates
+from mahovik.use.vibration.scene import FREE, Scene
 from mahovik.use.vibration.speeds import Turning, common_period
-from mahovik.use.vibration.torus import Torus, odd_length
+from mahovik.use.vibration.torus import Torus
 from mahovik.use.vibration.torus_motion import gyration_radius, rounding_rates
 from mahovik.use.vibration.view import FullMotion, Observable
 
@@ -57,7 +55,6 @@ class Periodic:
     hold         (6; N, N m): constant wrench on the carrier in E1 that keeps its mean place along free directions;
                  zero to rounding if momentum is conserved
     multiplier   largest modulus of the multipliers of the linear equations along the course
-    tail         part of the largest harmonic of V* that the highest third holds: possible gain of more harmonics
     natural      (Hz): frequencies of the linear equations, mean over the period, ascending, without free ones
     """
 
@@ -68,7 +65,6 @@ class Periodic:
     phi: Array
     hold: Array
     multiplier: float
-    tail: float
     natural: Array
 
     @property
@@ -104,12 +100,11 @@ def harmonics(values: Array) -> Complex:
 
 
 def periodic_response(
-    stand: Stand | Scene,
-    speeds: Sequence[float],
-    phases: Sequence[float] | None = None,
-) -> Periodic:
+    stand: Stand | Scene, speeds: Sequence[float], phases: Sequence[float] | None = None
+) -> Periodic:  # fmt: skip
     """The periodic steady state near rest under flywheels at constant `speeds` (N, rad/s).
 
+    Harmonics are doubled until the highest ones are negligible.
     `stand`: or its Scene, for many speeds; `phases` (N, rad) at t = 0, default 0.
     Raises UsageError: no common period. CheckError: no equilibrium, or no steady state is found.
     """
@@ -118,96 +113,57 @@ def periodic_response(
     start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
     if not turning.base:
         return _at_rest(scene, turning, start)
-    if not scene.count:
-        return _clamped_response(scene, turning, start)
-    search = _Search(scene, turning, start)
-    return search.result()
-
-
-def phases_at(turning: Turning, phases: Array, M: int) -> Array:
-    """Phases (M, N) of the flywheels at M nodes of the period."""
-    t = np.arange(M)[:, None] / M
-    return np.asarray(phases + 2.0 * np.pi * np.remainder(np.array(turning.turns, dtype=np.float64) * t, 1.0))
-
-
-def _clamped_response(scene: Scene, turning: Turning, phases: Array) -> Periodic:
-    """Result of a carrier that does not move: wrenches of the flywheels have few waves a turn."""
-    M = odd_length(2 * max(8, PER_TURN * max(map(abs, turning.turns))) + 1)
-    phi = phases_at(turning, phases, M)
-    return Periodic(scene, turning, np.zeros((M, 12)), np.zeros((M, 6)), phi, np.zeros(6), 1.0, 0.0, np.zeros(0))
+    own, enough, before = np.array(turning.speeds), KINKED_TAIL if scene.stand.has_kinks else TAIL, np.inf
+    rounding, fastest, why = rounding_rates(scene, own), float(np.abs(own).max()), ""
+    H, c = max(8, PER_TURN * max(map(abs, turning.turns))), np.zeros((1, 2 * scene.count), dtype=np.complex128)
+    while H <= MOST and not why:
+        torus = Torus.of(1, H)
+        turned = np.outer(np.arange(torus.M) / torus.M, np.array(turning.turns, dtype=np.float64))
+        phi = np.asarray(start + 2.0 * np.pi * np.remainder(turned, 1.0))
+        given = scene.drive(phi, np.broadcast_to(own, phi.shape))
+        w, slow = np.asarray(turning.base * torus.k[:, 0], dtype=np.float64), np.zeros(1, dtype=np.int64)
+        solved = newton(scene, torus, given, w, slow, torus.pad(c), rounding, fastest)
+        if solved is None:
+            why = "an undamped resonance, or the carrier moves too violently"
+            continue
+        c, h, y = solved.c, solved.h[0].real, torus.values(solved.c)
+        pushed = (scene.effect_of_wrench(given) @ h)[:, scene.count :]
+        V_dot = scene.chart.acceleration(given, y) + scene.twist(pushed)
+        tail = _tail(scene, V_dot, len(c))
+        if tail <= enough or (tail <= COARSE and (tail > before / 2 or 2 * H > MOST)):
+            J = scene.chart.jacobian(given, y)
+            multiplier = largest_multiplier(J, turning.period)
+            hold = scene.wrench @ h
+            return Periodic(scene, turning, scene.whole(y), V_dot, phi, hold, multiplier, natural(J))
+        before, H = tail, 2 * H
+    at, why = ", ".join(f"{x:.6g}" for x in own), why or f"its harmonics do not fall off within {MOST} of the period"
+    raise CheckError(f"{scene.stand.name} at speeds {at} rad/s: no periodic steady state found: {why}")
 
 
 def _at_rest(scene: Scene, turning: Turning, phases: Array) -> Periodic:
     """Result with all flywheels at rest: one node, no harmonics."""
-    state = rest(scene.stand, phases.tolist()).state
-    home = scene.chart.frame
-    turned = Rotation.from_matrix(home.C.T @ carrier_rotation(scene.stand, state))
-    x = (np.array(state.position) - home.O1) @ home.C
-    y, V_dot = np.concatenate([x, turned.as_rotvec(), np.zeros(6)])[None], np.zeros((1, 6))
-    given = scene.drive(phases[None], np.zeros((1, len(phases))))
-    own = np.hstack([coordinates(scene.S, y), np.zeros((1, scene.count))])
-    J = scene.chart.jacobian(given, own) if scene.count else np.zeros((1, 0, 0))
+    y = equilibrium(scene.chart, phases).y[None] if scene.count else np.zeros((1, 0))
+    J = scene.chart.jacobian(scene.drive(phases[None], np.zeros((1, len(phases)))), y)
     growing = float(np.linalg.eigvals(J[0]).real.max(initial=0.0)) > np.sqrt(FREE)
     multiplier = np.inf if growing else 1.0
-    return Periodic(scene, turning, y, V_dot, phases[None], np.zeros(6), multiplier, 0.0, natural(J))
+    return Periodic(
+        scene, turning, scene.whole(y), np.zeros((1, 6)), phases[None], np.zeros(6), multiplier, natural(J)
+    )  # fmt: skip
 
 
-class _Search:
-    """The motion with a number of harmonics, doubled until the highest ones are negligible."""
-
-    def __init__(self, scene: Scene, turning: Turning, phases: Array) -> None:
-        self.scene, self.turning, self.phases = scene, turning, phases
-        self.c = np.zeros((1, 2 * scene.count), dtype=np.complex128)
-        H = max(8, PER_TURN * max(map(abs, turning.turns)))
-        enough = KINKED_TAIL if scene.stand.has_kinks else TAIL
-        before = np.inf
-        while True:
-            self._solve(H)
-            self.tail = self._tail()
-            if self.tail <= enough or (self.tail <= COARSE and (self.tail > before / 2 or 2 * H > MOST)):
-                return
-            before, H = self.tail, 2 * H
-            if H > MOST:
-                raise self._failure(f"its harmonics do not fall off within {MOST} of the period")
-
-    def _failure(self, why: str) -> CheckError:
-        speeds = ", ".join(f"{x:.6g}" for x in self.turning.speeds)
-        return CheckError(f"{self.scene.stand.name} at speeds {speeds} rad/s: no periodic steady state found: {why}")
-
-    def _solve(self, H: int) -> None:
-        """The course with H harmonics. Raises CheckError."""
-        scene, base, speeds = self.scene, self.turning.base, np.array(self.turning.speeds)
-        torus, fastest = Torus.of(1, H), float(np.abs(speeds).max())
-        phi = phases_at(self.turning, self.phases, torus.M)
-        given = scene.drive(phi, np.broadcast_to(speeds, phi.shape))
-        w, slow = np.asarray(base * torus.k[:, 0], dtype=np.float64), np.zeros(1, dtype=np.int64)
-        rounding = rounding_rates(scene, speeds)
-        solved = newton(scene, torus, given, w, slow, torus.pad(self.c), rounding, fastest)
-        if solved is None:
-            raise self._failure("an undamped resonance, or the carrier moves too violently")
-        self.given, self.c, self.y, h = given, solved.c, torus.values(solved.c), solved.h[0].real
-        pushed = (scene.effect_of_wrench(given) @ h)[:, scene.count :]
-        self.hold, self.V_dot = scene.wrench @ h, scene.chart.acceleration(given, self.y) + scene.twist(pushed)
-
-    def _tail(self) -> float:
-        """Part of the largest harmonic of V* that the highest third holds; 0 if it is rounding."""
-        sizes = np.abs(np.fft.rfft(self.V_dot, axis=0)) / len(self.y)
-        each = (sizes * np.repeat([1.0, gyration_radius(self.scene)], 3)).max(axis=1)[: len(self.c)]
-        last = float(each[2 * len(each) // 3 :].max())
-        return 0.0 if last <= ROUNDING else last / float(each.max())
-
-    def result(self) -> Periodic:
-        """The result of the course."""
-        scene, y = self.scene, self.scene.whole(self.y)
-        J = scene.chart.jacobian(self.given, self.y)
-        multiplier = largest_multiplier(J, self.turning.period)
-        phi = self.given.phi
-        return Periodic(scene, self.turning, y, self.V_dot, phi, self.hold, multiplier, self.tail, natural(J))
+def _tail(scene: Scene, V_dot: Array, count: int) -> float:
+    """Part of the largest harmonic of V* (M, 6), of so many, that the highest third holds; 0 if it is rounding."""
+    sizes = np.abs(np.fft.rfft(V_dot, axis=0)) / len(V_dot)
+    each = (sizes * np.repeat([1.0, gyration_radius(scene)], 3)).max(axis=1)[:count]
+    last = float(each[2 * len(each) // 3 :].max())
+    return 0.0 if last <= ROUNDING else last / float(each.max())
 
 
 def largest_multiplier(J: Array, period: float) -> float:
     """Largest modulus of the multipliers of dy' = J dy over a `period`, s: exponentials between middles of nodes."""
     monodromy = np.eye(J.shape[1])
+    if not J.size:
+        return 1.0
     for each in expm(J * (period / len(J))):
         monodromy = each @ monodromy
     return float(np.abs(np.linalg.eigvals(monodromy)).max())
