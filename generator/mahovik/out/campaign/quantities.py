@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.motion.document import FREQUENCY
 from mahovik.core.stand import units
@@ -22,10 +21,10 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import Dimension, QuantityError, show
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
+from mahovik.use.measured.headers import sensors
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.course import Moments
 from mahovik.use.vibration.band import in_band
-
-Array = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
 HOLD = "hold.reaction"
@@ -170,11 +169,6 @@ class Quantity:
         if not len(t):
             return np.full(values.shape[2], np.nan)
         return band_rms(t, values, self.band) if self.band is not None else STATISTICS[self.statistic](values)
-
-
-def sensors(stand: Stand) -> tuple[str, ...]:
-    """Names of what `points` reads, in order: instruments, then points."""
-    return (*(p.name for p in stand.instruments), *(p.name for p in stand.points))
 
 
 def _place(stand: Stand, signal: Signal, at: str | None) -> str:

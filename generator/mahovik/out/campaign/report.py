@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 
 from mahovik.out.campaign.designs import IN_BLOCKS
@@ -17,9 +16,8 @@ from mahovik.out.campaign.file import Campaign
 from mahovik.out.plots import Line, Panel
 from mahovik.out.report.page import Part, page
 from mahovik.out.result import Result, column
+from mahovik.use.numeric.se3 import Array
 from mahovik.writing import write
-
-Array = NDArray[np.float64]
 
 CONFIDENCE = 0.95
 SHARES = (0.05, 0.5, 0.95)

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Annotated, Any, Union
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.document import whole_number
@@ -31,13 +30,15 @@ from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import PLACE_OF_HOLD, Tables
 from mahovik.out.arguments import by_flywheel, motion_of, programme_of, regime_of, state_of
-from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, sensors, turn
+from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene, rotation, turn
 from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
 from mahovik.use.control.coordinates import coordinates
 from mahovik.use.control.loop import required_state
+from mahovik.use.measured.headers import sensors
 from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.use.simulate.held import allowed_start
@@ -47,7 +48,6 @@ from mahovik.use.vibration.periodic import periodic_response
 from mahovik.use.vibration.speeds import common_period, read_speeds
 from mahovik.use.vibration.view import REACTION, find_view
 
-Array = NDArray[np.float64]
 Values = tuple[dict[str, Array], list[str]]
 """Quantities by name, (n) each, and the reason of each sample that has none, or ""."""
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import stats
 from scipy.special import ndtr, ndtri
 
@@ -20,8 +19,7 @@ from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import PLAIN, SPEED, Dimension, QuantityError, number, show
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-
-Array = NDArray[np.float64]
+from mahovik.use.numeric.se3 import Array
 
 KINDS = ("normal", "relative", "tolerance", "uniform", "triangular", "lognormal", "grade")
 _OPTIONS = dict.fromkeys(KINDS, ("least", "most", "group")) | {"grade": ("speed", "share")}

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field
 
 from mahovik.core.motion.document import document_of, text_of
@@ -28,8 +27,7 @@ from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.use.measured.headers import sensors
-
-Array = NDArray[np.float64]
+from mahovik.use.numeric.se3 import Array
 
 SHARE = 0.02
 """Share of a moment of inertia that an unbalance or product may be which is zero in the file; for scaling."""

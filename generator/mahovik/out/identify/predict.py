@@ -12,7 +12,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BSpline, generate_knots, make_interp_spline, make_lsq_spline
 from scipy.spatial.transform import Rotation
 
@@ -27,12 +26,11 @@ from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
 from mahovik.use.measured import Recording
 from mahovik.use.measured.headers import LETTERS, sensors
-from mahovik.use.numeric.se3 import left_jacobian
+from mahovik.use.numeric.se3 import Array, left_jacobian
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.course import motion
 from mahovik.use.simulate.held import home
 
-Array = NDArray[np.float64]
 Phase = Callable[..., Array]
 """Phase of a flywheel over time (s), rad; with a second argument its derivative of that order."""
 

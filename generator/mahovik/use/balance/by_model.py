@@ -22,10 +22,11 @@ from numpy.typing import NDArray
 from mahovik.core.stand.masses import grade, pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
-from mahovik.use.balance.influence import INDEPENDENT, Array, Complex
+from mahovik.use.balance.influence import INDEPENDENT
 from mahovik.use.balance.pieces import Choice, Made, choose_pieces
 from mahovik.use.measured import Recording
 from mahovik.use.measured.headers import AXES, LETTERS
+from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear.model import places
 from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.scene import Scene

@@ -29,7 +29,6 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import StrictBool
 from scipy.optimize import linprog
 
@@ -40,9 +39,8 @@ from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import PLAIN, QuantityError
 from mahovik.errors import BalanceError, CheckError
 from mahovik.use.balance.pieces import Choice, read_choices
+from mahovik.use.numeric.se3 import Array, Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Method = Literal["least-squares", "min-max"]
 
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"

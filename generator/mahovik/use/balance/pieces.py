@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, StrictBool, StrictInt
 from scipy.optimize import Bounds, LinearConstraint, milp
 
@@ -23,9 +22,8 @@ from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number
 from mahovik.errors import CheckError
+from mahovik.use.numeric.se3 import Complex
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Count = Annotated[StrictInt, Field(ge=1)]
 
 MANY = 2000

@@ -171,7 +171,6 @@ def flywheel_damping(
 class Drive:
     """Sums over the flywheels at times of any shape (...), in E1 about O1.
 
-    inverse     (..., 6, 6): K^-1 of (2)
     mobility    (..., m, 6): rates of the speeds by a wrench, (S^T K S)^-1 S^T; of a free carrier K^-1
     Theta, Theta_dot   (..., 6, 6): sum Ls Theta_s Ls^T and its derivative
     h           (..., 6): sum I_s phi_s'
@@ -180,7 +179,6 @@ class Drive:
     phi, phi_dot   (..., N): for flywheels with damping
     """
 
-    inverse: Array
     mobility: Array
     Theta: Array
     Theta_dot: Array
@@ -205,10 +203,8 @@ def drive(mechanics: Mechanics, phi: Array, phi_dot: Array, phi_ddot: Array) -> 
     )  # fmt: skip
     Theta = (h @ Theta_of).reshape(*shape, 6, 6)
     K, S = Theta + mechanics.base.K, mechanics.freedoms
-    inverse = np.asarray(np.linalg.inv(K))
     return Drive(
-        inverse=inverse,
-        mobility=inverse if mechanics.stand.hold is None else np.linalg.inv(S.T @ K @ S) @ S.T,
+        mobility=np.linalg.inv(S.T @ K @ S) @ S.T,
         Theta=Theta,
         Theta_dot=((slopes * speed) @ Theta_of).reshape(*shape, 6, 6),
         h=((h * speed) @ coupling).reshape(*shape, 6),

@@ -47,7 +47,7 @@ def conserves(scene: Scene) -> bool:
     rng, N = np.random.default_rng(1), len(scene.stand.flywheels)
     y, phi, phi_dot = rng.normal(size=(TRIED, 12)), rng.normal(size=(TRIED, N)), rng.normal(size=(TRIED, N))
     given = scene.drive(phi, phi_dot)
-    K, V = np.linalg.inv(given.inverse), y[:, 6:, None]
+    K, V = np.linalg.inv(given.mobility), y[:, 6:, None]
     momentum = K @ V + given.h[:, :, None]
     inertial = K @ scene.chart.acceleration(given, y)[:, :, None] + given.push[:, :, None]
     parts = (inertial, given.Theta_dot @ V, motor_cross(y[:, 6:]) @ momentum)
@@ -74,11 +74,11 @@ class Conserved:
     @staticmethod
     def of(torus: Torus, given: Drive) -> Conserved:
         """The equations under the flywheels' sums at the nodes."""
-        K = np.linalg.inv(given.inverse)
+        K = np.linalg.inv(given.mobility)
         moment = K[:, 3:, :3] / K[:, :1, :1]
         c = np.stack([moment[:, 2, 1], moment[:, 0, 2], moment[:, 1, 0]], axis=1)
-        spinning = -(given.inverse @ given.h[:, :, None])[:, 3:, 0]
-        return Conserved(torus, given, given.inverse[:, 3:, 3:], spinning, c)
+        spinning = -(given.mobility @ given.h[:, :, None])[:, 3:, 0]
+        return Conserved(torus, given, given.mobility[:, 3:, 3:], spinning, c)
 
     def rest(self, slow: Whole) -> Complex:
         """L (n, 3) of a carrier that does not turn on average, to first order."""
@@ -89,7 +89,7 @@ class Conserved:
 
     def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
         """r' (M, 3) and omega (M, 3)."""
-        omega = (self.given.inverse @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
+        omega = (self.given.mobility @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
         return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
 
     def carrier_momentum(self, r: Array, L: Array) -> Array:
@@ -115,7 +115,7 @@ class Conserved:
         at = self.torus.values(r)
         x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
-        V = (self.given.inverse @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
+        V = (self.given.mobility @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
         angles = Rotation.from_rotvec(at).as_euler("ZYX")[:, ::-1]
         return x, np.concatenate([x, self.torus.coefficients(np.hstack([angles, V]))], axis=1)
 
