@@ -91,7 +91,7 @@ class NumberSearch:
             raise StandError([str(error)]) from None
 
     def solutions(self, count: int) -> list[SolvedNumbers]:
-        """Single numbers (count 1) or pairs of them that a stand can have, those that leave least of the error first."""
+        """Single numbers (count 1), or pairs that a stand can have, those that leave least of the error first."""
         size = np.linalg.norm(self._slopes, axis=0)
         there = np.flatnonzero(size > 0.0)
         unit = self._slopes[:, there] / size[there]
