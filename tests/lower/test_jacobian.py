@@ -20,6 +20,7 @@ from mahovik.laws.friction.law import Frictions
 from mahovik.laws.stop.law import Stops
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.case import Case, Rows, ordinary
 from mahovik.proof.verify.check import Check
@@ -119,6 +120,14 @@ def test_friction_and_stops_have_their_part(name: str) -> None:
     assert [row.verdict for row in rows_of(stand, functions=FUNCTIONS[:1])] == ["ok"]
     for law in (Frictions, Stops):
         assert [row.verdict for row in rows_of(stand, law, FUNCTIONS[:1])] == ["FAILED"]
+
+
+def test_no_changes_of_own_wrenches_are_read_where_nothing_changes_them() -> None:
+    """Run-time wrenches on flywheels without damping: nothing would write what is read."""
+    stand = with_all_inputs(random_stand(np.random.default_rng(2), 2, BARE))
+    made = generate_all(stand)
+    assert {f.name for f in made.program.functions} >= {*FUNCTIONS}
+    assert "d_own" not in made.files[f"{stand.name}.c"]
 
 
 def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:

@@ -192,7 +192,7 @@ def set_up(lib: Library, table: Any, x: Any, phi_ddot: Any, wrench: Any, elimina
     K, drives, shares, d_own, drift = None, None, None, None, None
     if eliminated:
         drives = record(layout.coupling, N)
-    if layout.own_turning:
+    if any(changes_own(lib, by) for by in OWN_BY):
         d_own = reals(6 * int(N))  # changes of own wrenches
     external_wrench(lib, table, x, seen, wrench, R)
     lib["subtract_rates"](table, seen.sums, seen.V, R)
@@ -313,6 +313,15 @@ def change_by_speed(lib: Library, table: Any, at: System, slopes: Any, j: int) -
     return d_V, d_drift
 
 
+OWN_BY = ("external_by_V", "own_wrench_by_phi", "own_wrench_by_phi_dot")
+"""Derivatives that may have changes of own wrenches of the flywheels."""
+
+
+def changes_own(lib: Library, derivative: str) -> bool:
+    """Whether own wrenches of the flywheels change in a derivative: run-time wrenches alone do not."""
+    return derivative in lib and "d_own" in lib.taken(derivative)
+
+
 def has_changing_wrench(lib: Library) -> bool:
     """Does the wrench (7) change with V?"""
     return "external_by_V" in lib and "d_F" in lib.taken("external_by_V")
@@ -345,7 +354,8 @@ def change_by_phase(lib: Library, table: Any, at: System, slopes: Reals, s: int,
         for k in range(len(lib.layout.own)):
             if table.frame[k].flywheel == s:
                 at.call(lib, f"own_wrench_by_{by}", frame=table.frame[k], d_F=at.R, d_own=at.own)
-        changed = at.own[s * 6 + 3]
+        if changes_own(lib, f"own_wrench_by_{by}"):
+            changed = at.own[s * 6 + 3]
     if lib.layout.held:
         lib["project_wrench"](table, at.R, at.side)
     return changed
@@ -432,7 +442,8 @@ def side_of(by: str, own: Any, slope: Any) -> Any:
 def left_by_speed(lib: Library, at: System, torque: Any, d_V: Any, d_drift: Any, j: Any, t: Any) -> Any:
     """Change of the right-hand side of drive t with component j of the speeds."""
     slope = -dot(torque[0:6], d_V) if lib.layout.held else -torque[j]
-    return without(with_own(slope, at.own, t), at.drives[t].I, d_drift)
+    own = at.own if changes_own(lib, "external_by_V") else None
+    return without(with_own(slope, own, t), at.drives[t].I, d_drift)
 
 
 def left_of_drive(side: Any, t: Any, s: Any, back: Any) -> Any:
