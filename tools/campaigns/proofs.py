@@ -24,12 +24,13 @@ from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.toolchain.eva import Proof, prove
 from mahovik.core.toolchain.static_checks import (
     DEVIATIONS,
     STANDING_FINDINGS,
+    Proof,
     count_by_rule,
     findings,
+    prove,
     warnings_of,
 )
 from mahovik.stands import names, path

@@ -23,8 +23,8 @@ from mahovik.core.emit.calls import (
 )
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.declaration import pointer_arguments
-from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.log_format import RECORDED
+from mahovik.core.emit.selftest import Draws
 from mahovik.core.lower import test_inputs
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program

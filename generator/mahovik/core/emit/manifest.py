@@ -1,10 +1,13 @@
-"""manifest.json of a delivered folder: its origin, and the SHA-256 of every file. No dates."""
+"""manifest.json of a delivered folder: its origin, and the SHA-256 of every file, no dates; facts read from its C."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
@@ -14,6 +17,7 @@ from mahovik.core.stand.model import Stand
 
 if TYPE_CHECKING:
     from mahovik.core.emit.generate import Generated
+
 
 NAME = "manifest.json"
 """File name of the manifest."""
@@ -69,3 +73,43 @@ def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mappi
 def as_text(content: Mapping[str, Any]) -> str:
     """Text of a manifest's content."""
     return json.dumps(content, indent=2) + "\n"
+
+
+@dataclass(frozen=True)
+class Header:
+    """Facts of a stand's header; None where it does not name them."""
+
+    real: str | None
+    structure: str | None
+    physics: str | None
+
+
+def read_header(folder: Path, stand_name: str) -> Header | None:
+    """The header of a stand in a folder; None where there is none."""
+    path = folder / f"{stand_name}.h"
+    if not path.is_file():
+        return None
+    text = path.read_text(encoding="utf-8", errors="replace")
+
+    def first_match(pattern: str) -> str | None:
+        found = re.search(pattern, text, re.MULTILINE)
+        return found[1] if found else None
+
+    macro = f"^#define {stand_name.upper()}_"
+    return Header(
+        real=first_match(rf"^typedef (\w+) {stand_name}_real;"),
+        structure=first_match(rf"{macro}STRUCTURE +0x([0-9a-f]+)u"),
+        physics=first_match(rf"{macro}PHYSICS +0x([0-9a-f]+)u"),
+    )
+
+
+def spans(source: str, name: str) -> dict[str, tuple[int, int]]:
+    """First and last line of every function defined in a stand's C, by its name without prefix."""
+    found = {}
+    attributes = r"^(?:\w+_CODE )?(?:\w+_APART )?(?:static )?(?:inline |\w+_COPIED )?"
+    head = rf"\w+ {name}_(\w+)\([^;{{]*\)\n"
+    definition = re.compile(attributes + head + r"\{\n.*?^\}\n", re.DOTALL | re.MULTILINE)
+    for match in definition.finditer(source):
+        first = source.count("\n", 0, match.start()) + 1
+        found[match[1]] = (first, first + match[0].count("\n") - 1)
+    return found

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
-from mahovik.contract.quantities import DRAWN_STEP, TABLES
+from mahovik.contract.quantities import DRAWN_STEP, TABLES, Draw
 from mahovik.core.emit.calls import (
     argument_text,
     call,
@@ -15,13 +15,14 @@ from mahovik.core.emit.calls import (
     initialiser_of,
     nested_loops,
     over_members,
+    over_rows,
+    row_length,
     take_functions,
     take_lines,
 )
 from mahovik.core.emit.code import INDENT, Code
-from mahovik.core.emit.draws import Draws
 from mahovik.core.emit.layout import wrap_statement
-from mahovik.core.emit.names import member
+from mahovik.core.emit.names import Names, member
 from mahovik.core.lower import test_inputs
 from mahovik.core.lower.golden import CASES, FAR, LISTED, SWEPT, Golden, is_prepared, tested_functions
 from mahovik.core.lower.test_inputs import Input
@@ -248,3 +249,44 @@ class _SelfTest:
             visit(a.name, a.type, a.shape, case[a.name], INDENT * 2)
         visit(test_inputs.MASS_FACTOR, Kind.REAL, (), case[test_inputs.MASS_FACTOR], INDENT * 2)
         return lines
+
+
+class Draws:
+    """Calls of `draw_reals`, `draw_flags` and similar functions, which a template defines.
+
+    source    variable that they draw from
+    place     C text of an input from its path
+    largest   C text of the largest magnitude of an input
+    attitude  last arguments of `draw_attitude`
+    """
+
+    def __init__(
+        self,
+        names: Names,
+        source: str,
+        place: Callable[[tuple[str, ...]], str],
+        largest: Callable[[Input], str],
+        attitude: str = "",
+    ) -> None:
+        self._names, self._source, self._attitude = names, source, attitude
+        self._place, self._largest = place, largest
+
+    def lines(self, each: Input) -> list[str]:
+        """Lines that draw one input."""
+        place, source, rule = self._place(each.path), self._source, each.rule
+        if rule is Draw.ATTITUDE:
+            return [f"draw_attitude({source}, {place}{self._attitude});"]
+        if rule is Draw.TURNS:
+            cosine = self._place((*each.path[:-1], test_inputs.COSINE))
+            return [f"draw_turns({source}, {place}, {cosine}, {row_length(self._names, each.shape)});"]
+        if rule in (Draw.REALS, Draw.POWER, Draw.FLAGS):
+            what = {Draw.REALS: "reals", Draw.POWER: "powers", Draw.FLAGS: "flags"}[rule]
+            more = "" if rule is Draw.FLAGS else f", {self._largest(each)}"
+            return over_rows(self._names, place, each.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});")
+        given = {
+            Draw.ORDER: f"draw_order({source})",
+            Draw.STEP: f"draw_step({source})",
+            Draw.SHARE: f"draw_share({source})",
+            Draw.FACTOR: f"draw_factor({source}, {self._largest(each)})",
+        }
+        return [f"{place} = {given[rule]};"]

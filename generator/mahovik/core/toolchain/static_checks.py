@@ -1,12 +1,15 @@
 """Static checks of a delivered folder: warnings of two compilers, an analyser, cppcheck with its MISRA C:2012 addon.
 
-cppcheck reads the C once as it is delivered: a folder has one element type, so there is nothing to configure.
+cppcheck reads the C once as it is delivered: a folder has one element type, so there is nothing to configure. The
+script of `--with eva` is run here too: Frama-C's proofs.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
+import subprocess
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -92,10 +95,10 @@ class Finding:
         return self.rule in DEVIATIONS or self.rule in STANDING_FINDINGS
 
 
-def require(tool: str) -> None:
-    """Raises ToolchainError where a tool is missing."""
+def require(tool: str, package: str = "") -> None:
+    """Raises ToolchainError where a tool is missing; `package`: of Debian, where its name is another one."""
     if shutil.which(tool) is None:
-        raise ToolchainError(f"no {tool}: install it, on Debian with `apt-get install {tool}`")
+        raise ToolchainError(f"no {tool}: install it, on Debian with `apt-get install {package or tool}`")
 
 
 def version(tool: str) -> str:
@@ -140,3 +143,56 @@ def _finding(line: str) -> Finding:
 def count_by_rule(found: Iterable[Finding]) -> Counter[str]:
     """Number of breaches of each rule."""
     return Counter(each.rule for each in found)
+
+
+# -- Frama-C Eva ------------------------------------------------------------------------------------------------------
+
+_LINE = re.compile(
+    r"(?P<set>[a-z]+)_(?P<function>\w+) alarms (?P<alarms>\d+|failed) unproved (?P<bad>\d+) seconds (?P<s>\d+)"
+)
+
+
+@dataclass(frozen=True)
+class Proof:
+    """One driver's outcome. `alarms`: operations not shown to be defined, None where the analysis did not end or never
+    came back from the function; `unproved`: properties of the results; `seconds` of wall clock."""
+
+    function: str
+    set: str
+    alarms: int | None
+    unproved: int
+    seconds: int
+
+    @property
+    def holds(self) -> bool:
+        return self.alarms == 0 and self.unproved == 0
+
+
+def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, logs: Path | None = None) -> list[Proof]:
+    """Runs `<stand>_eva.sh` on drivers (default: all that is claimed); `limit`: seconds a driver.
+
+    Raises ToolchainError where the script cannot run.
+    """
+    require("frama-c", "frama-c-base")
+    environment = dict(os.environ)
+    if limit is not None:
+        environment["EVA_LIMIT"] = str(limit)
+    if logs is not None:
+        logs.mkdir(parents=True, exist_ok=True)
+        environment["EVA_LOGS"] = str(logs.resolve())
+    command = ["sh", script.name, *wanted]
+    done = subprocess.run(command, cwd=script.parent, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
+        raise ToolchainError(
+            f"{script.name} ended with status {done.returncode}: {done.stderr.strip() or 'no message'}"
+        )
+    return [parse_proof(line) for line in done.stdout.splitlines()]
+
+
+def parse_proof(line: str) -> Proof:
+    """Proof reported by a line of the script. Raises ToolchainError for another line."""
+    found = _LINE.fullmatch(line.strip())
+    if found is None:
+        raise ToolchainError(f"_eva.sh printed {line.strip()!r}, expected `SET_FUNCTION alarms N unproved N seconds N`")
+    alarms = None if found["alarms"] == "failed" else int(found["alarms"])
+    return Proof(found["function"], found["set"], alarms, int(found["bad"]), int(found["s"]))

@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.contract.functions import ALL, CHOSEN
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.reading import read_header
+from mahovik.core.emit.manifest import read_header
 from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter

@@ -22,9 +22,8 @@ from mahovik import __version__
 from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import PRECISIONS
-from mahovik.core.emit.manifest import FORMAT, NAME, as_text, digest
+from mahovik.core.emit.manifest import FORMAT, NAME, Header, as_text, digest, read_header
 from mahovik.core.emit.names import VERIFICATION
-from mahovik.core.emit.reading import Header, read_header
 from mahovik.core.stand.content import content
 from mahovik.core.stand.fields import stand_name_problem
 from mahovik.core.stand.identity import identities

@@ -15,9 +15,8 @@ from mahovik import __version__
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.manifest import digest
+from mahovik.core.emit.manifest import digest, spans
 from mahovik.core.emit.names import VERIFICATION
-from mahovik.core.emit.reading import spans
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError

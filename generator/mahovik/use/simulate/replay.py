@@ -15,7 +15,7 @@ from mahovik.contract.functions import ALL
 from mahovik.contract.status import status_words
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_bytes
-from mahovik.core.emit.reading import read_header
+from mahovik.core.emit.manifest import read_header
 from mahovik.core.emit.recorder import source_hash
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.stand.identity import identities

@@ -15,9 +15,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.emit.generate import PRECISIONS
-from mahovik.core.emit.manifest import digest
+from mahovik.core.emit.manifest import digest, read_header
 from mahovik.core.emit.programme import Facts, programme_files
-from mahovik.core.emit.reading import read_header
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.programme import Form, ProgrammeProgram, lower_programme
 from mahovik.core.lower.programme_play import Player
