@@ -38,7 +38,7 @@ OF_URDF = {
         WHEEL + joint("j", "revolute", "base", "w", '<limit lower="1" upper="0"/>'),
         "limit: lower 1 is above upper 0",
     ),
-    "planar": (WHEEL + joint("j", "planar", "base", "w"), 'link "w": has 3 joints: a flywheel has one'),
+    "planar": (WHEEL + joint("j", "planar", "base", "w"), 'link "w" has 3 joints: a flywheel has one'),
     "unknown": (
         WHEEL + joint("j", "screw", "base", "w"),
         "MuJoCo refuses it: invalid joint type in URDF joint definition",
@@ -67,7 +67,7 @@ OF_URDF = {
     "empty base": ('<link name="base"/>' + link("w") + TURNS, 'link "base": has no mass and no inertia'),
     "nested": (
         WHEEL + TURNS + NESTED,
-        'joint "k": turns on link "w", which turns itself: a flywheel must be on the carrier; a root',
+        'joint "k": turns on link "w", which turns itself: expected the carrier; a root',
     ),
     "roots": (WHEEL, '2 links have no parent, "base", "w": expected one root'),
     "two parents": (
@@ -115,7 +115,7 @@ OF_MJCF = {
         hub(SPUN.format('damping="1 2"')),
         'joint "j": a spring or damping that is not linear is no law of a stand',
     ),
-    "two joints": (hub(f'<body name="w">{HINGES}{GEOM}</body>'), 'body "w": has 2 joints: a flywheel has one'),
+    "two joints": (hub(f'<body name="w">{HINGES}{GEOM}</body>'), 'body "w" has 2 joints: a flywheel has one'),
     "two hinges": (hub(GOOD, HINGES), 'joints "a", "b": together no directions fixed in the carrier'),
     "two carriers": (
         hub(GOOD, more=f'<body name="b"><freejoint/>{GEOM}</body>'),

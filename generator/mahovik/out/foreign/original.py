@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -67,17 +68,19 @@ def _compiled(spec: Any) -> Any:
 
 @contextmanager
 def without_log() -> Iterator[None]:
-    """Suppress MuJoCo's warnings; the reader finds and reports problems of a model itself."""
+    """Suppress MuJoCo's warnings; what is wrong with a model is found and told here."""
     import mujoco
 
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(lambda _: None)
     try:
-        yield
+        with warnings.catch_warnings(action="ignore"):
+            yield
     finally:
         mujoco.set_mju_user_warning(before)
 
 
+@without_log()
 def compare(made: ImportedStand, model: Any, count: int = 20, seed: int = 1) -> dict[str, float]:
     """Largest difference of forces on the carrier and of torques of the flywheels from those of MuJoCo.
 

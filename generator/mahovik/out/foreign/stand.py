@@ -118,8 +118,7 @@ class _Maker:
         turning.sort(key=lambda body: body.joints[0].number)
         for body in turning:
             self._check_flywheel(body, root)
-        whole = self._mass(self._members, Place(), self._places)
-        if not whole.mass and not whole.inertia.any():
+        if not self._has_mass(root):
             self._problems.add(self._words(root), "has no mass and no inertia, nor has what is fixed on it")
         self._stop()
         hold, tables, added_mass, passive = self._hold(self._bodies[root])
@@ -268,35 +267,34 @@ class _Maker:
         return name
 
     def _check_flywheel(self, body: Body, root: str) -> None:
+        """Note the first reason against a flywheel, and what becomes of its armature."""
         joint, head = body.joints[0], self._heads[body.parent]
-        where, advice = f"joint {show(joint.name)}", f"--fix {joint.name} imports it where it is"
-        if head not in ("", root):
-            held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
-            self._problems.add(
-                where, f"turns on {self._words(head)}, which turns itself: a flywheel must be on the carrier{held}"
-            )
-        elif len(body.joints) > 1:
-            self._problems.add(self._words(body.name), f"has {len(body.joints)} joints: a flywheel has one")
-        elif joint.kind != "hinge":
-            self._problems.add(where, f"{joint.kind}: a flywheel turns about one axis, as a hinge does; {advice}")
-        elif joint.range is not None:
-            self._problems.add(
-                where, f"turns from {joint.range[0]:g} to {joint.range[1]:g}: a flywheel turns without end; {advice}"
-            )
-        elif joint.stiffness:
-            self._problems.add(where, f"stiffness {joint.stiffness:g}: a flywheel has no spring; {advice}")
-        elif not any(self._bodies[name].mass for name, head in self._heads.items() if head == body.name):
-            self._problems.add(where, f"{self._words(body.name)} turns, but has no mass and no inertia")
-        if joint.armature and self._armature is None:
-            self._problems.add(
-                where,
+        least, most = joint.range or (0.0, 0.0)
+        held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
+        fix = f"; --fix {joint.name} imports it where it is"
+        reasons = (
+            (head not in ("", root), f"turns on {self._words(head)}, which turns itself: expected the carrier{held}"),
+            (len(body.joints) > 1, f"{self._words(body.name)} has {len(body.joints)} joints: a flywheel has one"),
+            (joint.kind != "hinge", f"{joint.kind}: a flywheel turns about one axis, as a hinge does{fix}"),
+            (joint.range, f"turns from {least:g} to {most:g}: a flywheel turns without end{fix}"),
+            (joint.stiffness, f"stiffness {joint.stiffness:g}: a flywheel has no spring{fix}"),
+            (not self._has_mass(body.name), f"{self._words(body.name)} turns, but has no mass and no inertia"),
+            (
+                joint.armature and self._armature is None,
                 f"armature {joint.armature:g} is inertia without a body: --armature wheel makes it the flywheel's",
-            )
+            ),
+        )
+        where = f"joint {show(joint.name)}"
+        if found := next((words for against, words in reasons if against), None):
+            self._problems.add(where, found)
         elif joint.armature:
             self._notes.append(
                 f"{where}: its armature {joint.armature:g} kg m2 is a thin disc on the flywheel, taken from the "
                 "carrier: its spin turns the carrier, which that of the file does not"
             )
+
+    def _has_mass(self, head: str) -> bool:
+        return any(self._bodies[name].mass for name, other in self._heads.items() if other == head and name)
 
     # -- what holds the carrier ----------------------------------------------------------------------------------------
 
@@ -324,7 +322,7 @@ class _Maker:
             )
             return None, {}, None, ()
         is_free = len(ways) == 6
-        own = [
+        sayable = [
             joint.kind == "ball"
             or (joint.kind == "free" and not joint.stiffness)
             or (coordinate_problem(hold, k) is None and not is_free)
@@ -332,37 +330,33 @@ class _Maker:
         ]
         W = wrenches(hold)
         tensors = {
-            key: W @ np.diag([getattr(joint, key) * ok for (joint, *_), ok in zip(ways, own, strict=True)]) @ W.T
+            key: W @ np.diag([getattr(joint, key) * ok for (joint, *_), ok in zip(ways, sayable, strict=True)]) @ W.T
             for key in ("stiffness", "damping", "armature")
         }
         friction, stops = [], []
-        for k, (joint, kind, *_) in enumerate(ways):
+        for k, ((joint, kind, *_), own) in enumerate(zip(ways, sayable, strict=True)):
             where, name = f"joint {show(joint.name)}", freedom_names(hold)[k]
-            unsaid = [key for key in ("damping", "stiffness") if getattr(joint, key) and not own[k]]
-            if joint.armature and not own[k]:
+            ends = sorted(signs[k] * np.array(joint.range or ()))
+            stopped = ends and own and (kind == "slide" or max(map(abs, ends)) < FURTHEST) and joint.kind != "ball"
+            if joint.armature and not own:
                 self._problems.add(where, "armature: inertia without a body")
-            if joint.friction and own[k] and not is_free:
+            if joint.friction and own and not is_free:
                 friction.append({"freedom": name, "coulomb": joint.friction})
-            elif joint.friction:
-                unsaid.append("friction")
-            if (
-                joint.range
-                and own[k]
-                and joint.kind != "ball"
-                and (kind == "slide" or max(map(abs, joint.range)) < FURTHEST)
-            ):
+            for at, side in zip(ends, ("below", "above"), strict=True) if stopped else ():
                 stiffness = self._inertia(twists(hold)[:, k]) / FASTEST**2
-                for at, side in zip(sorted(signs[k] * np.array(joint.range)), ("below", "above"), strict=True):
-                    stops.append({"freedom": name, "at": float(at), "side": side, "stiffness": stiffness})
-                self._notes.append(
-                    f"{where}: its range is two stops, whose stiffness is chosen here: {FASTEST:g} s to stop"
-                )
-            elif joint.range:
-                unsaid.append("range")
-            if joint.effort is not None:
-                unsaid.append("effort")
-            if unsaid:
-                self._notes.append(f"{where}: {', '.join(unsaid)} left out: no law of a hold says it")
+                stops.append({"freedom": name, "at": float(at), "side": side, "stiffness": stiffness})
+            if stopped:
+                words = f"its range is two stops, whose stiffness is chosen here: {FASTEST:g} s to stop"
+                self._notes.append(f"{where}: {words}")
+            left_out = {
+                "damping": joint.damping and not own,
+                "stiffness": joint.stiffness and not own,
+                "friction": joint.friction and (is_free or not own),
+                "range": joint.range and not stopped,
+                "effort": joint.effort,
+            }
+            if unsaid := ", ".join(key for key, is_left in left_out.items() if is_left):
+                self._notes.append(f"{where}: {unsaid} left out: no law of a hold says it")
         tables: dict[str, Any] = {}
         if tensors["stiffness"].any() or tensors["damping"].any():
             given = {key: _diagonal_or_rows(tensors[key]) for key in ("stiffness", "damping") if tensors[key].any()}
@@ -374,7 +368,7 @@ class _Maker:
                 f"{names} on the world." if ways else "Fixed on the world; without [hold] it is free."
             ]
         added = tuple(map(tuple, tensors["armature"].tolist())) if tensors["armature"].any() else None
-        passive = tuple(joint.name for (joint, *_), ok in zip(ways, own, strict=True) if ok)
+        passive = tuple(joint.name for (joint, *_), ok in zip(ways, sayable, strict=True) if ok)
         return None if is_free else hold, tables, added, passive
 
     def _in_carrier(self, root: str, axis: Array, joint: Joint) -> tuple[Array, Array]:
@@ -435,10 +429,8 @@ class _Maker:
 
     def _points(self, carrier: str) -> tuple[Point, ...]:
         """Named places, and bodies without mass, on the carrier."""
-        given = [
-            (name, self._places[name]) for name in self._members if not self._bodies[name].mass and name != carrier
-        ]
-        given = [each for each in given if self._bodies[each[0]].parent]
+        empty = [name for name in self._members if not self._bodies[name].mass and name != carrier]
+        given = [(name, self._places[name]) for name in empty if self._bodies[name].parent]
         given += [(name, self._places[on] @ at) for name, on, at in self._model.points if on in self._members]
         if turning := [name for name, on, _ in self._model.points if on not in self._members]:
             self._notes.append(f"left out, since they are not on the carrier: {', '.join(turning)}")
