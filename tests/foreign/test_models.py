@@ -160,6 +160,12 @@ def test_a_joint_on_the_world_is_a_hold_with_springs_friction_and_stops(tmp_path
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
     assert "slide = [0.0, 0.0, -1.0]" in made.text
     assert 'at = 0.3\nside = "above"' in made.text
+    slides = 'type="slide" axis="1 0 0" damping="0.4"/><joint type="slide" axis="0 1 0" damping="0"/><joint'
+    text = CART.format(angle="radian", name="x", joint=f'{slides} name="turn" axis="0 0 1" damping="2"')
+    made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
+    assert 'freedoms = ["x", "y", "yaw"]' in made.text
+    assert "damping = [0.0, 0.0, 0.0, 0.0, 0.0, 2.0]" in made.text
+    assert 'joint "x": damping left out: no law of a hold says it' in notes(made)
     text = CART.format(angle="radian", name="h", joint='axis="0 1 0" range="-3.1 3.1"')
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
     assert 'joint "h": range left out: no law of a hold says it' in notes(made)
@@ -342,17 +348,19 @@ def test_what_sdf_says_where_the_file_does_not(tmp_path: Path) -> None:
     held = """<joint name="post" type="revolute"><pose>0 0 -0.3 0 0 0.4</pose><parent>world</parent>
     <child>base_link</child><axis><xyz>1 0 0</xyz><limit><lower>-0.5</lower><upper>0.4</upper></limit>
     <dynamics><damping>0.2</damping><friction>0.1</friction></dynamics></axis></joint>"""
+    sun = "<include><uri>model://sun</uri></include>"
     ground = '<model name="ground"><static>1</static><link name="g"/></model>'
     text = f"{BASE}{ROTOR.format(i=0, y=0.1)}{sensor}{held}"
     model = f'<model name="q"><pose>1 2 3 0 0 0.5</pose>{text}</model>'
     path = written(
         tmp_path,
         "w.sdf",
-        f'<sdf version="1.9"><world name="w">{ground}{model}</world></sdf>',
+        f'<sdf version="1.9"><world name="w">{ground}{sun}{model}</world></sdf>',
     )
     made = imported(path)
     assert made.stand.gravity == (0, 0, -9.8)
     assert made.stand.carrier.mass == pytest.approx(3.0)
+    assert 'include "model://sun": left out of the world, since it is not there' in notes(made)
     assert 'link "mast": mass, ixx, iyy, izz not in the file: 1 kg, 1 kg m2, the defaults of SDF' in notes(made)
     hold = made.stand.hold
     assert hold is not None

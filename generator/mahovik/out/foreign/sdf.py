@@ -106,6 +106,9 @@ class Sdf(Reader):
             name = uri.removeprefix("model://").removeprefix("file://").strip("/")
             folders = [folder / name for folder in (path.parent, path.parent.parent)]
             files = [file for each in folders for file in (each, each / "model.sdf") if file.is_file()]
+            if not files and element.tag == "world":
+                self.notes.append(f"include {show(uri)}: left out of the world, since it is not there")
+                continue
             if not name or "://" in name or not files:
                 self.problems.add(f"include {show(uri)}", f"expected {name}/model.sdf in {path.parent} or beside it")
                 continue
