@@ -359,8 +359,8 @@ def judge_lines() -> Iterator[str]:
     rows = []
     for each in (ROWS | CHOSEN).values():
         marks = ("yes" if each.want else "", "yes" if each.batch else "", "yes" if each.python else "")
-        rows.append((f"`{each.name}`", each.equation, ", ".join(each.gives), *marks, ", ".join(each.judges)))
-    return table(("function", "equation", "gives", "`eval`", "batch", "Python", "judges"), rows)
+        rows.append((f"`{each.name}`", *marks, ", ".join(each.judges)))
+    return table(("function", "`eval`", "batch", "Python", "judges"), rows)
 
 
 def contract_lines() -> Iterable[str]:
