@@ -8,8 +8,9 @@ import pytest
 import mahovik
 from api.models import model, stand
 from mahovik import InputError, StandError, UsageError
-from mahovik.out.api.possible import possible_tables
+from mahovik.core.toolchain.compiled import Real
 from mahovik.out.api.stands import Stand
+from mahovik.out.campaign.possible import possible_tables
 
 UNBALANCE = ("static", "static_at", "dynamic", "dynamic_at")
 
@@ -150,7 +151,7 @@ def test_another_structure_is_a_reason() -> None:
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
-def test_each_of_many_samples_moves_as_its_own_stand(real: str) -> None:
+def test_each_of_many_samples_moves_as_its_own_stand(real: Real) -> None:
     """Of more samples than are simulated together: the later ones begin within the tables."""
     m, n = model("demo3", real), 272
     tables = m.tables({"carrier.mass": np.linspace(10.0, 14.0, n)})

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ HELD = Path(__file__).parents[2] / "docs" / "held"
 
 def run(name: str, until: float, dt: float, every: float, angles: list[float] | None = None) -> mahovik.Result:
     """A run of an example under its own regime."""
-    start = {} if angles is None else {"start": {"angles": angles}}
+    start: dict[str, Any] = {} if angles is None else {"start": {"angles": angles}}
     regime = HELD / "regimes" / f"{name}.toml"
     return mahovik.simulate(HELD / f"{name}.toml", regime=regime, until=until, dt=dt, every=every, **start)
 
@@ -24,7 +25,7 @@ def run(name: str, until: float, dt: float, every: float, angles: list[float] | 
 def rising_zeros(t: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Times at which y rises through zero."""
     k = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
-    return t[k] - y[k] * (t[k + 1] - t[k]) / (y[k + 1] - y[k])
+    return np.asarray(t[k] - y[k] * (t[k + 1] - t[k]) / (y[k + 1] - y[k]))
 
 
 def test_a_large_swing_has_the_period_of_the_elliptic_integral() -> None:

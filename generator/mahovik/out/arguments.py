@@ -5,6 +5,7 @@ A type is `Annotated` with what stands for its value in the help of the command 
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -221,12 +222,8 @@ def refuse_stand_file(name: str, path: str | Path, expected: str) -> None:
 
     Readers of other files would list every key of it as unknown, and not say what the file is.
     """
-    import tomllib
+    from mahovik.core.motion.document import is_stand_file
 
-    if Path(path).suffix == ".toml" and Path(path).is_file():
-        try:
-            found = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return  # the reader says what is wrong with it
-        if "schema" in found and "carrier" in found:
+    with contextlib.suppress(OSError, ValueError):  # the reader says what is wrong with it
+        if Path(path).suffix == ".toml" and is_stand_file(Path(path).read_text(encoding="utf-8")):
             raise UsageError(f"{name} {path}: this is a stand file, expected {expected}")

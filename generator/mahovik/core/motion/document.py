@@ -68,6 +68,11 @@ def parse(text: str) -> Any:
     return json.loads(text, parse_float=toml.exact, object_pairs_hook=once)
 
 
+def is_stand_file(text: str) -> bool:
+    """Whether a text is TOML with a carrier, as stand files are."""
+    return bool(re.search(r"(?m)^\s*(\[carrier\]|carrier\s*=)", text))
+
+
 def document_of(text: str, source: str, error: type[FileError], is_json: bool = True) -> dict[str, Any]:
     """The keys of a file of schema 1. Raises `error` with one line."""
     try:
@@ -75,10 +80,10 @@ def document_of(text: str, source: str, error: type[FileError], is_json: bool = 
         if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
             json.dumps(document, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:
-        if is_json and re.search(r"(?m)^\s*(\[carrier\]|carrier\s*=)", text):
+        if is_json and is_stand_file(text):
             raise error([f"{source}: is a stand file; expected another file here: were two swapped?"]) from None
         raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
-    if isinstance(document, dict) and "carrier" in document and "mass" in str(document["carrier"]):
+    if not is_json and is_stand_file(text):
         raise error([f"{source}: is a stand file; expected another file here: were two swapped?"])
     if not isinstance(document, dict):
         raise error([f"{source}: expected an object, found {show(document)}"])

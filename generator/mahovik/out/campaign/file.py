@@ -26,9 +26,9 @@ from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.model import Model, build
-from mahovik.out.api.possible import possible_tables
 from mahovik.out.api.stands import Stand, load
 from mahovik.out.campaign.designs import DESIGNS, IN_BLOCKS, MOST_HELD, Design
+from mahovik.out.campaign.possible import possible_tables
 from mahovik.out.campaign.quantities import Quantity, QuantityTable
 from mahovik.out.campaign.runs import Runner, read_over, runner_of
 from mahovik.out.campaign.vary import Draw, read_draw

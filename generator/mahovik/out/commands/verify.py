@@ -410,7 +410,7 @@ def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
 
 
 def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
-    def shown(row: Check) -> tuple[Any, ...]:
+    def cells(row: Check) -> tuple[Any, ...]:
         """The figures that are nearest to their limit are those of the C, or of the second derivation."""
         second = row.second is not None and row.second * row.limit > row.value * row.accepted_of_second
         figures = (row.second, row.accepted_of_second) if second else (row.value, row.limit)
@@ -418,8 +418,8 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
         return (row.judged, row.states, *figures, shorten(row.quantity, QUANTITY, placeholder=" ..."), verdict)
 
     heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
-    cells = list(zip(*map(shown, rows), strict=True)) or [()] * len(heads)
-    return tuple(column(head, "", values) for head, values in zip(heads, cells, strict=True))
+    columns = list(zip(*map(cells, rows), strict=True)) or [()] * len(heads)
+    return tuple(column(head, "", values) for head, values in zip(heads, columns, strict=True))
 
 
 def _draw_shares(found: Result, ax: Any) -> None:

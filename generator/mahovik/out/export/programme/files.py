@@ -18,17 +18,18 @@ from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest, read_header
 from mahovik.core.emit.programme import Facts, programme_files
 from mahovik.core.lower.layout import Layout
+from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.programme import Form, ProgrammeProgram, lower_programme
 from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.out.export.programme.accuracy import Errors, errors, free_torques
-from mahovik.out.export.programme.naming import check_name
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
 from mahovik.proof.verify.programme.verification import (
     ProgrammeCase,
@@ -60,6 +61,13 @@ _FINEST = 4096
 
 LEAST, MOST_NODES = 32, 1 << 14
 """Least nodes per period, and most nodes in all, of a run-up."""
+
+
+_BESIDE = (
+    "arrays", "batch", "default", "eva", "fuzz", "real", "record", "recorder", "selftest", "servo", "status", "tables",
+    "trim", "wide", "word",
+)  # fmt: skip
+"""Words that other files of a stand have after its name, and so no programme of it."""
 
 
 @dataclass(frozen=True)
@@ -131,6 +139,21 @@ def export_programme(
     facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in found), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
     return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tables, measured)
+
+
+def check_name(stand: Stand, layout: Layout, called: str) -> None:
+    """Raises UsageError where a programme of that name would have names in C that the stand's C has."""
+    problem = name_problem(called)
+    if problem is not None:
+        raise UsageError(f"name {called}: {problem}")
+    program = lower_layout(layout)
+    taken = {*_BESIDE, *(f.name for f in program.functions), *(s.name for s in program.structs)}
+    bodies = [name.lower() for name in (*(b.name for b in stand.bodies), *(p.name for p in stand.points))]
+    for name in sorted(taken) + bodies:
+        if name == called.lower() or name.startswith(f"{called.lower()}_"):
+            raise UsageError(
+                f"name {called}: the C of {stand.name} has {stand.name}_{name}: choose another name, such as lap"
+            )
 
 
 def _is_coarse(found: Errors, most: float) -> bool:
