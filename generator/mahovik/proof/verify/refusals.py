@@ -6,17 +6,18 @@ What is wrong with which argument is data of the contract: bounds, and values th
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+import numpy as np
+
 from mahovik.contract.functions import TURNS, row_of
 from mahovik.contract.quantities import BOUNDS, EXPORTED, QUANTITIES, TABLES, UNIT_LENGTH
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.program.types import Struct
 from mahovik.core.stand.state import State
 from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.c_backend import CBackend
@@ -33,6 +34,11 @@ Path = tuple[str | int, ...]
 
 READ_TABLES = ("parameters", "inverse_options")
 """Structs of numbers of the stand that functions check; the prepared tables are trusted, but for their stream."""
+
+Numbers = Mapping[str, tuple[float, ...]]
+"""Values by argument or member."""
+
+NOTHING: Numbers = {}
 
 BEYOND = 1 + 1e-6
 """Times its bound: a value out of range."""
@@ -85,36 +91,33 @@ def wrong_values(function: Function, good: Mapping[str, Any], real: str) -> Iter
         pointer = bool(a.shape) or isinstance(a.type, Struct) or a.direction != "in"
         if pointer and (not a.optional or a.name in TURNS):  # sines without cosines are none
             yield WrongValue((a.name,), NULL, "BAD_ARGUMENT")
-        if a.direction != "out" and a.name not in ignored and a.name in good:
-            yield from _wrong(a, (a.name,), good[a.name], real, ignored)
+        trusted = isinstance(a.type, Struct) and a.type.name in TABLES and a.type.name not in READ_TABLES
+        if a.direction != "out" and a.name in good and not trusted:
+            yield from wrong_within(good[a.name], (a.name,), real, ignored)
 
 
-def _wrong(a: Argument | Field, path: Path, value: Any, real: str, ignored: tuple[str, ...]) -> Iterator[WrongValue]:
-    """Wrong values of an argument or member, of its members and its elements."""
-    if isinstance(a.type, Struct):
-        if a.type.name in TABLES and a.type.name not in READ_TABLES:
-            return
-        items: list[tuple[Path, Any]] = [((k,), each) for k, each in enumerate(value)] if a.shape else [((), value)]
-        for index, item in items:
-            for field in a.type.fields:
-                if field.name not in ignored:
-                    yield from _wrong(field, (*path, *index, field.name), item[field.name], real, ignored)
+def wrong_within(
+    value: Any, path: Path, real: str, unchecked: Collection[str] = (), beyond: Numbers = NOTHING
+) -> Iterator[WrongValue]:
+    """Wrong values of the numbers of nested data, of each those of its row in the contract; of whole numbers ints.
+
+    `unchecked`: arguments and members that no function checks; `beyond`: values just out of range besides, by name.
+    NaN is what is only written.
+    """
+    symbol = [step for step in path if isinstance(step, str)][-1]
+    if symbol in unchecked:
         return
-    if a.name == "attitude" and len(path) > 1:
-        yield from (WrongValue(path, [x * (1 + sign * 10 * UNIT_LENGTH) for x in value], "RANGE") for sign in (1, -1))
-    for place, _ in _elements(value):
-        where = *path, *place
-        wrong = wrong_numbers(a.name, a.type is Kind.REAL, limit_at(a.name, where, real), path[0] == "parameters")
-        yield from (WrongValue(where, number, status) for number, status in wrong)
-
-
-def _elements(value: Any) -> Iterator[tuple[tuple[int, ...], float]]:
-    """Indices and numbers of a scalar, a vector or a matrix."""
-    if isinstance(value, list | tuple):
-        for k, item in enumerate(value):
-            yield from (((k, *index), number) for index, number in _elements(item))
-    else:
-        yield (), value
+    if isinstance(value, Mapping) or np.ndim(value) > 0:
+        if symbol == "attitude" and len(path) > 1:
+            longer, shorter = (np.multiply(value, 1 + sign * 10 * UNIT_LENGTH).tolist() for sign in (1, -1))
+            yield from (WrongValue(path, each, "RANGE") for each in (longer, shorter))
+        for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
+            yield from wrong_within(item, (*path, key), real, unchecked, beyond)
+    elif (is_whole := isinstance(value, int)) or not math.isnan(value):
+        wrong = wrong_numbers(symbol, not is_whole, limit_at(symbol, path, real), path[0] == "parameters")
+        yield from (WrongValue(path, number, status) for number, status in wrong)
+        status = "BAD_ARGUMENT" if is_whole else "RANGE"
+        yield from (WrongValue(path, number, status) for number in beyond.get(symbol, ()))
 
 
 def limit_at(symbol: str, path: Path, real: str) -> float | None:

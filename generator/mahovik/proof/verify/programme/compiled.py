@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path as FilePath
 from typing import Any, Literal
 
@@ -19,16 +20,11 @@ from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.case import Rows
-from mahovik.proof.verify.refusals import NULL, Path, WrongValue, limit_at, with_value, wrong_numbers
+from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, with_value, wrong_within
 from mahovik.proof.verify.scales import is_word
 
 UNCHECKED = frozenset(("gains", "design", "clock", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
-
-Numbers = Mapping[str, tuple[float, ...]]
-"""Values by argument or member."""
-
-NOTHING: Numbers = {}
 
 
 @dataclass(frozen=True)
@@ -162,7 +158,13 @@ def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numb
     `good`: all arguments in their order, NaN what is only written; `beyond`: values just out of range besides.
     """
     ffi = part.library.ffi
-    for bad in _wrong_values(good, part.real, beyond):
+    null = [
+        WrongValue((name,), NULL, "BAD_ARGUMENT")
+        for name, value in good.items()
+        if isinstance(value, Mapping) or np.ndim(value)
+    ]
+    numbers = (wrong_within(value, (name,), part.real, UNCHECKED, beyond) for name, value in good.items())
+    for bad in chain(null, *numbers):
         held = part.hold(rows.function, with_value(good, bad))
         written = [x for x in held if isinstance(x, ffi.CData) and x != ffi.NULL]
         before = [bytes(ffi.buffer(x)) for x in written]
@@ -171,25 +173,6 @@ def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numb
         if status == STATUS_VALUES[bad.status] and before != [bytes(ffi.buffer(x)) for x in written]:
             words, status = "refused, but results were written", 0
         rows.demand("bad inputs refused", status == STATUS_VALUES[bad.status], bad.words, words)
-
-
-def _wrong_values(value: Any, real: str, beyond: Numbers, path: Path = ()) -> Iterator[WrongValue]:
-    """Wrong values of nested data: null for arrays and structs, and of each number those of its row in the contract."""
-    names = [step for step in path if isinstance(step, str)]
-    is_nested = isinstance(value, Mapping) or np.ndim(value) > 0
-    if is_nested and len(path) == 1:
-        yield WrongValue(path, NULL, "BAD_ARGUMENT")
-    if not UNCHECKED.isdisjoint(names[:1] + names[-1:]):
-        return
-    if is_nested:
-        for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
-            yield from _wrong_values(item, real, beyond, (*path, key))
-    elif isinstance(value, int) or not math.isnan(value):
-        symbol = names[-1]
-        wrong = wrong_numbers(symbol, not isinstance(value, int), limit_at(symbol, path, real))
-        yield from (WrongValue(path, number, status) for number, status in wrong)
-        status = "BAD_ARGUMENT" if isinstance(value, int) else "RANGE"
-        yield from (WrongValue(path, number, status) for number in beyond.get(symbol, ()))
 
 
 def spread_phases(count: int) -> Array:
