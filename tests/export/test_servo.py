@@ -23,7 +23,7 @@ from mahovik.core.toolchain.board import build
 from mahovik.core.toolchain.board import run as run_board
 from mahovik.errors import StandError
 from mahovik.out.export.servo import ExportedServo, export_servo
-from mahovik.proof.verify.exported import verify_servo
+from mahovik.proof.verify.functions.table import verify_servo
 from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.quick import quick
 from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of, target

@@ -12,7 +12,7 @@ from export import programmes
 from export.programmes import exported, motion, written
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.exported import verify_compiled
+from mahovik.proof.verify.functions.table import verify_compiled
 from mahovik.proof.verify.programme.verification import ProgrammeCase
 from toolchain.quick import quick
 from verify.build import changed

@@ -202,7 +202,7 @@ def _servo(
     own: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
 ) -> Report:
     """The report on the C of servos in a folder."""
-    from mahovik.proof.verify.exported import verify_servo
+    from mahovik.proof.verify.functions.table import verify_servo
     from mahovik.proof.verify.programme.verification import motion_check
 
     if programme is not None and motion is None:
@@ -233,7 +233,7 @@ def _programme(
     tell(progress, Progress("by the reference"))
     checks = verify_programme(own, required, course, tolerance=tolerance)
     if folder is not None and not any(item.failed for item in checks):
-        from mahovik.proof.verify.exported import verify_compiled
+        from mahovik.proof.verify.functions.table import verify_compiled
 
         checks += verify_compiled(own, ProgrammeCase.of(own, required, course, tolerance), folder, name)
     failed = [item.quantity for item in checks if item.failed]

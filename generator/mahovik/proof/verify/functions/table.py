@@ -16,18 +16,27 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from mahovik.contract.functions import FUNCTIONS, task_of
-from mahovik.errors import StateError
+from mahovik.contract.limits import LIMITS
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.servo import Servo
+from mahovik.core.stand.model import Stand
+from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.regressor import answer_regressor
 from mahovik.proof.verify.case import Case, Rows
-from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.functions import exact, integration, optimality, value
-from mahovik.proof.verify.programme import functions as programme
-from mahovik.proof.verify.servo import functions as servo
+from mahovik.proof.verify.check import Check, Report, report
+from mahovik.proof.verify.functions import integration, optimality, value
+from mahovik.proof.verify.programme import functions as programmes
+from mahovik.proof.verify.programme.compiled import load_part
+from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
+from mahovik.proof.verify.servo import functions as servos
+from mahovik.proof.verify.servo.tables import table_checks
 
-AnyCase = Case | servo.ServoCase | programme.CompiledProgramme
+AnyCase = Case | servos.ServoCase | programmes.CompiledProgramme
 """C of a stand, of servos, of a programme, with what it is judged by; `states`: at how many, or which."""
 
 
@@ -60,16 +69,16 @@ JUDGES: dict[str, FunctionJudge] = {
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
     "state_from_coordinates": _value(value.coordinate_trials),
-    "wrap": FunctionJudge("promise", exact.judge_wrap),
+    "wrap": FunctionJudge("promise", value.judge_wrap),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,
     "regressor": _value(
         partial(value.state_trials, equation=lambda stand, state, at: answer_regressor(at, stand, state))
     ),
     "identify_step": _value(value.estimate_trials),
-    **{name: FunctionJudge("law", servo.judge_law) for name in servo.LAWS},
-    **{name: FunctionJudge("law", programme.judge_table) for name in programme.TABLES},
-    **{name: FunctionJudge("exact", programme.judge_clock) for name in programme.CLOCK_FUNCTIONS},
+    **{name: FunctionJudge("law", servos.judge_law) for name in servos.LAWS},
+    **{name: FunctionJudge("law", programmes.judge_table) for name in programmes.TABLES},
+    **{name: FunctionJudge("exact", programmes.judge_clock) for name in programmes.CLOCK_FUNCTIONS},
 }
 """Functions that answer no want, and those of a want with arguments that `eval` does not set.
 
@@ -114,3 +123,51 @@ def checks_of(case: AnyCase, name: str) -> list[Check]:
     if judge and case.states and all(check.verdict == "not compared" for check in checks):
         checks.append(Check(name, "no state compared", verdict="FAILED", words="no check of it compares a state"))
     return checks
+
+
+# C of a programme or of servos in a folder, beside the stand's own.
+
+
+def verify_compiled(stand: Stand, case: ProgrammeCase, folder: Path, name: str = "programme") -> tuple[Check, ...]:
+    """Items of the C of a programme, of this `name`, in the folder of a stand: every function of its header.
+
+    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
+    """
+    rows = tuple(function_checks(programmes.CompiledProgramme(case, load_part(stand, folder, "programme", name))))
+    for row in rows:
+        row.quantity = f"C {row.judged} {row.quantity}" if row.judged else f"C {row.quantity}"
+    return rows
+
+
+def verify_servo(
+    stand: Stand,
+    servo: Servo,
+    folder: Path,
+    *,
+    motion: RequiredMotion | None = None,
+    programme: Programme | None = None,
+    name: str = "programme",
+    seed: int = 1,
+    count: int = 200,
+) -> Report:
+    """Report on the C of a servo in a folder: each function, each member of its tables.
+
+    `motion`: the required motion of its programme; without it the trim's target is not compared. `programme`: the
+    programme itself; without both the trim's matrix is not compared.
+    `name`: that of the programme in C. `count`: drawn inputs of each function.
+
+    Raises UsageError, ToolchainError: the folder has no such C, or it does not compile; stand, motion and programme do
+    not belong together.
+    """
+    if motion is not None and servo.trim is not None and not motion.periodic:
+        raise UsageError(f"{motion.name}: is finite, but a trim needs a periodic motion: give that of the programme")
+    if programme is not None:
+        if motion is None:
+            raise UsageError("the programme is given without its motion: give --motion MOTION.json as well")
+        for item in (stand_check(stand, programme), motion_check(motion, programme)):
+            if item.failed:
+                raise UsageError(f"{item.words}: give the programme that the servos follow")
+    made = load_part(stand, folder, "servo", name)
+    case = servos.ServoCase(stand, servo, made, seed, count, motion, programme)
+    rows = (*table_checks(case), *function_checks(case))
+    return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

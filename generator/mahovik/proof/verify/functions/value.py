@@ -1,4 +1,7 @@
-"""Judges of functions whose answer is a value: an equation of the literal reference, with its measured scale."""
+"""Judges of functions whose answer is a value: an equation of the literal reference, with its measured scale.
+
+`wrap` is judged by exact angles, and pi with fifty digits.
+"""
 
 from __future__ import annotations
 
@@ -6,12 +9,14 @@ import math
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from types import MappingProxyType
 from typing import Any, cast
 
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
+from mahovik.contract.quantities import limits_of
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.numbers import StandNumbers, exact
@@ -45,6 +50,13 @@ JACOBIAN_STATES, LOCKED_STATES = 4, 1
 
 DEVIATION, NOISE, FORGET = 1e-3, 0.1, 0.1
 """kg m: deviation of the unbalances before a sample; noise, a part of what these make of a channel; `forget`."""
+
+
+TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
+"""2 pi; the angles are rounded to 17 digits, and have at most eight before the point."""
+
+PROMISE = 2.5
+"""Promised error, in units in the last place of 1: 5e-16 rad in double."""
 
 
 @dataclass(frozen=True)
@@ -356,3 +368,23 @@ def _sizes(case: Case, state: State) -> dict[str, Array]:
         sizes["u"] = np.array([largest[kind] for kind in kinds])
     most = {key: np.abs(getattr(state, key)).max(initial=1e-9) for key in ("phi_dot", "phi_ddot", "tau")}
     return sizes | {"phi": np.ones(N)} | {key: np.full(N, size) for key, size in most.items()}
+
+
+def judge_wrap(case: Case, rows: Rows) -> None:
+    """An angle, but for whole turns, within half a turn."""
+    check = rows.check("phi, of the promised error")
+    for phi in _angles(case, case.random(len(rows.function))):
+        (found,) = case.call(rows.function, {"phi": phi}).values()
+        off = Fraction(found) - Fraction(phi)
+        off -= TURN * round(off / TURN)
+        beyond = max(0.0, abs(found) - math.pi * (1 + case.unit))
+        check.note((abs(float(off)) + beyond) / (PROMISE * case.unit), f"{rows.function} of {phi}")
+
+
+def _angles(case: Case, rng: np.random.Generator) -> list[float]:
+    """Angles in the range, among them odd multiples of pi: there the nearest number of turns hangs on rounding."""
+    (most,) = limits_of("phi", case.real)
+    edges = (2 * rng.integers(-100, 100, 100) + 1) * math.pi
+    angles = [0.0, math.pi, -math.pi, most, -most, *edges, *rng.uniform(-most, most, 200), *rng.normal(size=50)]
+    found: list[float] = np.clip(case.nearest_numbers(angles), -most, most).tolist()
+    return found
