@@ -26,8 +26,8 @@ typedef struct curve {
 typedef struct drive {
     curve delivered;      /* torque in place of a commanded one, not limited; no points: commanded */
     double to, band;      /* command tanh((to - speed) / band); band 0: the command itself */
-    double most, no_load; /* N m, and rad/s where what drives has fallen to zero; infinite: no limit */
-    curve limit;          /* in place of these; no points: none */
+    curve limit;          /* the most; no points: none */
+    int by_sense;         /* is its speed that in the sense of the torque, and not the flywheel's? */
     double viscous, coulomb, coulomb_speed;
 } drive;
 
@@ -90,15 +90,11 @@ static double drive_torque(const drive *d, double command, double speed)
     if (d->delivered.points) {
         torque = on_curve(&d->delivered, speed);
     } else {
-        double most = d->most;
         if (d->band > 0.0) { torque *= tanh((d->to - speed) / d->band); }
         if (d->limit.points) {
-            most = on_curve(&d->limit, speed);
-        } else if (torque * speed > 0.0 && isfinite(d->no_load)) {
-            const double part = 1.0 - fabs(speed) / d->no_load;
-            most *= part > 0.0 ? part : 0.0;
+            const double most = on_curve(&d->limit, d->by_sense && torque < 0.0 ? -speed : speed);
+            torque = torque > most ? most : torque < -most ? -most : torque;
         }
-        torque = torque > most ? most : torque < -most ? -most : torque;
     }
     torque -= d->viscous * speed;
     return d->coulomb > 0.0 ? torque - d->coulomb * tanh(speed / d->coulomb_speed) : torque;

@@ -17,7 +17,8 @@ from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.stand import laws, load, loads
 from mahovik.core.stand.datasheet import UnbalanceTable
-from mahovik.core.stand.model import Encoder, Motor, Task
+from mahovik.core.stand.model import Encoder, Task
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.units import Dimension
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler

@@ -19,14 +19,10 @@ from mahovik.core.motion.laws import (
     Sweep,
     Torque,
     TorqueTable,
-    available_torque,
-    drive,
-    friction,
-    required_torque,
 )
 from mahovik.core.motion.regime import load, loads_regime, steady_regime
 from mahovik.core.stand import load as load_stand
-from mahovik.core.stand.model import Motor
+from mahovik.core.stand.motor import Motor, available_torque, drive, friction, required_torque
 from mahovik.errors import RegimeError
 
 SHAKER = load_stand(stands.path("shaker2"))

@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from mahovik.core.motion.required import Bounds, Objective, Winding
-from mahovik.core.stand.model import Motor
+from mahovik.core.stand.motor import Motor
 from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.points import refine_periodic

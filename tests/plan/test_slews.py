@@ -13,12 +13,12 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from mahovik.core.motion.laws import available_torque, required_torque
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme, programme_text
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
 from mahovik.core.stand.masses import mass_properties
+from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, simulate
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import prescribe, torques

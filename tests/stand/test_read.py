@@ -7,7 +7,8 @@ import math
 import pytest
 
 from mahovik.core.stand import dumps, loads
-from mahovik.core.stand.model import Encoder, Motor, MountingAngles, MountingAxes, Point
+from mahovik.core.stand.model import Encoder, MountingAngles, MountingAxes, Point
+from mahovik.core.stand.motor import Motor
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping, DampingTerm, Factor
 from mahovik.laws.leg.law import Leg, legs_of

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,16 @@ POINT = {"name": "foot", "position": [0.3, -0.2, 0.1], "angles": [0.4, 0.9, -0.3
 def stand() -> Stand:
     sat = mahovik.example("sat4")
     return sat.replace({"point": [*sat.to_dict()["point"], POINT], "task.sight.rows": SIGHT})
+
+
+def curved() -> Stand:
+    """Motors with a curve beside one without: mirrored, and one that is not the same both ways."""
+    return stand().replace(
+        {
+            "rw1.motor": {"torque_speed": [[0, 0.2], ["3000 rpm", 0.15], ["6000 rpm", 0]], "coulomb": 5e-4},
+            "rw2.motor": {"torque_speed": [[-300, 0.05], [0, 0.3], [100, 0.1], [250, 0.2]]},
+        }
+    )
 
 
 INVERSE = ("inverse_sight", "inverse_fast_sight", "inverse_pointing", "inverse_fast_pointing")
@@ -92,8 +103,9 @@ def failed(rows: list[Check]) -> list[tuple[str, str, float, str, str]]:
     return [(row.judged, row.quantity, row.value, row.state, row.words) for row in rows if row.failed]
 
 
-def test_the_judges_are_satisfied_and_wrong_inputs_refused() -> None:
-    case = case_of("sat4", stand=stand())
+@pytest.mark.parametrize("of", [stand, curved])
+def test_the_judges_are_satisfied_and_wrong_inputs_refused(of: Callable[[], Stand]) -> None:
+    case = case_of("sat4", stand=of())
     rows = rows_about(case)
     assert failed(rows) == []
     assert {row.verdict for row in rows if row.judged == "torque_for_pointing"} == {"ok"}
@@ -108,6 +120,23 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     case = case_of("sat4", folder, stand=stand())
     case = replace(case, states=ordinary(draw(case.stand, 3, 60), case.backend.inputs, 12))
     assert any(row.verdict == "FAILED" for row in rows_about(case))
+
+
+CURVE_FAULTS = {
+    "the mirror image of a curve": ("motor_curve", r"(?s)\{\n    int k", "{\n    speed = -speed;\n    int k"),
+    "a corner late": ("motor_curve", r"k = i \+ 1", "k = i"),
+    "a curve for what drives alone": ("motor_lacks", r"> (\w+_motor_curve\()", r"* (own * speed > 0.0) > \1"),
+    "no curve in the torques": ("torque_for_pointing", r"\(limit < given\)", "(limit < 0.0)"),
+}
+
+
+@pytest.mark.parametrize("fault", CURVE_FAULTS)
+def test_a_planted_fault_of_a_curve_is_noticed(fault: str, tmp_path: Path) -> None:
+    place, pattern, wrong = CURVE_FAULTS[fault]
+    folder = planted("sat4", tmp_path, place, pattern, wrong, curved())
+    case = case_of("sat4", folder, stand=curved())
+    case = replace(case, states=ordinary(draw(case.stand, 3, 60), case.backend.inputs, 12))
+    assert any(row.verdict == "FAILED" for name in ("inverse", *TORQUE) for row in checks_of(case, name))
 
 
 @pytest.mark.slow

@@ -22,6 +22,7 @@ _ALL_JUDGES = ("reference", "second", "rigorous")
 _FOR_TORQUES = ("motor_power", "target_speed", "target_rate", "avoid_speed")
 """Members of the options that only `torque_for` looks at."""
 
+_MOTOR = ("motor_torque", "motor_speed", "motor_curve_speed", "motor_curve_torque")
 _FRICTION = ("motor_viscous", "motor_coulomb", "motor_coulomb_speed")
 """Members of the options that only EXCESSIVE looks at."""
 
@@ -148,7 +149,7 @@ _ROWS: tuple[PublicFunction, ...] = (
         tasks=True,
         python=False,
         unread="near_singular and limits",
-        ignores=("near_singular", "limit", "most", "motor_torque", "motor_speed", *_FRICTION, *_FOR_TORQUES),
+        ignores=("near_singular", "limit", "most", *_MOTOR, *_FRICTION, *_FOR_TORQUES),
     ),
     PublicFunction(
         "torque_for",

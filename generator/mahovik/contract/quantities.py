@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 RPM = 30 / math.pi
@@ -216,6 +216,8 @@ QUANTITIES = {
         _option("most", "rad/s2", 1.0, 0.0, -1.0),
         _option("motor_torque", "N m", 2.0**-16, -1.0),
         _option("motor_speed", "rad/s", 2.0**-8, 0.0, -1.0),
+        Quantity("motor_curve_speed", "rad/s", "flywheels", "", ("MAX_SPEED",), draw=Draw.NEVER),
+        replace(_option("motor_curve_torque", "N m", 2.0**-16, -1.0), draw=Draw.NEVER),
         _option("motor_viscous", "N m s", 2.0**-30, -1.0),
         _option("motor_coulomb", "N m", 2.0**-20, -1.0),
         _option("motor_coulomb_speed", "rad/s", 2.0**-8, 0.0, -1.0),

@@ -58,9 +58,9 @@ def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) 
     """
     given = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
     beyond = [
-        (wheel.name, speed, wheel.motor.speed, text)
+        (wheel.name, speed, limit, text)
         for wheel, speed, text in given
-        if wheel.motor is not None and wheel.motor.speed is not None and speed > wheel.motor.speed * (1 + 1e-9)
+        if wheel.motor is not None and (limit := wheel.motor.no_load) is not None and speed > limit * (1 + 1e-9)
     ]
     asked = ""
     if beyond:

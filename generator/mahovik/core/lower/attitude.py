@@ -13,6 +13,7 @@ from typing import Any
 
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core import routines
+from mahovik.core.lower.excess import add_motor_curve, at_most
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN
@@ -155,6 +156,7 @@ def lower_attitude(layout: Layout, stand: Program, task: str, places: Sequence[i
     if dumps:
         add_moment(lib, structs)
     add_friction(lib, structs)
+    add_motor_curve(lib)
     options = Variable(f"{stand.name}_default_options", layout.inverse_options)
     add_step(lib, structs, stand, task, places, dumps, options)
     program = Program(
@@ -476,6 +478,9 @@ def bound_torques(lib: Library, config: Any, x: Any, failed: Ints, options: Any)
         borne = lib["friction"](config, s, size)
         left = options.motor_torque[s] - borne / part if part > 0 else 0
         options.motor_torque[s] = 0 if failed[s] != WORKS or left < 0 else left
+        for k in range(lib.layout.motor_points):
+            rest = options.motor_curve_torque[s][k] - borne
+            options.motor_curve_torque[s][k] = rest if rest > 0 else 0
         options.target_speed[s] = config.preferred[s]
     options.target_rate = config.preferred_rate
     options.avoid_speed = config.avoid
@@ -574,7 +579,7 @@ def add_step(
             part = 1 - abs(x.phi_dot[s]) / rated.motor_speed[s]
             drives = (wanted > 0 and x.phi_dot[s] > 0) or (wanted < 0 and x.phi_dot[s] < 0)
             has = rated.motor_torque[s] * part if part > 0 else 0
-            most = has if drives else rated.motor_torque[s]
+            most = at_most(lib, rated, s, x.phi_dot[s], has if drives else rated.motor_torque[s])
             works = failed[s] == WORKS
             made.tau[s] = (most if wanted > most else -most if wanted < -most else wanted) if works else 0
             cut = wanted > most or wanted < -most or found.limited[s] != 0

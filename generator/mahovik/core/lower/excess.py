@@ -7,7 +7,7 @@ from typing import Any
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.library import Library
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Const
+from mahovik.core.program.expression import Const, integer
 from mahovik.core.program.kernel import BAD_ARGUMENT, NOT_FINITE, Reals, argument, inline, ints, reals
 from mahovik.core.program.types import Kind
 
@@ -24,7 +24,7 @@ def bit(status: str) -> Any:
 
 def add_excessive(lib: Library) -> None:
     """Whether some flywheel needs more than it has for a motion, from checked inputs."""
-    N, largest, motor_lacks = lib.layout.count, lib.largest, lib["motor_lacks"]
+    N, largest, motor_lacks, points = lib.layout.count, lib.largest, lib["motor_lacks"], lib.layout.motor_points
 
     @lib.kernel()
     def excessive(
@@ -48,6 +48,9 @@ def add_excessive(lib: Library) -> None:
                 found = bit("EXCESSIVE")
             if options.motor_torque[s] < largest or options.motor_speed[s] < largest:
                 motors = motors + 1
+            if points:
+                if options.motor_curve_torque[s][0] < largest:
+                    motors = motors + 1
         if motors > 0:
             tau = reals(N)  # drive torques
             lib["balance"](table, x, sine, cosine, V_dot, phi_ddot, wrench, tau)
@@ -57,8 +60,53 @@ def add_excessive(lib: Library) -> None:
         flags.value = found
 
 
+def add_motor_curve(lib: Library) -> None:
+    """The limit of a motor by its curve, where a motor of the stand has one."""
+    points = lib.layout.motor_points
+    if not points:
+        return
+
+    @lib.kernel()
+    def motor_curve(
+        options: Any = argument("what each flywheel has", struct=lib.layout.inverse_options),
+        number: int = argument(),
+        speed: float = argument(unit="rad/s"),
+    ) -> float:
+        """The most that a motor gives at a speed, either way: lines between points, beyond the ends it holds."""
+        k: int = 1  # the point behind
+        for i in range(1, points - 1):
+            if options.motor_curve_speed[number][i] < speed:
+                k = i + 1
+        low = options.motor_curve_speed[number][k - 1]
+        high = options.motor_curve_speed[number][k]
+        one = options.motor_curve_torque[number][k - 1]
+        other = options.motor_curve_torque[number][k]
+        if speed <= low:
+            return one
+        if speed >= high:
+            return other
+        return one + (other - one) * ((speed - low) / (high - low))
+
+
+@inline
+def at_most(lib: Any, options: Any, s: Any, speed: Any, torque: Any) -> Any:
+    """A torque, or what the motor's curve leaves of it at a speed."""
+    if lib.layout.motor_points:
+        given = torque
+        limit = lib["motor_curve"](options, s, speed)
+        return limit if limit < given else given
+    return torque
+
+
+@inline
+def when_driving(options: Any, s: Any, speed: Any) -> Any:
+    """Torque of a motor that drives at a speed; negative beyond the no-load speed."""
+    return options.motor_torque[s] * (1 - abs(speed) / options.motor_speed[s])
+
+
 def add_motor_lacks(lib: Library) -> None:
     """Whether the motor of a flywheel lacks a torque, with its friction, at a speed."""
+    points = lib.layout.motor_points
 
     @lib.kernel()
     def motor_lacks(
@@ -74,6 +122,9 @@ def add_motor_lacks(lib: Library) -> None:
             y = 3.0 if ratio > 3 else -3.0 if ratio < -3 else ratio  # tanh y to 0.024
             square = y * y
             own += options.motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square))
+        if points:
+            if abs(own) > lib["motor_curve"](options, number, speed):
+                return integer(1)
         # driving, the torque falls linearly to zero at the no-load speed; braking has all of it
         share: float = 1.0
         if own * speed > 0:
@@ -94,7 +145,7 @@ def spin_up_excess(lib: Any, table: Any, x: Any, options: Any, phi_ddot: Reals) 
             spin = table.flywheel[s].spin
             size = abs(phi_ddot[s])
             needed = spin * size + options.motor_viscous[s] * abs(v) + options.motor_coulomb[s]  # at most
-            available = options.motor_torque[s] * (1 - abs(v) / options.motor_speed[s])  # at least: when driving
+            available = at_most(lib, options, s, v, when_driving(options, s, v))  # at least: when driving
             if not (size <= options.most[s] and needed <= available) and (
                 size > options.most[s] or lib["motor_lacks"](options, s, spin * phi_ddot[s], v) != 0
             ):
@@ -113,12 +164,19 @@ def refuse(values: Any, wrong: bool) -> Any:
 
 
 @inline
-def check_motor(options: Any, s: int) -> None:
+def check_motor(lib: Any, options: Any, s: int) -> Any:
     """NOT_FINITE or BAD_ARGUMENT where the options say of the motor of flywheel s what none can have."""
     refuse(
         [options.most[s], options.motor_torque[s], options.motor_speed[s]],
         options.most[s] <= 0 or options.motor_torque[s] < 0 or options.motor_speed[s] <= 0,
     )
+    if lib.layout.motor_points:
+        lib["within"](options.motor_curve_speed[s], lib.layout.motor_points, lib.limit("MAX_SPEED"))
+        for k in range(lib.layout.motor_points):
+            refuse([options.motor_curve_torque[s][k]], options.motor_curve_torque[s][k] < 0)
+        for k in range(1, lib.layout.motor_points):
+            if options.motor_curve_speed[s][k] < options.motor_curve_speed[s][k - 1]:
+                return BAD_ARGUMENT
 
 
 @inline
@@ -126,7 +184,7 @@ def check_flywheels(lib: Any, options: Any) -> None:
     """The same of all motors with their friction, and of the limits of phi_ddot."""
     for s in range(lib.layout.count):
         refuse([options.limit[s]], options.limit[s] <= 0)
-        check_motor(options, s)
+        check_motor(lib, options, s)
         refuse(
             [options.motor_viscous[s], options.motor_coulomb[s], options.motor_coulomb_speed[s]],
             options.motor_viscous[s] < 0 or options.motor_coulomb[s] < 0 or options.motor_coulomb_speed[s] <= 0,

@@ -579,6 +579,11 @@ class Layout:
         )
         return Struct("schur", "K with free flywheels eliminated: K - sum I I^T / Theta_ff.", fields)
 
+    @property
+    def motor_points(self) -> int:
+        """Points of the curves by which motors are limited; 0: none is."""
+        return self.structure.motor_points
+
     def _of_flywheels(self, *rows: tuple[str, str, str]) -> list[Field]:
         """A real of each flywheel: name, unit, text."""
         return [Field(name, REAL, (self.count,), unit, text) for name, unit, text in rows]
@@ -596,6 +601,15 @@ class Layout:
             ("most", "rad/s2", "EXCESSIVE above this |phi_ddot|; greater than 0"),
             ("motor_torque", "N m", "EXCESSIVE if the drive torque is larger; not negative; infinity: no limit"),
             ("motor_speed", "rad/s", no_load),
+        )
+        if points := self.motor_points:
+            speeds = "speeds of the points of its limit, none below the one before"
+            torques = "EXCESSIVE if the drive torque is larger at a speed; not negative; between points straight lines"
+            fields += [
+                Field("motor_curve_speed", REAL, (self.count, points), "rad/s", speeds),
+                Field("motor_curve_torque", REAL, (self.count, points), "N m", torques),
+            ]
+        fields += self._of_flywheels(
             ("motor_viscous", "N m s", "viscous friction, which the motor bears; 0: none"),
             ("motor_coulomb", "N m", "dry friction, which the motor bears; 0: none"),
             ("motor_coulomb_speed", "rad/s", three_quarters),

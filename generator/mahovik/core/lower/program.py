@@ -139,6 +139,7 @@ def _add_inverse(lib: Library) -> None:
         if rows:
             task.add_demand(lib, rows)
         else:
+            excess.add_motor_curve(lib)
             excess.add_motor_lacks(lib)
             excess.add_excessive(lib)
         inverse.add_inverse(lib, rows)

@@ -17,7 +17,7 @@ from mahovik.core import routines
 from mahovik.core.derive.order import SYMMETRIC
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand, less, right_side, substitute
-from mahovik.core.lower.excess import bit, check_motor, refuse
+from mahovik.core.lower.excess import at_most, bit, check_motor, refuse
 from mahovik.core.lower.flywheels import common_terms, couple_flywheel, turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, relative_rate
 from mahovik.core.lower.inverse import options_argument, wanted_argument
@@ -135,7 +135,7 @@ def element(K: Place, i: int, j: int) -> Place:
 def check_options(lib: Any, options: Any) -> Any:
     """Refuses options of motors and wanted speeds that are no numbers, negative or out of range."""
     for s in range(lib.layout.count):
-        check_motor(options, s)
+        check_motor(lib, options, s)
         refuse([options.motor_power[s]], options.motor_power[s] < 0)
     lib["within"](options.target_speed, lib.layout.count, lib.limit("MAX_SPEED"))
     for number in (options.target_rate, options.avoid_speed):
@@ -167,12 +167,13 @@ def bound(lib: Any, x: Any, options: Any, least: Reals, most: Reals) -> None:
         whole = (
             options.motor_torque[s] if options.motor_torque[s] < lib.limit("MAX_WRENCH") else lib.limit("MAX_WRENCH")
         )
+        has = at_most(lib, options, s, speed, whole)
         part = 1 - size / options.motor_speed[s]
-        driving: float = whole * part if part > 0 else 0.0
+        driving: float = has * part if part > 0 else 0.0
         if driving * size > options.motor_power[s]:
             driving = options.motor_power[s] / size
-        most[s] = driving if speed > 0 else whole
-        least[s] = -driving if speed < 0 else -whole
+        most[s] = driving if speed > 0 else has
+        least[s] = -driving if speed < 0 else -has
 
 
 def add_torque_for(lib: Library, task: Rows) -> None:

@@ -31,6 +31,7 @@ from mahovik.core.program.types import DOUBLE, Field, Kind, Struct
 from mahovik.core.stand.columns import Column
 from mahovik.core.stand.hold import carried_point, twist_columns
 from mahovik.core.stand.model import Body, Flywheel, Instrument, MountingAngles, Point, Stand
+from mahovik.core.stand.motor import UNLIMITED
 from mahovik.errors import StandError
 
 
@@ -253,6 +254,7 @@ class Values:
             "weight": [s.inverse_weight for s in flywheels],
             "limit": [largest] * len(flywheels),
             **_abilities(self._stand, largest),
+            **_curves(self._stand, self._layout.motor_points, largest),
             "near_singular": thresholds(self._layout.precision).near_singular,
             "damping": 0.0,
             **{f"use_{task.name}": [1] * len(task.rows) for task in self._stand.tasks},
@@ -270,7 +272,7 @@ def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
 
     A flywheel whose motor has a torque or a speed is judged by these, any other by `inverse_most`.
     """
-    motors = [s.motor if s.motor and (s.motor.torque, s.motor.speed) != (None, None) else None for s in stand.flywheels]
+    motors = [s.motor if s.motor and s.motor.is_limited else None for s in stand.flywheels]
     return {
         "most": [stand.inverse_most if motor is None else none for motor in motors],
         "motor_torque": [none if motor is None or motor.torque is None else motor.torque for motor in motors],
@@ -279,6 +281,15 @@ def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
         "motor_coulomb": [0.0 if motor is None else motor.coulomb for motor in motors],
         "motor_coulomb_speed": [1.0 if motor is None else motor.coulomb_speed for motor in motors],
     }
+
+
+def _curves(stand: Stand, points: int, none: float) -> dict[str, Any]:
+    """Options of inverse with the curves of motors: one of fewer points ends with the last of them again and again."""
+    motors = [s.motor or UNLIMITED for s in stand.flywheels]
+    curves = [list(motor.limit) if motor.torque_speed else [(0.0, none)] for motor in motors]
+    padded = [curve + curve[-1:] * (points - len(curve)) for curve in curves]
+    names = ("motor_curve_speed", "motor_curve_torque") if points else ()
+    return {name: [[point[i] for point in curve] for curve in padded] for i, name in enumerate(names)}
 
 
 def _torque_options(count: int, none: float) -> dict[str, Any]:

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field
@@ -18,11 +17,8 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.document import FREQUENCY, Data, choice
 from mahovik.core.motion.functions import Array, Motion
 from mahovik.core.stand.fields import refuse, scalar, validator
-from mahovik.core.stand.model import Curve, Motor
+from mahovik.core.stand.motor import Curve, Motor, Number, drive, friction, on_curve, slip, steepest, steepness, tanh
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number
-
-Number = TypeVar("Number", float, Array)
-"""A number, or one for each of many states."""
 
 MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
     BOUNDS[name].value for name in ("MAX_SPEED", "MAX_ACCELERATION", "MAX_WRENCH", "MAX_PHASE")
@@ -213,10 +209,6 @@ class SpeedTable(SpeedLaw):
         return float(np.abs(self.spline(at)).max()), float(np.abs(self.spline(at, 1)).max())
 
 
-def _tanh(x: Number) -> Number:
-    return math.tanh(x) if isinstance(x, float) else np.tanh(x)
-
-
 # -- torques ---------------------------------------------------------------------------------------------------------
 
 
@@ -272,7 +264,7 @@ class RunUp(TorqueLaw):
 
     def torque(self, t: float, speed: Number, motor: Motor | None) -> Number:
         """See TorqueLaw."""
-        return drive(motor, self.value * _tanh((self.to - speed) / self.band), speed)
+        return drive(motor, self.value * tanh((self.to - speed) / self.band), speed)
 
     def steepness(self, motor: Motor | None) -> float:
         """See TorqueLaw."""
@@ -327,64 +319,3 @@ class TorqueSpeed(TorqueLaw):
 
 
 Law = SpeedLaw | TorqueLaw
-
-
-def on_curve(curve: Curve, speed: Number) -> Number:
-    """Torque (N m) of a curve at a speed or at speeds (rad/s)."""
-    speeds, torques = zip(*curve, strict=True)
-    found = np.asarray(np.interp(speed, speeds, torques))
-    return float(found) if isinstance(speed, float) else found
-
-
-def steepest(curve: Curve) -> float:
-    """Largest change of the torque of a curve by speed, N m s."""
-    return max((abs((b[1] - a[1]) / (b[0] - a[0])) for a, b in pairwise(curve)), default=0.0)
-
-
-# -- motors ----------------------------------------------------------------------------------------------------------
-
-
-def friction(motor: Motor, speed: Number) -> Number:
-    """Torque of friction of a motor on the flywheel at a speed (rad/s), N m."""
-    return -motor.viscous * speed - motor.coulomb * _tanh(speed / motor.coulomb_speed)
-
-
-def available_torque(motor: Motor, torque: Number, speed: Number) -> Number:
-    """Largest torque that the motor can give in the direction of `torque` at a speed (rad/s), N m.
-
-    Driving, it falls linearly from the limit at rest to zero at the no-load speed; braking, it is the limit.
-    """
-    limit = torque * 0.0 + (math.inf if motor.torque is None else motor.torque)
-    if motor.torque is None or motor.speed is None:
-        return limit
-    share = 1.0 - abs(speed) / motor.speed
-    if isinstance(torque, float) and isinstance(share, float):
-        return limit if torque * speed <= 0.0 else limit * max(0.0, share)
-    return np.where(torque * speed <= 0.0, limit, limit * np.maximum(0.0, share))
-
-
-def drive(motor: Motor | None, command: Number, speed: Number) -> Number:
-    """Whole drive torque on the flywheel (N m) when the motor is commanded: limited, with friction."""
-    if motor is None:
-        return command
-    most = available_torque(motor, command, speed)
-    limited = min(max(command, -most), most) if isinstance(command, float) else np.clip(command, -most, most)
-    return limited + friction(motor, speed)
-
-
-def slip(motor: Motor) -> float:
-    """Largest change of the friction of a motor by speed, N m s."""
-    return motor.viscous + motor.coulomb / motor.coulomb_speed
-
-
-def steepness(motor: Motor | None, command: float = 0.0) -> float:
-    """Largest change of the whole drive torque by speed, N m s; `command`: that of the commanded torque."""
-    if motor is None:
-        return command
-    line = motor.torque / motor.speed if motor.torque is not None and motor.speed is not None else 0.0
-    return max(command, line) + slip(motor)
-
-
-def required_torque(motor: Motor, tau: Number, speed: Number) -> Number:
-    """Torque that the motor itself must give for a whole drive torque `tau` (N m)."""
-    return tau - friction(motor, speed)

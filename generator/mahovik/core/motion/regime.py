@@ -41,7 +41,8 @@ from mahovik.core.motion.laws import (
 from mahovik.core.motion.programme import Programme, read_programme
 from mahovik.core.stand.content import TABLE, TEXT, content
 from mahovik.core.stand.fields import Table, Text, scalar, validator
-from mahovik.core.stand.model import WRENCH_LETTERS, Curve, Motor, Stand, Vec6, read_curve
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
+from mahovik.core.stand.motor import Curve, Motor, mirrored, read_curve
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, factor, number, show
 from mahovik.errors import RegimeError
@@ -269,7 +270,7 @@ class DrivenTable(Table):
         if self.torque is not None:
             return Torque(self.torque)
         if self.torque_speed:
-            return TorqueSpeed(self.torque_speed)
+            return TorqueSpeed(mirrored(self.torque_speed))
         return self.ramp or self.sweep or self.harmonic or self.run_up or Constant(self.speed or 0.0)
 
 

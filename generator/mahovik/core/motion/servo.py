@@ -29,6 +29,7 @@ from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Flag, Text, refuse, require_bounds, scalar, validator
 from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.motor import UNLIMITED
 from mahovik.core.stand.problems import Problems, keys_of
 from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, QuantityError, show
 from mahovik.errors import ServoError
@@ -134,13 +135,12 @@ def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
         _compare(servo, stand, problems)
     if servo is None or problems.lines:
         raise ServoError(problems.lines)
-    motors = [wheel.motor for wheel in stand.flywheels]
+    motors = [wheel.motor or UNLIMITED for wheel in stand.flywheels]
     trim = servo.trim
     return replace(
         servo,
         name=servo.name or Path(source).stem,
-        torque_limit=servo.torque_limit
-        or tuple(math.inf if m is None or m.torque is None else m.torque for m in motors),
+        torque_limit=servo.torque_limit or tuple(math.inf if m.peak is None else m.peak for m in motors),
         torque_rate=servo.torque_rate or (math.inf,) * N,
         trim=trim and replace(trim, coordinates=trim.coordinates or tuple(range(len(known)))),
     )

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.masses import inertia_about_origin, placed_bodies, vec3
 from mahovik.core.stand.model import Flywheel, Stand, Vec3
+from mahovik.core.stand.motor import UNLIMITED
 
 Array = NDArray[np.float64]
 
@@ -193,13 +194,12 @@ def momentum_capacity(stand: Stand) -> Capacity:
 
 def torque_capacity(stand: Stand) -> Capacity:
     """Largest torques of the motors at rest, N m."""
-    return _capacity(stand, [None if s.motor is None else s.motor.torque for s in stand.flywheels])
+    return _capacity(stand, [(s.motor or UNLIMITED).at_rest for s in stand.flywheels])
 
 
 def _momentum(flywheel: Flywheel) -> float | None:
-    if flywheel.motor is None or flywheel.motor.speed is None:
-        return None
-    return float(inertia_about_origin(flywheel)[0, 0]) * flywheel.motor.speed
+    speed = (flywheel.motor or UNLIMITED).no_load
+    return None if speed is None else float(inertia_about_origin(flywheel)[0, 0]) * speed
 
 
 def _capacity(stand: Stand, each: list[float | None]) -> Capacity:

@@ -86,7 +86,7 @@ def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
         raise QuantityError(f"expected three rows of three numbers, or a diagonal of three, found {found}")
     if not any(isinstance(item, list) for item in raw):
         return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
-    rows = tuple(_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
+    rows = tuple(numbers_of_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
     given = raw if unit is None else {"value": raw, "unit": unit}
     return cast(Mat3, _symmetric(rows, given, ((dimension,) * 2,) * 2))
 
@@ -118,7 +118,10 @@ def _element(raw: Any, dimension: Dimension, unit: str | None, where: str) -> fl
         raise QuantityError(f"{where}: {error}") from None
 
 
-def _row(raw: Any, length: int, dimensions: tuple[Dimension, ...], unit: str | None, i: int) -> tuple[float, ...]:
+def numbers_of_row(
+    raw: Any, length: int, dimensions: tuple[Dimension, ...], unit: str | None, i: int
+) -> tuple[float, ...]:
+    """Row `i` of a list of rows, each number of a dimension of its own. Raises QuantityError."""
     if isinstance(raw, dict) and len(set(dimensions)) == 1:
         try:
             raw, unit = split_value_unit(raw, unit)
@@ -165,7 +168,7 @@ def _rows_of(raw: Any, blocks: Blocks) -> tuple[tuple[float, ...], ...]:
     """The numbers of a valid matrix that is given by its rows, in SI."""
     value, unit = split_value_unit(raw, None) if isinstance(raw, dict) else (raw, None)
     dimensions = [tuple(blocks[i // 3][j // 3] for j in range(len(value))) for i in range(len(value))]
-    return tuple(_row(row, len(value), dimensions[i], unit, i) for i, row in enumerate(value))
+    return tuple(numbers_of_row(row, len(value), dimensions[i], unit, i) for i, row in enumerate(value))
 
 
 def _symmetric(

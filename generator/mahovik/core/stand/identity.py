@@ -37,6 +37,11 @@ def identities(stand: Stand) -> Identities:
         del form["tasks"]
     if stand.hold is None:
         del form["hold"], numbers["hold"]
+    if not form["motor_points"]:
+        del form["motor_points"]
+    for wheel in numbers["flywheels"]:
+        if wheel["motor"] and not wheel["motor"]["torque_speed"]:
+            del wheel["motor"]["torque_speed"]
     if stand.profile is None:
         del form["stream_stations"], numbers["profile"]
     for law in carrier_laws():

@@ -11,12 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from decimal import Decimal
-from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
 from pydantic import Field
 
-from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.datasheet import FlywheelForm, MountingAngles, MountingAxes
 from mahovik.core.stand.declare import Declared, Default, Inside, Note, Warns
@@ -46,6 +44,7 @@ from mahovik.core.stand.fields import (
     vector3,
 )
 from mahovik.core.stand.hold import TWIST_LETTERS, Freedom, FreedomKind, Hold
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.profile import StreamProfile
 from mahovik.core.stand.units import QuantityError, show
 from mahovik.nearest import suggestion
@@ -261,52 +260,6 @@ class Instrument(Body):
     position: Annotated[Length3, Default(ZERO3)]
     angles: Annotated[Angle3, Default(ZERO3)]
     added_mass: Annotated[AddedMass, Default(None)]
-
-
-Curve = tuple[tuple[float, float], ...]
-"""Points (rad/s, N m) of a torque by speed, of rising speed, joined by straight lines; beyond the ends it holds."""
-
-
-def read_curve(raw: Any) -> Curve:
-    """A curve `[[speed, torque], ...]`; one with speeds from 0 on alone is mirrored. Raises QuantityError."""
-    if not isinstance(raw, list) or not raw or any(not isinstance(pair, list) or len(pair) != 2 for pair in raw):
-        raise QuantityError("expected points [[speed, torque], ...]")
-    curve = tuple((units.number(speed, units.SPEED), units.number(torque, units.TORQUE)) for speed, torque in raw)
-    for number, (before, after) in enumerate(pairwise(curve), 2):
-        if after[0] <= before[0]:
-            raise QuantityError(f"point {number}: its speed {after[0]:g} rad/s is not above {before[0]:g} rad/s")
-    most = max(curve, key=lambda point: abs(point[1]))[1], max(curve, key=lambda point: abs(point[0]))[0]
-    for value, bound, unit in zip(most, ("MAX_WRENCH", "MAX_SPEED"), ("N m", "rad/s"), strict=True):
-        if abs(value) > BOUNDS[bound].value:
-            raise QuantityError(f"{value:g} {unit} is out of range, at most {BOUNDS[bound].value:g} in magnitude")
-    if curve[0][0] < 0.0:
-        return curve
-    return (*((-speed, torque) for speed, torque in reversed(curve) if speed > 0.0), *curve)
-
-
-@dataclass(frozen=True)
-class Motor(Declared):
-    """Drive of a flywheel. None: no limit, or not known.
-
-    torque         largest torque in either sense; without it there is no limit
-    speed          no-load speed: the torque available in the sense of the motion falls linearly from `torque` at rest
-                   to zero here, braking has all of `torque`. Unbalance is judged at this speed
-    constant       torque constant; with `resistance` it gives electrical losses to `plan`
-    resistance     of the winding
-    supply         voltage of the supply; kept with the stand, nothing is computed from it
-    viscous        friction `-viscous phi'`
-    coulomb        dry friction, smoothed: `-coulomb tanh(phi'/coulomb_speed)`
-    coulomb_speed  speed of that smoothing
-    """
-
-    torque: Annotated[float | None, scalar(units.TORQUE, least=0.0), Default(None)]
-    speed: Annotated[float | None, scalar(units.SPEED, above=0.0), Default(None)]
-    constant: Annotated[float | None, scalar(units.TORQUE_CONSTANT, above=0.0), Default(None)]
-    resistance: Annotated[float | None, scalar(units.RESISTANCE, least=0.0), Default(None)]
-    supply: Annotated[float | None, scalar(units.VOLTAGE, above=0.0), Default(None)]
-    viscous: Annotated[float, scalar(units.VISCOUS, least=0.0), Default(0.0)]
-    coulomb: Annotated[float, scalar(units.TORQUE, least=0.0), Default(0.0)]
-    coulomb_speed: Annotated[float, scalar(units.SPEED, above=0.0), Default(0.1)]
 
 
 def _counts(raw: Any) -> int:

@@ -216,7 +216,9 @@ def _write_out(place: dict[str, Any], key: str, inside: list[str]) -> None:
     place[key] = value
 
 
-def _with_unit(value: Any, unit: str) -> Any:
+def _with_unit(value: Any, unit: str | list[str]) -> Any:
+    if isinstance(unit, list):  # of a curve: one of each column
+        return [[_with_unit(each, of) for each, of in zip(row, unit, strict=True)] for row in value]
     return [_with_unit(each, unit) for each in value] if isinstance(value, list) else f"{value} {unit}"
 
 

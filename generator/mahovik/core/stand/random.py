@@ -29,7 +29,6 @@ from mahovik.core.stand.model import (
     Flywheel,
     Instrument,
     Mat6,
-    Motor,
     MountingAngles,
     MountingAxes,
     Point,
@@ -40,6 +39,7 @@ from mahovik.core.stand.model import (
     Vec3,
     Vec6,
 )
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.state import Quaternion, State, rest_state
 from mahovik.core.stand.task import dependent_rows, places_of
 

@@ -15,6 +15,7 @@ def structure(stand: Stand) -> Structure:
     bodies = stand.bodies
     index = {body.name: i for i, body in enumerate(bodies)}
     weight = any(stand.gravity)
+    motors = [flywheel.motor for flywheel in stand.flywheels]
 
     def where(has: Callable[[Body], bool]) -> tuple[int, ...]:
         return tuple(i for i, body in enumerate(bodies) if has(body))
@@ -35,6 +36,7 @@ def structure(stand: Stand) -> Structure:
         phase_input=stand.phase_input,
         tasks=stand.tasks,
         hold=None if stand.hold is None else kinds(stand.hold),
+        motor_points=max((len(m.limit) for m in motors if m is not None and m.torque_speed), default=0),
         stream_stations=0 if stand.profile is None else len(stand.profile.depth),
         laws=tuple(
             item

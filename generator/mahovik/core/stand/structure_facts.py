@@ -36,6 +36,8 @@ class Structure:
     tasks: tuple[Task, ...] = ()
     hold: tuple[str, ...] | None = None
     """Freedoms of a held carrier, by their names in FREEDOMS or as turn, slide, twist; None where it is free."""
+    motor_points: int = 0
+    """Most points of a motor's curve of torque by speed, mirrored; 0 where no motor has one."""
     stream_stations: int = 0
     """Depths of the profile of the stream; 0 where it is uniform."""
     laws: tuple[tuple[str, Any], ...] = ()

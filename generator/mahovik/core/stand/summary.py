@@ -25,6 +25,7 @@ from mahovik.core.stand.masses import (
     vec3,
 )
 from mahovik.core.stand.model import WRENCH_LETTERS, Flywheel, Instrument, Stand, Vec3
+from mahovik.core.stand.motor import UNLIMITED
 from mahovik.core.stand.slips import slips
 from mahovik.core.stand.task import row_name
 
@@ -143,7 +144,7 @@ def summarize(
         bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(each.center_of_mass)))
     whole = mass_properties(stand)
     unbalance = tuple(_unbalance(flywheel, speed, planes) for flywheel in stand.flywheels)
-    known = [speed is not None or bool(s.motor and s.motor.speed) for s in stand.flywheels]
+    known = [speed is not None or (s.motor or UNLIMITED).no_load is not None for s in stand.flywheels]
     return Summary(
         name=stand.name,
         bodies=tuple(bodies),
@@ -187,8 +188,7 @@ def forces_along_freedoms(stand: Stand) -> list[HoldNumber]:
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
-    motor = flywheel.motor
-    speed = asked if asked is not None else motor.speed if motor and motor.speed else USUAL_SPEED
+    speed = asked if asked is not None else (flywheel.motor or UNLIMITED).no_load or USUAL_SPEED
     static = flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     J, central = inertia_about_origin(flywheel), inertia_about_center(flywheel)
     dynamic = math.hypot(J[0, 1], J[0, 2])

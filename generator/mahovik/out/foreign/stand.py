@@ -28,7 +28,8 @@ from mahovik.core.stand.hold import (
     wrenches,
 )  # fmt: skip
 from mahovik.core.stand.masses import cross, matrix3, vec3
-from mahovik.core.stand.model import Carrier, Flywheel, Instrument, Motor, MountingAxes, Point, Stand, Vec3
+from mahovik.core.stand.model import Carrier, Flywheel, Instrument, MountingAxes, Point, Stand, Vec3
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.toml import text_of
 from mahovik.core.stand.units import show

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import inverse_fault
-from mahovik.core.stand.model import Motor, Stand
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
@@ -180,9 +181,13 @@ def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
 def available(motor: Motor, tau: float, speed: float) -> float:
     """Torque (N m) that the motor has in the sense of tau at a speed (rad/s).
 
-    Driving, it falls linearly from the limit at rest to 0 at the no-load speed and beyond; braking, it is the limit.
+    Driving, it falls linearly from the limit at rest to 0 at the no-load speed and beyond; braking, it is the limit. A
+    curve limits both: straight lines between its points, beyond them the last; without negative speeds by |speed|.
     """
     most = np.inf if motor.torque is None else motor.torque
+    if motor.torque_speed:
+        speeds, torques = np.transpose(motor.torque_speed)
+        most = min(most, float(np.interp(speed if speeds[0] < 0 else abs(speed), speeds, torques)))
     if motor.speed is None or tau * speed <= 0:
         return most
     share = max(0.0, 1.0 - abs(speed) / motor.speed)
@@ -208,7 +213,7 @@ def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
     found = np.zeros(len(stand.flywheels))
     for k, wheel in enumerate(stand.flywheels):
         motor = wheel.motor
-        if motor is None or (motor.torque is None and motor.speed is None):
+        if motor is None or (motor.torque is None and motor.speed is None and not motor.torque_speed):
             found[k] = abs(phi_ddot[k]) / stand.inverse_most
             continue
         own = tau[k] - friction(motor, at.phi_dot[k])

@@ -16,7 +16,8 @@ import numpy as np
 
 from mahovik.core.stand.capacity import Array, envelope, momentum_capacity, torque_capacity
 from mahovik.core.stand.masses import inertia_about_origin, mass_properties, placed_bodies
-from mahovik.core.stand.model import Flywheel, Motor, Stand, Task
+from mahovik.core.stand.model import Flywheel, Stand, Task
+from mahovik.core.stand.motor import UNLIMITED, Motor
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 
@@ -114,7 +115,7 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
             f'attitude failure {options.failure}: without its first flywheel "{stand.flywheels[0].name}" the stand '
             f'"{stand.name}" cannot be turned in every direction; expected a fourth flywheel, or failure=none'
         )
-    motors = [wheel.motor for wheel in stand.flywheels]
+    motors = [wheel.motor or UNLIMITED for wheel in stand.flywheels]
     preferred = _preferred_speeds(axes, spins, motors)
     capacity = momentum_capacity(stand).alone
     along = np.eye(3)[int(np.argmax(np.round(capacity, 9)))]  # where the flywheels hold most
@@ -124,7 +125,7 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
     _check_speeds(stand, preferred, for_unit, options.momentum)
     fastest, quickest = _limits(stand, float(np.abs(speeds).max()))
     dumps = stand.carrier.wrench_input
-    torque = min((m.torque for m in motors if m is not None and m.torque is not None), default=0.1) / 2
+    torque = min((m.at_rest for m in motors if m.at_rest is not None), default=0.1) / 2
     settings: dict[str, float | tuple[float, ...]] = {
         "period": period,
         "bandwidth": omega,
@@ -222,7 +223,7 @@ def _limits(stand: Stand, speed: float) -> tuple[float, float]:
 
     `speed`: largest speed of a flywheel at its beginning, rad/s, which takes a part of momentum and torque.
     """
-    left = max(0.1, 1.0 - speed / _no_load([wheel.motor for wheel in stand.flywheels]))
+    left = max(0.1, 1.0 - speed / _no_load([wheel.motor or UNLIMITED for wheel in stand.flywheels]))
     inertia = mass_properties(stand).principal_inertia[-1]
     reach = [_reach_without_one(c.envelope.vectors) for c in (momentum_capacity(stand), torque_capacity(stand))]
     rate = min(PART * left * reach[0] / inertia, FASTEST) if reach[0] > 0 else SLOWEST[1]
@@ -236,7 +237,7 @@ def _reach_without_one(vectors: tuple[tuple[float, float, float], ...]) -> float
     return least if least > 0.0 else envelope(columns).radius
 
 
-def _preferred_speeds(axes: Array, spins: Array, motors: list[Motor | None]) -> Array:
+def _preferred_speeds(axes: Array, spins: Array, motors: list[Motor]) -> Array:
     """Speeds (N), rad/s, whose momenta cancel, as equal as that allows; zero where three axes leave no such speeds."""
     columns = axes.T * spins
     project = np.eye(len(spins)) - np.linalg.pinv(columns) @ columns
@@ -249,17 +250,18 @@ def _preferred_speeds(axes: Array, spins: Array, motors: list[Motor | None]) -> 
     return free * (PREFERRED_SHARE * _no_load(motors) / largest if largest > 1e-9 else 0.0)
 
 
-def _no_load(motors: list[Motor | None]) -> float:
+def _no_load(motors: list[Motor]) -> float:
     """Least no-load speed, rad/s."""
-    return min((m.speed for m in motors if m is not None and m.speed is not None), default=SPEED / PREFERRED_SHARE)
+    return min((m.no_load for m in motors if m.no_load is not None), default=SPEED / PREFERRED_SHARE)
 
 
 def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: float) -> None:
     """UsageError where preferred + momentum * for_unit (N), rad/s, is above 70 % of a no-load speed."""
     most, first = math.inf, ""
     for wheel, speed, more in zip(stand.flywheels, preferred, for_unit, strict=True):
-        if wheel.motor is not None and wheel.motor.speed is not None and abs(more) > 0.0:
-            room = (0.7 * wheel.motor.speed - math.copysign(1.0, more) * speed) / abs(more)
+        limit = (wheel.motor or UNLIMITED).no_load
+        if limit is not None and abs(more) > 0.0:
+            room = (0.7 * limit - math.copysign(1.0, more) * speed) / abs(more)
             most, first = min((most, first), (float(room), wheel.name))
     if momentum > most:
         raise UsageError(
@@ -281,7 +283,7 @@ def _describe(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
         lines.append(f"attitude loop: momentum is dumped by at most {_number(s['dump_torque']):.3g} N m")
     else:
         lines.append(f'attitude loop: the carrier of "{stand.name}" has no wrench_input: momentum is not dumped')
-    free = [w.name for w in stand.flywheels if w.motor is None or w.motor.torque is None]
+    free = [w.name for w in stand.flywheels if (w.motor or UNLIMITED).peak is None]
     if free:
         lines.append(
             f"attitude loop: no torque of {', '.join(free)} is bounded: the stand file gives none of the motor"

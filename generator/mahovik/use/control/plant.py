@@ -12,8 +12,9 @@ from typing import cast
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.laws import Torque, drive, steepness
+from mahovik.core.motion.laws import Torque
 from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.motor import drive, steepness
 from mahovik.core.stand.state import State, rest_state
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library

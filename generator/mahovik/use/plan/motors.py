@@ -28,7 +28,7 @@ def _exceeding(stand: Stand, torques: Sequence[float], speeds: Sequence[float], 
         motor = flywheel.motor
         if motor is None:
             continue
-        asked = (("torque", "N m", torque, motor.torque), ("speed", "rad/s", speed, motor.speed))
+        asked = (("torque", "N m", torque, motor.peak), ("speed", "rad/s", speed, motor.no_load))
         for kind, unit, value, most in asked:
             if most is not None and value > most:
                 yield (

@@ -18,7 +18,8 @@ import numpy as np
 from mahovik.core.emit.templates import folders
 from mahovik.core.motion.laws import RunUp, TorqueLaw, TorqueSpeed
 from mahovik.core.motion.regime import Regime
-from mahovik.core.stand.model import Curve, Motor, Stand
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import UNLIMITED, Curve, Motor
 from mahovik.core.toolchain.block import Array, Block
 from mahovik.core.toolchain.library import FLAGS, load_compiled
 from mahovik.errors import StateError, UsageError
@@ -87,7 +88,7 @@ class _Curve(ctypes.Structure):
 
 class _Drive(ctypes.Structure):
     _fields_ = (
-        ("delivered", _Curve), ("to", _REAL), ("band", _REAL), ("most", _REAL), ("no_load", _REAL), ("limit", _Curve),
+        ("delivered", _Curve), ("to", _REAL), ("band", _REAL), ("limit", _Curve), ("by_sense", _INT),
         ("viscous", _REAL), ("coulomb", _REAL), ("coulomb_speed", _REAL),
     )  # fmt: skip
 
@@ -265,12 +266,11 @@ class Course:
         return self._pointer((_Drive * len(drives))(*(self._drive(law, motor) for law, motor in drives)))
 
     def _drive(self, law: TorqueLaw | None, motor: Motor | None) -> Any:
-        most = math.inf if motor is None or motor.torque is None else motor.torque
-        no_load = math.inf if motor is None or motor.torque is None or motor.speed is None else motor.speed
         of_law = (law.to, law.band) if isinstance(law, RunUp) else (0.0, 0.0)
         delivered = self._curve(law.curve if isinstance(law, TorqueSpeed) else ())
         friction = (0.0, 0.0, 1.0) if motor is None else (motor.viscous, motor.coulomb, motor.coulomb_speed)
-        return _Drive(delivered, *of_law, most, no_load, self._curve(()), *friction)
+        limit = self._curve((motor or UNLIMITED).limit)
+        return _Drive(delivered, *of_law, limit, not (motor or UNLIMITED).torque_speed, *friction)
 
     def _curve(self, curve: Curve) -> Any:
         speeds, torques = np.array(curve, dtype=np.float64).reshape(-1, 2).T.copy()

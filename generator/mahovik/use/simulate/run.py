@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.motion.laws import available_torque, required_torque
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
@@ -125,7 +125,7 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
         add(names, np.column_stack([phi[:, i], speed, phi_ddot[:, i], tau[:, i]]))
         if s.motor is not None:
             torque = found[f"motor {s.name} [N m]"] = required_torque(s.motor, tau[:, i], speed)
-            if s.motor.torque is not None:
+            if s.motor.limit:
                 margin = available_torque(s.motor, torque, speed) - np.abs(torque)
                 found[f"margin {s.name} [N m]"] = np.where(np.isfinite(margin), margin, 0.0)
     if stand.hold is not None:

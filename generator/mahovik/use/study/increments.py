@@ -67,7 +67,7 @@ def lost_increments(stand: Stand, speeds: Sequence[float], dt: float) -> list[Lo
     found = []
     for flywheel, speed in zip(stand.flywheels, speeds, strict=True):
         J, motor = float(inertia_about_origin(flywheel)[0, 0]), flywheel.motor
-        acceleration = motor.torque / J if motor and motor.torque else speed / RUN_UP
+        acceleration = motor.peak / J if motor and motor.peak else speed / RUN_UP
         rounding = 0.5 * float(np.spacing(np.float32(speed)))
         if speed > 0.0 and rounding > PART * acceleration * dt:
             lost = LostIncrement(flywheel.name, dt, speed, acceleration * dt, rounding, rounding / dt * J)

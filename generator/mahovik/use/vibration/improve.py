@@ -19,6 +19,7 @@ from scipy.optimize import least_squares, linprog
 
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import UNLIMITED
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
@@ -92,7 +93,7 @@ class Freedom:
         if outside > RANK * max(float(np.linalg.norm(wanted)), 1e-30):
             raise UsageError(f"momentum: {outside:.4g} N m s of it are perpendicular to all spin axes")
         start = speeds + np.linalg.pinv(axes, rcond=RANK) @ (wanted - axes @ speeds)
-        motors = [math.inf if s.motor is None or s.motor.speed is None else s.motor.speed for s in stand.flywheels]
+        motors = [(s.motor or UNLIMITED).no_load or math.inf for s in stand.flywheels]
         limits = np.minimum(np.array(motors), math.inf if limit is None else limit)
         return Freedom(start_within_limits(start, right[rank:].T, limits), right[rank:].T, axes, limits, tuple(avoid))
 

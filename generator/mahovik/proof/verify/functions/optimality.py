@@ -21,7 +21,8 @@ from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.thresholds import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.fields import Mat3, Vec6
-from mahovik.core.stand.model import COMPONENTS, Motor, Stand
+from mahovik.core.stand.model import COMPONENTS, Stand
+from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
@@ -305,6 +306,9 @@ def answer_of(case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot
     return values | {"rank": rank, "damped_by": damped_by, "status": "|".join(bit for bit in bits if bits[bit])}
 
 
+_CURVE = ("motor_curve_speed", "motor_curve_torque")
+
+
 def with_motors(stand: Stand, options: Mapping[str, Any]) -> Stand:
     """The stand with what the options say that each flywheel has."""
     wheels = []
@@ -312,7 +316,10 @@ def with_motors(stand: Stand, options: Mapping[str, Any]) -> Stand:
         most, speed = (float(options[key][k]) for key in ("motor_torque", "motor_speed"))
         bearing = [float(options[f"motor_{key}"][k]) for key in ("viscous", "coulomb", "coulomb_speed")]
         limits = (most if most < 1e30 else None, speed if speed < 1e30 else None)
-        wheels.append(replace(wheel, motor=Motor(*limits, None, None, None, *bearing) if any(limits) else None))
+        curve = tuple(zip(*(options[key][k] for key in _CURVE), strict=True)) if _CURVE[0] in options else ()
+        curve = curve if any(most < 1e30 for _, most in curve) else ()
+        motor = Motor(*limits, None, None, None, bearing[0], bearing[1], bearing[2], curve)
+        wheels.append(replace(wheel, motor=motor if motor.is_limited else None))
     return replace(stand, flywheels=tuple(wheels), inverse_most=float(np.min(options["most"], initial=np.inf)))
 
 
@@ -397,6 +404,8 @@ def options_of(case: Case, number: int, **more: Any) -> dict[str, Any]:
     no, none = [0.0] * case.count, case.none
     given |= {"weight": case.random(100 + number).uniform(1.0, 10.0, case.count), "limit": none, "most": none}
     given |= {"near_singular": 1e-6, "damping": 0.0, "motor_torque": none, "motor_speed": none}
+    if _CURVE[0] in given:
+        given[_CURVE[1]] = np.full(np.shape(given[_CURVE[1]]), case.none[0]).tolist()
     given |= {"motor_viscous": no, "motor_coulomb": no, "motor_coulomb_speed": [1.0] * case.count} | more
     return {key: case.nearest_numbers(x).tolist() if isinstance(x, np.ndarray) else x for key, x in given.items()}
 
@@ -454,7 +463,8 @@ def _questions(
 def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) -> dict[str, tuple[bool, dict[str, Any]]]:
     """Motors of which one has a little less than an answer needs, and a little more; whether that is EXCESSIVE.
 
-    By torque; with friction; near the speed at which a driving motor has no torque left; and by both.
+    By torque; with friction; near the speed at which a driving motor has no torque left; by both; and by the curve of
+    a motor that has one, made so much lower or higher.
     """
     N, s, rng, found = case.count, number % case.count, case.random(600 + number), {}
     tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
@@ -475,6 +485,12 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
             torques = np.where(needed > 0.0, needed * np.where(np.arange(N) == s, part, 2.0), needed[s])
             edge = f"EXCESSIVE of flywheel {s + 1} by {kind} at {part:g}"
             found[edge] = part < 1.0, motors | {"motor_torque": torques}
+            if kind == "friction" and _CURVE[0] in options:
+                speeds, points = (np.array(case.backend.arguments(case.states[0][1])["options"][k]) for k in _CURVE)
+                points = np.where(points < 1e30, 0.1 + points, 1.0)  # nowhere zero
+                here = np.array([np.interp(*each) for each in zip(at.phi_dot, speeds, points, strict=True)])
+                lower = {_CURVE[1]: points * (torques / here)[:, None]}
+                found[edge.replace(kind, "curve")] = part < 1.0, motors | lower
     return found
 
 
@@ -574,6 +590,9 @@ def motor_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Array
     """Least and largest torque (N, N m): driving, less with speed and by the power; braking, all that motors have."""
     speed = np.array(state.phi_dot)
     whole, power = np.minimum(np.array(options["motor_torque"]), 1e9), np.array(options["motor_power"])
+    if _CURVE[0] in options:
+        curves = zip(speed, *(options[key] for key in _CURVE), strict=True)
+        whole = np.minimum(whole, [np.interp(at, speeds, torques) for at, speeds, torques in curves])
     driving = whole * np.maximum(0.0, 1.0 - np.abs(speed) / np.array(options["motor_speed"]))
     with np.errstate(divide="ignore", over="ignore"):
         driving = np.where(driving * np.abs(speed) > power, power / np.abs(speed), driving)

@@ -11,12 +11,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from mahovik.core.motion.functions import Angles, Fourier, Samples
-from mahovik.core.motion.laws import available_torque, required_torque
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.coordinates import FREE, coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import UNLIMITED, available_torque, required_torque
 from mahovik.errors import StateError, above_zero
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.rotation import rotation_vector
@@ -451,7 +451,7 @@ class ProgrammeCase:
     def _motors(self) -> list[Check]:
         """The torque that each motor itself gives, with its friction, over what it can at that speed; and the speed."""
         names, motors = self.programme.flywheels, [s.motor for s in self.stand.flywheels]
-        fastest = np.array([np.inf if motor is None or motor.speed is None else motor.speed for motor in motors])
+        fastest = np.array([(motor or UNLIMITED).no_load or np.inf for motor in motors])
         phi_dot, items = self.programme.at(self.course.t).phi_dot, []
         if any(motor is not None for motor in motors):
             torques = motor_torques(self.stand, phi_dot, self.course.tau)

@@ -1,4 +1,4 @@
-"""Limits of the flywheels in a slew: those of the motors, whose driving torque falls with speed, and given bounds."""
+"""Limits of the flywheels in a slew: those of the motors, whose torque depends on speed, and given bounds."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from mahovik.core.motion.required import FlywheelBounds
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import UNLIMITED, Motor, available_torque, friction
 from mahovik.use.numeric.se3 import Array
 
 
@@ -15,58 +16,48 @@ from mahovik.use.numeric.se3 import Array
 class Limits:
     """N numbers each, infinite where there is no limit.
 
-    torque        of the motor at rest, N m; driving, it falls linearly to zero at `no_load` (rad/s)
+    motors        whose limits and friction count; of a flywheel without one, one that has neither
     bound         of the motor's torque at any speed, N m
     speed         rad/s; acceleration: rad/s2
-    viscous, coulomb, coulomb_speed   friction, which the motor bears besides tau
     """
 
     names: tuple[str, ...]
-    torque: Array
-    no_load: Array
+    motors: tuple[Motor, ...]
     bound: Array
     speed: Array
     acceleration: Array
-    viscous: Array
-    coulomb: Array
-    coulomb_speed: Array
 
     @staticmethod
     def of(stand: Stand, bounds: FlywheelBounds) -> Limits:
         """Limits of a stand's motors and of given bounds; a flywheel without either has `inverse_most`."""
         wheels = stand.flywheels
-
-        def motor(key: str, otherwise: float) -> Array:
-            found = [None if s.motor is None else getattr(s.motor, key) for s in wheels]
-            return np.array([otherwise if x is None else float(x) for x in found])
+        motors = tuple(s.motor or UNLIMITED for s in wheels)
 
         def bound_values(key: str) -> Array:
             return np.array(getattr(bounds, key) or (np.inf,) * len(wheels), dtype=np.float64)
 
-        torque, no_load = motor("torque", np.inf), motor("speed", np.inf)
-        free = ~np.isfinite(torque) & ~np.isfinite(bound_values("torque"))
+        no_load = np.array([np.inf if m.no_load is None else m.no_load for m in motors])
+        free = np.array([m.peak is None for m in motors], dtype=bool) & ~np.isfinite(bound_values("torque"))
         return Limits(
-            tuple(s.name for s in wheels), torque, no_load, bound_values("torque"),
+            tuple(s.name for s in wheels), motors, bound_values("torque"),
             np.minimum(bound_values("speed"), no_load),
             np.minimum(bound_values("acceleration"), np.where(free, stand.inverse_most, np.inf)),
-            motor("viscous", 0.0), motor("coulomb", 0.0), motor("coulomb_speed", 1.0),
         )  # fmt: skip
 
     def friction(self, speed: Array) -> Array:
         """Torque of friction on the flywheels (..., N; N m) at speeds (..., N; rad/s)."""
-        return np.asarray(-self.viscous * speed - self.coulomb * np.tanh(speed / self.coulomb_speed))
+        return np.stack([friction(motor, speed[..., s]) for s, motor in enumerate(self.motors)], axis=-1)
 
     def available(self, sign: Array | float, speed: Array) -> Array:
         """Largest torque (..., N; N m) of the motors in the direction of `sign` at speeds (..., N; rad/s)."""
-        with np.errstate(invalid="ignore"):
-            falling = self.torque * np.maximum(0.0, 1.0 - np.abs(speed) / self.no_load)
-        found = np.where(np.isfinite(self.torque) & (sign * speed > 0.0), falling, self.torque)
-        return np.asarray(np.minimum(found, self.bound))
+        signs = np.broadcast_to(sign, speed.shape)
+        columns = [available_torque(m, signs[..., s], speed[..., s]) for s, m in enumerate(self.motors)]
+        return np.asarray(np.minimum(np.stack(columns, axis=-1), self.bound))
 
     @property
     def strongest(self) -> Array:
-        """Torque at rest (N, N m)."""
-        return np.asarray(np.minimum(self.torque, self.bound))
+        """Largest torque at any speed (N, N m)."""
+        return np.minimum([np.inf if m.peak is None else m.peak for m in self.motors], self.bound)
 
 
 @dataclass(frozen=True)
