@@ -19,6 +19,7 @@ from scipy.spatial.transform import Rotation
 import mahovik
 from export import attitude_law as law
 from export.attitudes import (
+    DEFAULT,
     Attitude,
     Config,
     Loop,
@@ -281,6 +282,17 @@ def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_pat
     assert left < 5e-3
     assert seconds == pytest.approx(1 / 0.05 + 30, rel=0.5)
     assert printed["samples with a demand out of reach"].endswith(" 0")
+
+
+def test_motors_with_a_curve_stay_within_it(tmp_path: Path) -> None:
+    """A tenth of the torque of the file, so that the slew takes longer; half of it at half the speed."""
+    curve = {"torque_speed": [[0, 0.01], ["3000 rpm", 0.005], ["6000 rpm", 0]], "viscous": 2e-6, "coulomb": 5e-4}
+    curved = mahovik.example("eye4").replace({"rw*.motor": curve})
+    printed = example(written(attitude_sources(curved, DEFAULT, "double"), tmp_path))
+    assert printed["failures"] == "failures 0"
+    for wheel in stand().flywheels:
+        torque, share, _ = numbers_in(printed[f"flywheel {wheel.name}"])
+        assert 0.001 < torque < 0.01 and 20.0 < share <= 100.0
 
 
 def seconds_of_coasting(config: Any, speed: float) -> float:

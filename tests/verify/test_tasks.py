@@ -43,8 +43,11 @@ def stand() -> Stand:
 
 def curved() -> Stand:
     """Motors with a curve beside one without: mirrored, and one that is not the same both ways."""
-    return stand().replace(
+    sat = mahovik.example("sat4")
+    return sat.replace(
         {
+            "point": [*sat.to_dict()["point"], POINT],
+            "task.sight.rows": SIGHT,
             "rw1.motor": {"torque_speed": [[0, 0.2], ["3000 rpm", 0.15], ["6000 rpm", 0]], "coulomb": 5e-4},
             "rw2.motor": {"torque_speed": [[-300, 0.05], [0, 0.3], [100, 0.1], [250, 0.2]]},
         }

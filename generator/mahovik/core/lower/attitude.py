@@ -478,9 +478,10 @@ def bound_torques(lib: Library, config: Any, x: Any, failed: Ints, options: Any)
         borne = lib["friction"](config, s, size)
         left = options.motor_torque[s] - borne / part if part > 0 else 0
         options.motor_torque[s] = 0 if failed[s] != WORKS or left < 0 else left
-        for k in range(lib.layout.motor_points):
-            rest = options.motor_curve_torque[s][k] - borne
-            options.motor_curve_torque[s][k] = rest if rest > 0 else 0
+        if lib.layout.motor_points:
+            for k in range(lib.layout.motor_points):
+                rest = options.motor_curve_torque[s][k] - borne
+                options.motor_curve_torque[s][k] = rest if rest > 0 else 0
         options.target_speed[s] = config.preferred[s]
     options.target_rate = config.preferred_rate
     options.avoid_speed = config.avoid

@@ -17,6 +17,10 @@ SPIN_UP_NOTE = (
 )
 
 
+YES: Any = integer(1)
+"""1 of a function that returns an int."""
+
+
 def bit(status: str) -> Any:
     """The bit of a positive status."""
     return Const(STATUS_VALUES[status], Kind.INT, status)
@@ -124,7 +128,7 @@ def add_motor_lacks(lib: Library) -> None:
             own += options.motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square))
         if points:
             if abs(own) > lib["motor_curve"](options, number, speed):
-                return integer(1)
+                return YES
         # driving, the torque falls linearly to zero at the no-load speed; braking has all of it
         share: float = 1.0
         if own * speed > 0:

@@ -39,6 +39,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
         momentum=f"{design.momentum:g}",
         fails=stand.flywheels[0].name,
         number=0,
+        points=generated.layout.motor_points,
         failure={"none": "WORKS"}.get(design.failure, design.failure.upper()),
         parts=design.parts,
         speeds=printer.list_literals(design.speeds),

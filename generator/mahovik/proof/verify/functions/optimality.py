@@ -486,12 +486,18 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
             edge = f"EXCESSIVE of flywheel {s + 1} by {kind} at {part:g}"
             found[edge] = part < 1.0, motors | {"motor_torque": torques}
             if kind == "friction" and _CURVE[0] in options:
-                speeds, points = (np.array(case.backend.arguments(case.states[0][1])["options"][k]) for k in _CURVE)
-                points = np.where(points < 1e30, 0.1 + points, 1.0)  # nowhere zero
-                here = np.array([np.interp(*each) for each in zip(at.phi_dot, speeds, points, strict=True)])
-                lower = {_CURVE[1]: points * (torques / here)[:, None]}
+                lower = _curve_through(case, at.phi_dot, torques)
                 found[edge.replace(kind, "curve")] = part < 1.0, motors | lower
     return found
+
+
+def _curve_through(case: Case, speed: Array, torque: Array) -> dict[str, Any]:
+    """Curves of the motors, nowhere zero, made so much lower or higher that they give a torque (N) at a speed (N)."""
+    given = case.backend.arguments(case.states[0][1])["options"]
+    speeds, points = (np.array(given[key]) for key in _CURVE)
+    points = np.where(points < 1e30, 0.1 + points, 1.0)
+    here = np.array([np.interp(*each) for each in zip(speed, speeds, points, strict=True)])
+    return {_CURVE[1]: points * (torque / here)[:, None]}
 
 
 def _at_the_edge_of_reach(case: Case, plain: Question, scaled: ScaledDemand, rank: int) -> Iterator[Question]:
@@ -577,7 +583,11 @@ def judge_torque_for(case: Case, rows: Rows) -> None:
         free = Problem.of_torques(Question(name, state, options, locked=locked), case.stand, case.scales.at(state))
         largest = np.abs(free.solution(np.array(options["weight"]))).max(initial=0.0)
         tight = {"motor_torque": [float(np.float32(TIGHT * float(largest) or 1.0))] * case.count}
-        for more in ({}, tight, tight | {"keep_direction": 1}):
+        kinds: list[dict[str, Any]] = [{}, tight, tight | {"keep_direction": 1}]
+        if _CURVE[0] in options:
+            curve = _curve_through(case, np.array(state.phi_dot), np.array(tight["motor_torque"]))[_CURVE[1]]
+            kinds.append({_CURVE[1]: case.nearest_numbers(curve).tolist()})
+        for more in kinds:
             try:
                 status, found = case.call_with_status(rows.function, {**given, "options": options | more})
             except StateError as error:
