@@ -69,7 +69,7 @@ def _wrong_options(argument: ArgumentLayout, memory: Array, labels: Labels) -> I
     """Options of `inverse` that are outside their ranges."""
     least = thresholds(FLOAT if memory["weight"].dtype == np.float32 else DOUBLE).weight
     for member in argument.members:
-        if member.kind == "int" or len(member.shape) > 1:  # rows of tasks: any number is good; curves: those of the file
+        if member.kind == "int" or len(member.shape) > 1:  # rows of tasks: any number; curves: of the file
             continue
         for i, x in enumerate(memory[member.name].reshape(-1).tolist()):
             what = f"{member.name} {labels['phi'][i]}" if member.shape else member.name
