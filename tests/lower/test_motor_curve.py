@@ -78,7 +78,7 @@ def test_excessive_is_where_the_curve_says(model: Any, above: bool) -> None:
     for k, (wheel, speed, sense) in enumerate(PLACES):
         own = sense * (limit(wheel, speed, sense) * (1.0 + near if above else 1.0 - near) or near * above)
         demand[k, wheel] = (own - (VISCOUS * speed if wheel == 0 else 0.0)) / TORQUE
-    names = model.inverse(states(model), task="pointing", demand=demand).status_names()
+    names = mahovik.status_words(model.inverse(states(model), task="pointing", demand=demand).status)
     for place, bits in zip(PLACES, names, strict=True):
         if limit(*place) > 0.0 or above:  # rounding alone is too much for a motor that has nothing
             assert ("EXCESSIVE" in bits) == above, place

@@ -40,6 +40,7 @@ def attitude_sources(stand: Stand, options: LoopOptions, real: str) -> ExportedA
         fails=stand.flywheels[0].name,
         number=0,
         points=generated.layout.motor_points,
+        last_point=generated.layout.motor_points - 1,
         failure={"none": "WORKS"}.get(design.failure, design.failure.upper()),
         parts=design.parts,
         speeds=printer.list_literals(design.speeds),
