@@ -21,6 +21,7 @@ from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Judge
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.functions.optimality import least_pivot
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.judges import PROGRAMS, verify_judges
@@ -188,3 +189,9 @@ def test_a_judge_that_refuses_some_cases_only_fails() -> None:
     row.skip("its judge refused: no such sum", "random 2")
     assert (row.verdict, row.state) == ("FAILED", "random 2")
     assert row.words == "1 of 2 states left out: its judge refused: no such sum"
+
+
+def test_the_least_pivot_is_not_lost_among_small_ones() -> None:
+    """Rows that differ by little and by much: their pivots are squares of what each has beside those before it."""
+    W = np.array([[1.0, 0.0, 0.0], [1e-3, 1e-9, 0.0], [1.0, 1e-6, 3e-7]])
+    assert least_pivot(W @ W.T) == pytest.approx(9e-14, rel=0.1)

@@ -32,6 +32,7 @@ from verify.holds import DRY, WET, random_held_stand
 STATES = 13
 """At rest, four of the extreme kinds, ordinary ones with and without run-time wrenches."""
 
+NET = Path(__file__).parents[1] / "net" / "stands"
 HELD = sorted((Path(__file__).parents[2] / "docs" / "held").glob("*.toml"))
 RANDOM = [*random_stands(WHAT_MATTERS)]
 LATER_LAWS = (CrossFlow, Fins, Propellers, FadingDamping, ControlDerivatives)
@@ -136,6 +137,8 @@ SLOW: dict[str, Case] = {
     "clamped, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = []")), "double"),
     "plane, unreached": (lambda: loads(UNREACHED.format(hold="freedoms = ['x', 'y', 'yaw']")), "double"),
     "clamped in a stream": (lambda: loads(SLOW_STREAM), "double"),
+    "slide with stops, no flywheel": (lambda: load(NET / "random44.toml"), "double"),
+    "damping with a kink": (lambda: load(NET / "random01.toml"), "double"),
     "vanishing reach": (lambda: loads(VANISHING_REACH), "double"),
 }
 CASES = QUICK | SLOW
