@@ -178,17 +178,7 @@ class Scales:
 
     def change(self, data: Any, size: float) -> Any:
         """Nested data with every number times 1 + size u, |u| <= 1."""
-        if isinstance(data, float):
-            return data * (1.0 + size * self._rng.uniform(-1.0, 1.0))
-        if isinstance(data, tuple):
-            if all(isinstance(each, float) for each in data):
-                return tuple((np.array(data) * (1.0 + size * self._rng.uniform(-1.0, 1.0, len(data)))).tolist())
-            return tuple(self.change(each, size) for each in data)
-        if is_dataclass(data) and not isinstance(data, type):
-            return replace(data, **{f.name: self.change(getattr(data, f.name), size) for f in fields(data) if f.init})
-        if isinstance(data, Mapping):
-            return type(data)({name: self.change(value, size) for name, value in data.items()})  # type: ignore
-        return data
+        return changed(data, size, self._rng)
 
     @staticmethod
     def _unit(state: State) -> State:
@@ -267,6 +257,23 @@ class Scales:
             I = at.I + L @ (of_I * rng.uniform(-0.4, 0.4, X.shape)) * Theta
             F = at.F + L @ (of_F * rng.uniform(-0.4, 0.4, 6))
             yield replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
+
+
+def changed(data: Any, size: float, rng: np.random.Generator) -> Any:
+    """Nested data with every number times 1 + size u, |u| <= 1; whole numbers stay."""
+    if isinstance(data, float):
+        return data * (1.0 + size * rng.uniform(-1.0, 1.0))
+    if isinstance(data, np.ndarray):
+        return data * (1.0 + size * rng.uniform(-1.0, 1.0, data.shape)) if data.dtype.kind == "f" else data
+    if isinstance(data, tuple):
+        if all(isinstance(each, float) for each in data):
+            return tuple(changed(np.array(data), size, rng).tolist())
+        return tuple(changed(each, size, rng) for each in data)
+    if is_dataclass(data) and not isinstance(data, type):
+        return replace(data, **{f.name: changed(getattr(data, f.name), size, rng) for f in fields(data) if f.init})
+    if isinstance(data, Mapping):
+        return type(data)({name: changed(value, size, rng) for name, value in data.items()})  # type: ignore
+    return data
 
 
 def scales_of(stand: Stand, state: State, want: str) -> Mapping[str, Any]:

@@ -21,7 +21,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.case import Rows
 from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, with_value, wrong_within
-from mahovik.proof.verify.scales import is_word
+from mahovik.proof.verify.scales import changed, is_word
 
 UNCHECKED = frozenset(("gains", "design", "clock", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
@@ -132,7 +132,7 @@ def compare_with_law(
     for number, inputs in enumerate(drawn):
         status, found = part.call(rows.function, inputs)
         found["status"] = status_words(status)
-        nearby = [law(**_changed(inputs, size, rng)) for _ in range(PERTURBATIONS)]
+        nearby = [law(**changed(dict(inputs), size, rng)) for _ in range(PERTURBATIONS)]
         for name, value in law(**inputs).items():
             others = [other[name] for other in nearby]
             if is_word(value):
@@ -141,15 +141,6 @@ def compare_with_law(
             else:
                 scale = np.max([np.abs(value), *(np.abs(other - value) / size for other in others)], axis=0)
                 rows.check(name).compare(found[name], value, scale, f"sample {number}")
-
-
-def _changed(value: Any, size: float, rng: np.random.Generator) -> Any:
-    """Inputs with every number times 1 + size u, |u| <= 1; whole numbers stay."""
-    if isinstance(value, Mapping):
-        return {name: _changed(part, size, rng) for name, part in value.items()}
-    if np.asarray(value).dtype.kind != "f":
-        return value
-    return value * (1 + size * rng.uniform(-1, 1, np.shape(value)))
 
 
 def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numbers = NOTHING) -> None:
