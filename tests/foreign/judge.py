@@ -6,8 +6,13 @@ from pathlib import Path
 
 import numpy as np
 
+from mahovik.out.foreign.model import Joint
 from mahovik.out.foreign.original import forces_of
 from mahovik.out.foreign.stand import ImportedStand
+
+
+def names(joints: tuple[Joint, ...]) -> list[str]:
+    return [joint.name for joint in joints]
 
 
 def difference(path: Path, made: ImportedStand, count: int = 5, seed: int = 1) -> float:
@@ -22,8 +27,8 @@ def difference(path: Path, made: ImportedStand, count: int = 5, seed: int = 1) -
     model = pin.buildModelFromXML(text) if held else pin.buildModelFromXML(text, pin.JointModelFreeFlyer())
     model.gravity.linear = np.array(made.stand.gravity)
     data, rng = model.createData(), np.random.default_rng(seed)
-    wheels = [model.joints[model.getJointId(name)].idx_v for name in made.wheels]
-    free = [model.joints[model.getJointId(name)] for name in (made.held if held else ["root_joint"])]
+    wheels = [model.joints[model.getJointId(name)].idx_v for name in names(made.wheels)]
+    free = [model.joints[model.getJointId(name)] for name in (names(made.held) if held else ["root_joint"])]
     moving = [k for joint in free for k in range(joint.idx_v, joint.idx_v + joint.nv)]
     frame = model.getFrameId(made.carrier)
     theirs, ours = [], []

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from foreign.judge import difference
+from foreign.judge import difference, names
 from mahovik.out.foreign.original import compare, read
 from mahovik.out.foreign.stand import ImportedStand, make_stand
 
@@ -251,7 +251,7 @@ def test_held(kind: str, tmp_path: Path) -> None:
         hold = made.stand.hold
         assert (6 if hold is None else len(hold.freedoms)) == count
         if hold is not None:  # home is where the coordinates are zero
-            turning = [joint for joint in made.held if original.joint(joint).type[0] != 1]
+            turning = [joint for joint in names(made.held) if original.joint(joint).type[0] != 1]
             data = mujoco.MjData(original)
             for joint in turning:
                 data.joint(joint).qpos[:] = 0.0

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from cli.run import run
-from foreign.judge import difference
+from foreign.judge import difference, names
 from mahovik.errors import ForeignError
 from mahovik.out.foreign.original import compare, read
 from mahovik.out.foreign.stand import ImportedStand, make_stand
@@ -52,7 +52,7 @@ def test_a_urdf(options: dict[str, Any], gravity: Any) -> None:
     assert made.stand.gravity == ((0, 0, 0) if gravity is None else tuple(gravity))
     wheels = made.stand.flywheels
     assert [wheel.name for wheel in wheels] == ["wheel_1", "wheel2", "wheel3", "wheel4"]
-    assert made.wheels == ("wheel1_joint", "wheel2_joint", "wheel3_joint", "wheel4_joint")
+    assert names(made.wheels) == ["wheel1_joint", "wheel2_joint", "wheel3_joint", "wheel4_joint"]
     assert wheels[0].inertia == ((0.0011, 0, 0), (0, 0.0006, 0), (0, 0, 0.0006))  # numbers of the file, to the last bit
     motor = wheels[0].motor
     assert motor is not None

@@ -94,9 +94,9 @@ def compare(made: ImportedStand, model: Any, count: int = 20, seed: int = 1) -> 
     names = np.array([model.joint(i).name for i in range(model.njnt)], dtype=object)
     model.jnt_stiffness[~np.isin(names, made.passive)] = 0.0
     model.dof_damping[~np.isin(names[model.dof_jntid], made.passive)] = 0.0
-    free = np.flatnonzero(np.isin(names[model.dof_jntid], made.held))
-    wheels = np.array([model.jnt_dofadr[model.joint(name).id] for name in made.wheels], dtype=int)
-    phases = [model.jnt_qposadr[model.joint(name).id] for name in made.wheels]
+    free = np.flatnonzero(np.isin(names[model.dof_jntid], [joint.name for joint in made.held]))
+    numbers = np.array([model.joint(joint.name).id for joint in made.wheels], dtype=int)
+    wheels, phases = model.jnt_dofadr[numbers], model.jnt_qposadr[numbers]
     moving = np.concatenate([free, wheels])
     data, rng, carrier = mujoco.MjData(model), np.random.default_rng(seed), model.body(made.carrier).id
     theirs: Any = []
@@ -141,8 +141,8 @@ def forces_of(made: ImportedStand, C: Array, laws: bool = True, **given: Array) 
     at = evaluate(stand, state, ("matrices", "torque"))
     forces = at["K"] @ V_dot + at["M"] @ V + at["J"] @ phi_dot + at["I"] @ phi_ddot - at["F"]
     torques = np.array(at["tau"])
-    for k, (a, wheel) in enumerate(zip(made.armatures, stand.flywheels, strict=True)):
-        if a:
+    for k, (joint, wheel) in enumerate(zip(made.wheels, stand.flywheels, strict=True)):
+        if a := joint.armature:
             assert isinstance(wheel.mounting, MountingAxes)
             axis = np.array(wheel.mounting.axis)
             forces[3:] -= a * (axis * phi_ddot[k] + np.cross(V[3:], axis) * phi_dot[k])

@@ -54,19 +54,17 @@ class ImportedStand:
 
     text        of the stand file
     carrier     body of the file whose frame is E1
-    wheels      name of the joint of each flywheel
-    armatures   kg m2, of each flywheel: what was added to its inertia about the axis, and taken from the carrier
+    wheels      joint of each flywheel; an armature was added to its inertia about the axis, and taken from the carrier
     held        joints of the carrier on the world
-    passive     those whose damping and springs are in the suspension
+    passive     names of those whose damping and springs are in the suspension
     notes       messages to the user, one line each
     """
 
     stand: Stand
     text: str
     carrier: str
-    wheels: tuple[str, ...]
-    armatures: tuple[float, ...]
-    held: tuple[str, ...]
+    wheels: tuple[Joint, ...]
+    held: tuple[Joint, ...]
     passive: tuple[str, ...]
     notes: tuple[str, ...]
 
@@ -150,11 +148,8 @@ class _Maker:
             stand = loads(text, self._source)
         except StandError as error:
             raise ForeignError(error.problems) from None
-        wheels = tuple(body.joints[0] for body in turning)
-        return ImportedStand(
-            stand, text, frame, tuple(joint.name for joint in wheels), tuple(joint.armature for joint in wheels),
-            tuple(joint.name for joint in self._bodies[root].joints), passive, tuple(self._notes),
-        )  # fmt: skip
+        wheels, held = tuple(body.joints[0] for body in turning), self._bodies[root].joints
+        return ImportedStand(stand, text, frame, wheels, held, passive, tuple(self._notes))
 
     @property
     def _noun(self) -> str:
@@ -201,53 +196,47 @@ class _Maker:
                 )
 
     def _group(self) -> None:
-        """Head of the bodies fixed together, and the place of each in its head's frame, by name of the body."""
-        self._heads, self._at = {"": ""}, {"": Place()}
+        """Head of the bodies fixed together, on joints or on the world, by name, and the place of each in its frame."""
+        self._heads: dict[str, str] = {}
+        self._at: dict[str, Place] = {}
         for body in self._bodies.values():  # parents first
-            fixed = not body.joints
-            self._heads[body.name] = self._heads[body.parent] if fixed else body.name
-            self._at[body.name] = self._at[body.parent] @ body.place if fixed else Place()
+            first = bool(body.joints) or not body.parent
+            self._heads[body.name] = body.name if first else self._heads[body.parent]
+            self._at[body.name] = Place() if first else self._at[body.parent] @ body.place
 
     def _root(self, chosen: str | None) -> str:
-        """The body that is the carrier, by its name; "" where none is, which is noted.
+        """Head of the bodies that are the carrier; "" where none are, which is noted.
 
-        It is the one that moves on the world, and bears what moves or is not a flywheel itself. What is fixed on the
-        world is the carrier, clamped, where flywheels alone turn on it.
+        It is what moves on the world, and bears what moves or is not a flywheel itself. What is fixed on the world is
+        the carrier, clamped, where flywheels alone turn on it.
         """
-        bodies, on_world = self._bodies, [body for body in self._bodies.values() if self._heads[body.parent] == ""]
-        moving = [body.name for body in on_world if body.joints]
-        bearing = [name for name in moving if not bodies[name].joints[0].endless or len(bodies[name].joints) > 1]
-        bearing += [name for name in moving if name not in bearing and self._below(name)]
-        mounts = {bodies[name].parent for name in moving}
+        bodies, heads = self._bodies, self._heads
+        below = {name: heads.get(bodies[name].parent, "") for name in dict.fromkeys(heads.values())}
+        still = [name for name in below if not bodies[name].joints]
+        moving = [name for name in below if bodies[name].joints and below[name] in ("", *still)]
+        plain = [name for name in moving if len(bodies[name].joints) == 1 and bodies[name].joints[0].endless]
+        bearing = [name for name in moving if name not in plain or name in below.values()]
         if chosen is not None and chosen not in bodies:
             self._problems.add(f"--carrier {chosen}: is not in the file{suggestion(chosen, list(bodies))}")
             return ""
-        if chosen is not None and self._heads[chosen] in ("", *moving):
-            found = [self._heads[chosen] or self._top(chosen)]
-        elif bearing or "" in mounts:
-            found = bearing or moving
-        else:
-            found = list(dict.fromkeys(map(self._top, mounts)))
-        if len(found) != 1:
-            listed = f", {', '.join(map(show, found))}" if found else ""
-            self._problems.add(f"{len(found) or 'no'} bodies move on the world{listed}: expected one, the carrier")
+        roots = bearing or [name for name in moving if not below[name]] or [below[name] for name in moving]
+        if chosen is not None and heads[chosen] in (*still, *moving):
+            roots = [heads[chosen]]
+        if len(set(roots)) != 1:
+            listed = "".join(f", {show(name)}" for name in dict.fromkeys(roots))
+            self._problems.add(f"{len(set(roots)) or 'no'} bodies move on the world{listed}: expected one, the carrier")
             return ""
-        (root,) = found
-        self._on_world = self._at[bodies[root].parent] @ bodies[root].place
-        if not bodies[root].joints:  # clamped: it is a group of its own, apart from what else is fixed on the world
-            for name in bodies:
-                if self._heads[name] == "" and self._top(name) == root:
-                    self._heads[name] = root
-                    self._at[name] = bodies[root].place.inverse @ self._at[name]
+        root = roots[0]
         for name in moving:
-            if name != root and self._heads[bodies[name].parent] != root:
+            if root not in (name, below[name]):
                 self._problems.add(self._words(name), f"moves on the world, as the carrier {show(root)}: expected one")
-        if chosen is not None and self._heads[chosen] != root:
+        if chosen is not None and heads[chosen] != root:
             words = f"turns, expected {show(root)} or a {self._noun} that is fixed to it"
             self._problems.add(f"--carrier {chosen}: {words}")
-        still = [name for name, head in self._heads.items() if name and head == ""]
-        if still:
-            self._notes.append(f"left out, since it does not move of the world: {', '.join(still)}")
+        if left := [name for name, head in heads.items() if head in still and head != root]:
+            self._notes.append(f"left out, since it does not move of the world: {', '.join(left)}")
+        parent, place = bodies[root].parent, bodies[root].place
+        self._on_world = bodies[below[root]].place @ self._at[parent] @ place if parent else place
         return root
 
     def _place(self, root: str, frame: str) -> None:
@@ -257,16 +246,6 @@ class _Maker:
             if body.name not in self._places and body.parent in self._places:
                 self._places[body.name] = self._places[body.parent] @ body.place
 
-    def _below(self, head: str) -> list[str]:
-        """Names of the bodies that move on a group."""
-        return [body.name for body in self._bodies.values() if body.joints and self._heads[body.parent] == head]
-
-    def _top(self, name: str) -> str:
-        """The body on the world itself that one fixed on the world is on."""
-        while self._bodies[name].parent:
-            name = self._bodies[name].parent
-        return name
-
     def _check_flywheel(self, body: Body, root: str) -> None:
         """Note the first reason against a flywheel, and what becomes of its armature."""
         joint, head = body.joints[0], self._heads[body.parent]
@@ -274,7 +253,7 @@ class _Maker:
         held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
         fix = f"; --fix {joint.name} imports it where it is"
         reasons = (
-            (head not in ("", root), f"turns on {self._words(head)}, which turns itself: expected the carrier{held}"),
+            (head != root, f"turns on {self._words(head)}, which turns itself: expected the carrier{held}"),
             (len(body.joints) > 1, f"{self._words(body.name)} has {len(body.joints)} joints: a flywheel has one"),
             (joint.kind != "hinge", f"{joint.kind}: a flywheel turns about one axis, as a hinge does{fix}"),
             (joint.range, f"turns from {least:g} to {most:g}: a flywheel turns without end{fix}"),
@@ -295,7 +274,7 @@ class _Maker:
             )
 
     def _has_mass(self, head: str) -> bool:
-        return any(self._bodies[name].mass for name, other in self._heads.items() if other == head and name)
+        return any(self._bodies[name].mass for name, other in self._heads.items() if other == head)
 
     # -- what holds the carrier ----------------------------------------------------------------------------------------
 
