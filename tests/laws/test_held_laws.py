@@ -40,8 +40,7 @@ from mahovik.laws.stop.reference import wrench as stop_wrench
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import coordinate
 from mahovik.proof.reference.rotation import Pose, carrier_rotation
-from mahovik.use.simulate.friction_steps import long_steps
-from mahovik.use.simulate.held import home, move
+from mahovik.use.simulate.held import home, long_steps, move
 from second.agreement import differences, expectations
 from toolchain.quick import quick
 

@@ -267,21 +267,28 @@ def _rotation(v: Sequence[float]) -> Rows:
 
 def _angles(C: Rows, sequence: AngleSequence) -> Vec3:
     """psi, theta, phi of an attitude, rad, in the sequence of the stand; theta, phi from what psi leaves."""
-    import mpmath  # of few stands
-
     first, _, _ = _AXES[sequence]
     psi = {"ship": (C[1][0], C[0][0]), "aircraft": (-C[2][0], C[0][0]), "euler": (C[0][2], -C[1][2])}[sequence]
-    with mpmath.workdps(40):  # a libm rounds as it likes
-        angles = [float(mpmath.atan2(*psi))]
-        B = _times(_product_of_turns((-angles[0],), (first,)), C)
-        if sequence == "ship":
-            rest = (-B[2][0], B[0][0]), (-B[1][2], B[1][1])
-        elif sequence == "aircraft":
-            rest = (B[1][0], B[0][0]), (B[2][1], B[2][2])
-        else:
-            rest = (-B[1][2], B[2][2]), (-B[0][1], B[0][0])
-        angles += [float(mpmath.atan2(*pair)) for pair in rest]
+    angles = [_atan2(*psi)]
+    B = _times(_product_of_turns((-angles[0],), (first,)), C)
+    if sequence == "ship":
+        rest = (-B[2][0], B[0][0]), (-B[1][2], B[1][1])
+    elif sequence == "aircraft":
+        rest = (B[1][0], B[0][0]), (B[2][1], B[2][2])
+    else:
+        rest = (-B[1][2], B[2][2]), (-B[0][1], B[0][0])
+    angles += [_atan2(*pair) for pair in rest]
     return cast(Vec3, tuple(angle + 0.0 for angle in angles))
+
+
+def _atan2(y: float, x: float) -> float:
+    """Angle of a point, rad, as near as a double can be: a libm rounds as it likes."""
+    if y == 0.0 and x > 0.0:
+        return 0.0
+    import mpmath  # of few stands
+
+    with mpmath.workdps(40):
+        return float(mpmath.atan2(y, x))
 
 
 def _times(A: Rows, B: Rows) -> Rows:

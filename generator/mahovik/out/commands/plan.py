@@ -100,7 +100,7 @@ def _planned(
     """The plan, the stand that it is for, and the numbers that moved."""
     from mahovik.core.motion.required import Slew
     from mahovik.use.plan import plan_motion
-    from mahovik.use.plan.held import refuse_unplannable
+    from mahovik.use.plan.mean_pose import refuse_unplannable
 
     def on_progress(state: Any) -> None:
         say(state.words)

@@ -116,7 +116,7 @@ def simulate(
     if until is None:
         raise UsageError("until: missing, expected a time, s or with a unit")
     from mahovik.use.simulate.case import Case
-    from mahovik.use.simulate.friction_steps import long_steps
+    from mahovik.use.simulate.held import long_steps
     from mahovik.use.simulate.run import simulate as run
 
     end = time("until", until)

@@ -24,7 +24,7 @@ from mahovik.use.numeric.mechanics import inertia
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate import judge
 from mahovik.use.simulate.course import Course
-from mahovik.use.simulate.friction_steps import long_steps
+from mahovik.use.simulate.held import long_steps
 
 STIFFNESS = 0.2
 """Largest product of step and fastest decay rate of a speed: a flywheel's by its motor, a freedom's by friction."""

@@ -25,8 +25,8 @@ from mahovik.use.plan.certificate import (
     singular_values,
 )
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, fit, search_finite, table_of
-from mahovik.use.plan.held import refuse_unplannable
 from mahovik.use.plan.improve import Candidate, Improver
+from mahovik.use.plan.mean_pose import refuse_unplannable
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions

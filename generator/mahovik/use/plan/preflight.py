@@ -16,8 +16,7 @@ import numpy as np
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.use.numeric.residual import PrescribedMotion, prescribe
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.held import UNITS, slide_directions, wrench_of
-from mahovik.use.plan.mean_pose import MeanPose, mean_pose
+from mahovik.use.plan.mean_pose import UNITS, MeanPose, mean_pose, slide_directions, wrench_of
 from mahovik.use.plan.problem import Problem, uniform
 
 Reason = Literal["MEAN_WRENCH", "SPAN", "FIRST_MOMENT", "BOUND_REACH", "SEARCH", "SINGULAR_ATTITUDE"]
