@@ -12,7 +12,7 @@ import pytest
 from scipy.io import loadmat
 
 import mahovik
-from mahovik.out.result import SHOWN, Column, Result, column
+from mahovik.out.result import SHOWN, Axis, Column, Result, column
 
 
 def orders(**more: Any) -> Result:
@@ -120,6 +120,9 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
     assert found.plot(ax) is ax and ax.lines
     with pytest.raises(mahovik.UsageError, match="2 axes are given, but run has 1 panels"):
         found.plot([ax, ax])
+    wide = Result("K", (Column("K", "kg", np.ones((3, 6, 8)), (Axis("wrench"), Axis("twist"))),))
+    with pytest.raises(mahovik.UsageError, match=r"48 columns are too many .* result\.take"):
+        wide.plot()
     with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
         Result("names", (column("name", "", ["a"]),)).plot()
     for name in ("a.svg", "b.svg", "c.png"):

@@ -219,7 +219,7 @@ class Result(Mapping[str, Any]):
         return len(self.columns[0].values) if self.columns else 0
 
     def take(self, rows: slice | Sequence[int] | Array, names: Sequence[str], title: str | None = None) -> Result:
-        """Some rows of some columns, alone, under the same title or another."""
+        """Some rows of some columns, by number and by name, alone, under the same title or another."""
         columns = [one._replace(values=one.values[rows]) for one in self.columns if one.name in names]
         return Result(self.title if title is None else title, columns)
 
@@ -332,6 +332,10 @@ class Result(Mapping[str, Any]):
 
         columns = [(one.name, one.unit, one.values) for one in self.flat()]
         index = next((one for one in columns if one[0] in (self.index, "t")), None)
+        if not self.drawings and len(columns) > SHOWN and (index is None or index[0] != "t"):
+            raise UsageError(
+                f"{self.title}: {len(columns)} columns are too many for a picture; result.take(rows, names) has fewer"
+            )
         return self.drawings or column_panels(index, [one for one in columns if index is None or one[0] != index[0]])
 
     # ---- text

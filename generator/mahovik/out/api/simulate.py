@@ -100,12 +100,16 @@ def _result(stand: Stand, t: Array, arrays: Mapping[str, Array], refused: Sequen
     title = f"{stand.name}, {len(t)} moments" + (f" of {n} samples" if n else "")
     if n is None:
         columns = [Column(name, fields[name][1], array[0], fields[name][0]) for name, array in arrays.items()]
-        return Result(title, [Column("t", "s", t), *columns], index="t", details=("stand",), **about)
+        return Result(title, [Column("t", "s", t), *columns], index="t", details=("stand", "refused"), **about)
     time_axis = Axis("t", tuple(t.tolist()))
     columns = [Column(name, fields[name][1], x, (time_axis, *fields[name][0])) for name, x in arrays.items()]
     about["meta"] |= {"t": t}
     return Result(
-        title, [Column("sample", "", np.arange(n)), *columns], index="sample", details=("stand", "t"), **about
+        title,
+        [Column("sample", "", np.arange(n)), *columns],
+        index="sample",
+        details=("stand", "refused", "t"),
+        **about,
     )
 
 
