@@ -104,13 +104,8 @@ def _result(stand: Stand, t: Array, arrays: Mapping[str, Array], refused: Sequen
     time_axis = Axis("t", tuple(t.tolist()))
     columns = [Column(name, fields[name][1], x, (time_axis, *fields[name][0])) for name, x in arrays.items()]
     about["meta"] |= {"t": t}
-    return Result(
-        title,
-        [Column("sample", "", np.arange(n)), *columns],
-        index="sample",
-        details=("stand", "refused", "t"),
-        **about,
-    )
+    samples = Column("sample", "", np.arange(n))
+    return Result(title, [samples, *columns], index="sample", details=("stand", "refused", "t"), **about)
 
 
 def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array, int | None]:
