@@ -111,11 +111,27 @@ unbalance = { static = "72 g mm" }
 """
 """A stand whose only singular value is the sine of the phase times a number; in the C 0 where its square underflows."""
 
+PUSHED = """
+schema = 1
+name = "pushed"
+carrier = { mass = 24, inertia = [0.3, 1.6, 1.6] }
+[[flywheel]]
+name = "wheel"
+axis = [0, 0, 1]
+zero = [1, 0, 0]
+mass = 1.2
+spin_inertia = 4e-3
+transverse_inertia = 2.4e-3
+wrench_input = true
+"""
+"""A run-time wrench on a flywheel, and nothing whose moment about its axis changes with the motion."""
+
 Case = tuple[Callable[[], Stand], str]
 
 QUICK: dict[str, Case] = {
     "one flywheel": (lambda: RANDOM[1], "double"),
     "hinge": (lambda: random_held_stand("hinge", 3, DRY, 1), "double"),
+    "a push on a flywheel": (lambda: loads(PUSHED), "double"),
 }
 SLOW: dict[str, Case] = {
     "no flywheel": (lambda: RANDOM[0], "double"),
