@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
@@ -12,10 +13,11 @@ from laws.held_stands import HOLDS, held_stand
 from mahovik.contract.functions import wants_of
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand import Stand, loads
+from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof import reference
 from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
@@ -28,6 +30,8 @@ from mahovik.proof.verify.judges import PROGRAMS, verify_judges
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request
 from verify.holds import random_held_stand
+
+AIR_TABLE = Path(__file__).parents[2] / "docs" / "held" / "air_table.toml"
 
 STILL = """
 schema = 1
@@ -195,3 +199,15 @@ def test_the_least_pivot_is_not_lost_among_small_ones() -> None:
     """Rows that differ by little and by much: their pivots are squares of what each has beside those before it."""
     W = np.array([[1.0, 0.0, 0.0], [1e-3, 1e-9, 0.0], [1.0, 1e-6, 3e-7]])
     assert least_pivot(W @ W.T) == pytest.approx(9e-14, rel=0.1)
+
+
+def test_a_quaternion_may_have_either_sign_at_half_a_turn_alone() -> None:
+    stand = load(AIR_TABLE)
+    states = dict(draw(stand, 2, 13))
+    for name, verdict in (("half_turn 12", "ok"), ("random 1", "FAILED")):
+        found = NumpyBackend(stand).evaluate(states[name], ("generalized",))
+        judge = Judge(stand)
+        judge.compare(Request(name, states[name], ("generalized",)), "generalized", found | {
+            "orientation": -np.asarray(found["orientation"])
+        })  # fmt: skip
+        assert {row.verdict for row in judge.checks() if row.quantity == "orientation"} == {verdict}

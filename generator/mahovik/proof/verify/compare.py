@@ -21,18 +21,23 @@ from mahovik.proof.verify.scales import ROUNDINGS, Scales
 from mahovik.proof.verify.states import Request
 
 HALF_TURN = 1e-9
-"""Distance from half a turn, rad, at which its angle may be of either sign."""
+"""Distance from half a turn, rad, at which its angle may be of either sign; or what is accepted, where that is more."""
 
 LAST_PLACES, NEIGHBOURS = 2.0**-51, 3
 """Relative distance of states by which rounding is measured, and how many there are."""
 
 
-def _half_turns_as(expected: Any, q: Any) -> Any:
-    """Coordinates with the sign of the expected where both are half a turn: rounding decides between pi and -pi."""
-    if np.shape(q) != np.shape(expected):
-        return q
-    half = (np.abs(np.abs(expected) - np.pi) < HALF_TURN) & (np.abs(np.abs(q) - np.pi) < HALF_TURN)
-    return np.where(half, np.copysign(q, expected), q)
+def _half_turns_as(name: str, expected: Any, found: Any, near: float) -> Any:
+    """`q` or `orientation` with the sign of the expected where both are half a turn, as far as `near` tells: rounding
+    decides between pi and -pi, and between a quaternion and its negative.
+    """
+    if np.shape(found) != np.shape(expected):
+        return found
+    if name == "orientation":
+        is_half = max(abs(expected[0]), abs(found[0])) < near
+        return np.copysign(1.0, np.dot(expected, found)) * np.asarray(found) if is_half else found
+    half = (np.abs(np.abs(expected) - np.pi) < near) & (np.abs(np.abs(found) - np.pi) < near)
+    return np.where(half, np.copysign(found, expected), found)
 
 
 def odd_one(judged: float, second: float, between: float, words: str) -> str:
@@ -98,8 +103,9 @@ class Judge:
             off, reason, between = math.inf, words, math.inf
             scale, floor = measured.scales[quantity], self._limits.floor
             if found is not None:
-                if quantity == "q" and self._stand.hold is not None:
-                    found = {**found, "q": _half_turns_as(value, found.get("q"))}
+                if quantity in ("q", "orientation") and self._stand.hold is not None:
+                    near = max(HALF_TURN, self._limits.value)
+                    found = {**found, quantity: _half_turns_as(quantity, value, found.get(quantity), near)}
                 off, reason = difference(found.get(quantity), value, scale, floor)
             check = self._check(want, quantity)
             check.note_scale(quantity, value, scale)
