@@ -237,6 +237,31 @@ def test_a_root_that_is_called_world_holds(kind: str, tmp_path: Path) -> None:
 
 # ---- vehicles ----
 
+AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
+
+
+def test_a_cubesat_with_a_triad_is_the_same_from_both_formats(tmp_path: Path) -> None:
+    wheel = """<body name="w{0}" pos="{1}"><joint name="spin_{0}" axis="{1}"/>
+    <inertial pos="0 1e-6 2e-6" mass="0.13" fullinertia="4e-5 5e-5 6e-5 1e-7 2e-7 3e-7"/></body>"""
+    wheels = "".join(wheel.format(*each) for each in AXES.items())
+    motors = "".join(f'<motor joint="spin_{axis}" ctrlrange="-4 4"/>' for axis in AXES)
+    hub = '<inertial pos="0 0 0.001" mass="4" fullinertia="0.03 0.031 0.01 1e-4 0 2e-4"/>'
+    mjcf = f"""<mujoco><option gravity="0 0 0"/><default><joint damping="1e-7"/><motor gear="1e-3"/></default>
+    <worldbody><body name="hub"><freejoint/>{hub}{wheels}</body></worldbody><actuator>{motors}</actuator></mujoco>"""
+    inertial = (
+        '<inertial><origin xyz="{}"/><mass value="{}"/><inertia ixx="{}" iyy="{}" izz="{}" ixy="{}" ixz="{}" iyz="{}"/>'
+    )
+    links = f'<link name="hub">{inertial.format("0 0 0.001", 4, 0.03, 0.031, 0.01, 1e-4, 0, 2e-4)}</inertial></link>'
+    own = inertial.format("0 1e-6 2e-6", 0.13, 4e-5, 5e-5, 6e-5, 1e-7, 2e-7, 3e-7)
+    for axis, direction in AXES.items():
+        inside = '<limit effort="0.004" velocity="800"/><dynamics damping="1e-7"/>'
+        spun = joint(f"spin_{axis}", "continuous", "hub", f"w{axis}", inside, direction)
+        spun = spun.replace('xyz="0.1 0 0.2" rpy="0.1 0 0"', f'xyz="{direction}"')
+        links += f'<link name="w{axis}">{own}</inertial></link>{spun}'
+    one = imported(written(tmp_path, "sat.xml", mjcf)).stand
+    assert one == imported(written(tmp_path, "sat.urdf", urdf(links))).stand
+    assert [wheel.motor and (wheel.motor.torque, wheel.motor.viscous) for wheel in one.flywheels] == [(0.004, 1e-7)] * 3
+
 
 def hexacopter() -> str:
     """As converted from SDF: an IMU on a joint with limits 0, 0; rotors with limits +-1e16; strangers of SDF."""
