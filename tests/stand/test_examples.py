@@ -16,7 +16,7 @@ from mahovik.stands import names, path
 
 
 def test_the_examples_are_there() -> None:
-    assert names() == ("auv6", "bench8", "demo3", "eye4", "remus6", "sat4", "shaker2")
+    assert names() == ("auv6", "bench8", "demo3", "eye4", "remus6", "sat4", "shaker2", "two_exciters")
 
 
 @pytest.mark.parametrize("name", names())

@@ -28,7 +28,8 @@ def motions(name: str) -> tuple[Path, ...]:
     return tuple(sorted([*_FOLDER.glob(f"{name}.motion.json"), *_FOLDER.glob(f"{name}_*.motion.json")]))
 
 
-def servos(name: str) -> tuple[Path, ...]:
-    """The servo files that belong to an example: one, or none."""
+def beside(name: str) -> dict[str, Path]:
+    """The servo and the regime that belong to an example, if there are: "servo", "regime"."""
     path(name)
-    return tuple(_FOLDER.glob(f"servos/{name}.toml"))
+    files = {kind: _FOLDER / f"{kind}s" / f"{name}.toml" for kind in ("servo", "regime")}
+    return {kind: file for kind, file in files.items() if file.is_file()}

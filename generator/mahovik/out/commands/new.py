@@ -39,7 +39,7 @@ def new(
 ) -> Result:
     """Copy an example stand, or make one of a model of another program. Nothing is ever overwritten.
 
-    NAME is an example, which comes with its motions and servos; or `adapter`, of which `-o adapter.py` or
+    NAME is an example, which comes with its motions, servo and regime; or `adapter`, of which `-o adapter.py` or
     `-o adapter.cpp` is a program that reads states and answers them, to be judged by `mahovik judge --with`: put your
     own equations into it. FILE is a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), read with MuJoCo: the body that moves
     on the world is the carrier, its joint there is the hold, joints that turn on it without end are flywheels, fixed
@@ -102,7 +102,7 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
     if not alone:
         stem = target.name.removesuffix(".toml")
         files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
-        files |= {f"{stem}.servo.toml": servo for servo in stands.servos(name)}
+        files |= {f"{stem}.{kind}.toml": file for kind, file in stands.beside(name).items()}
         for each in files:
             if (target.parent / each).exists():
                 raise UsageError(f"{target.parent / each}: exists already, nothing was written")
