@@ -162,7 +162,8 @@ class Player:
         for state in range(states):
             given = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
             if state % OPTIONS_EVERY == OPTIONS_EVERY - 1:
-                given |= draw(self._options_plan, generator, precision)
+                drawn = draw(self._options_plan, generator, precision)
+                given |= {name: {**given[name], **options} for name, options in drawn.items()}
             omitted = state % OMITTED_EVERY == OMITTED_EVERY - 1
             for f in self.functions:
                 hashes[f.name] = fnv1a(_bytes(*self.play(f, given, omitted), precision), hashes[f.name])

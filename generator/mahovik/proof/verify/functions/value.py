@@ -267,7 +267,8 @@ def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
             values[number] = number.value * (grown[number.body] if key != "center_of_mass" else rng.uniform(0.95, 0.99))
         elif number.body in moved and key in ("position", "angles", "axis", "zero"):
             values[number] = number.value + rng.uniform(-0.05, 0.05)
-    return read(file.with_values(values), stand.name, physics=False)
+    other = read(file.with_values(values), stand.name, physics=False)
+    return replace(other, laws=stand.laws)  # isolators would balance the other weight; `prepare` keeps what they are
 
 
 def judge_mounts(case: Case, rows: Rows) -> None:
