@@ -59,7 +59,7 @@ def test_new_copies_a_stand_with_its_motions(tmp_path: Path) -> None:
     for name in stands.names():
         result = run("new", name, "-o", str(tmp_path))
         assert result.exit_code == 0
-        assert len(result.output.split(", ")) == 1 + len(stands.motions(name)) + len(stands.beside(name))
+        assert len(result.output.split(", ")) == 1 + len(stands.motions(name)) + len(stands.servo_and_regime(name))
         assert load(tmp_path / f"{name}.toml") == load(stands.path(name))
         for motion in stands.motions(name):
             assert (tmp_path / motion.name).read_text() == motion.read_text()

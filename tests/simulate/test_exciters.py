@@ -13,10 +13,10 @@ from scipy.integrate import solve_ivp
 import mahovik
 from docs.pages import ROOT, blocks
 from mahovik.core.stand import loads
-from mahovik.stands import beside
+from mahovik.stands import servo_and_regime
 
 FILES = {block.file: block.text for block in blocks(ROOT / "docs/howto/two-exciters.md") if block.file}
-REGIME = beside("two_exciters")["regime"]
+REGIME = servo_and_regime("two_exciters")["regime"]
 TWO_PI = 2 * np.pi
 Array = NDArray[np.float64]
 

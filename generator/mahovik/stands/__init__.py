@@ -28,7 +28,7 @@ def motions(name: str) -> tuple[Path, ...]:
     return tuple(sorted([*_FOLDER.glob(f"{name}.motion.json"), *_FOLDER.glob(f"{name}_*.motion.json")]))
 
 
-def beside(name: str) -> dict[str, Path]:
+def servo_and_regime(name: str) -> dict[str, Path]:
     """The servo and the regime that belong to an example, if there are: "servo", "regime"."""
     path(name)
     files = {kind: _FOLDER / f"{kind}s" / f"{name}.toml" for kind in ("servo", "regime")}

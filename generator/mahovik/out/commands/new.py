@@ -102,7 +102,7 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
     if not alone:
         stem = target.name.removesuffix(".toml")
         files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
-        files |= {f"{stem}.{kind}.toml": file for kind, file in stands.beside(name).items()}
+        files |= {f"{stem}.{kind}.toml": file for kind, file in stands.servo_and_regime(name).items()}
         for each in files:
             if (target.parent / each).exists():
                 raise UsageError(f"{target.parent / each}: exists already, nothing was written")
