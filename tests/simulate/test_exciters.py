@@ -113,8 +113,10 @@ def test_a_motor_of_the_file_hangs_as_one_that_delivers_its_line() -> None:
     stand = mahovik.Stand.of(loads(FILES["rail.toml"])).replace({"ex.motor": {"torque_speed": curve}})
     model = mahovik.build(stand)
     laws = ({"torque": 0.5}, {"torque_speed": curve})
-    ends = [model.simulate(5.0, regime={"flywheel": {"ex": law}}, dt=1e-3, every=0.1)["phi"] for law in laws]
-    np.testing.assert_allclose(*ends, rtol=0, atol=1e-9)
+    limited, delivered = (
+        model.simulate(5.0, regime={"flywheel": {"ex": law}}, dt=1e-3, every=0.1)["phi"] for law in laws
+    )
+    np.testing.assert_allclose(limited, delivered, rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize(("torque", "speed"), [(0.35, 60.81), (4.0, 140.0)])

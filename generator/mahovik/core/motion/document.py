@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from collections.abc import Callable, Sequence
 from decimal import Decimal
 from pathlib import Path
@@ -69,8 +68,12 @@ def parse(text: str) -> Any:
 
 
 def is_stand_file(text: str) -> bool:
-    """Whether a text is TOML with a carrier, as stand files are."""
-    return bool(re.search(r"(?m)^\s*(\[carrier\]|carrier\s*=)", text))
+    """Whether a text is TOML whose first level has a name and a carrier, as stand files have."""
+    try:
+        document = toml.parse(text)
+    except (RecursionError, ValueError):
+        return False
+    return "name" in document and isinstance(document.get("carrier"), dict)
 
 
 def document_of(text: str, source: str, error: type[FileError], is_json: bool = True) -> dict[str, Any]:

@@ -102,6 +102,8 @@ class Scales:
         """
         _, near, at = self.neighbours(state)[0]
         scaled = scaled_demand(at, vector(near.V_dot))
+        if not scaled.r.any():  # at rest nothing is demanded, and zeros are not rounded
+            return False
         left = np.linalg.norm(scaled.root @ inverse.values["residual"])
         rounding = ROUNDINGS * self._last_place * np.linalg.norm(scaled.root * inverse.scales["residual"])
         return bool(abs(left - self.cuts.reached * np.linalg.norm(scaled.r)) < rounding)
