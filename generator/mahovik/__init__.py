@@ -89,9 +89,9 @@ def __getattr__(name: str) -> object:
         raise AttributeError(f"module 'mahovik' has no attribute {name!r}")
     from importlib import import_module
 
-    found = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
-    globals()[name] = found  # the next time without this
-    return found
+    result = getattr(import_module(f"mahovik.{_PLACES.get(name, 'errors')}"), name)
+    globals()[name] = result  # the next time without this
+    return result
 
 
 def __dir__() -> list[str]:

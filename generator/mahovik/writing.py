@@ -217,9 +217,9 @@ def _remove(drafts: Iterable[Path], missing: Iterable[Path]) -> None:
     for draft in drafts:
         with contextlib.suppress(OSError):  # was not made, or is in its place
             draft.unlink()
-    for each in missing:
+    for path in missing:
         with contextlib.suppress(OSError):
-            each.rmdir()
+            path.rmdir()
 
 
 def _missing(folder: Path) -> list[Path]:

@@ -160,11 +160,11 @@ def tables() -> dict[str, list[tuple[str, ...]]]:
 
 def text_lines(width: int = 98) -> list[str]:
     """The tables as text, for help and comments: columns, the last of which is folded."""
-    found: list[str] = []
+    result: list[str] = []
     for title, rows in tables().items():
         widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]) - 1)]
-        found += ["", f"{title}:"]
+        result += ["", f"{title}:"]
         for row in rows:
             start = "  " + "".join(f"{cell:{most + 2}}" for cell, most in zip(row, widths, strict=False))
-            found += wrap(row[-1], width=width, initial_indent=start, subsequent_indent=" " * len(start))
-    return found[1:]
+            result += wrap(row[-1], width=width, initial_indent=start, subsequent_indent=" " * len(start))
+    return result[1:]

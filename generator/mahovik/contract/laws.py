@@ -29,6 +29,6 @@ def _part(folder: str, module: str) -> Any:
 @cache
 def parts(module: str, kind: type[Part], laws: tuple[str, ...] = LAWS) -> tuple[Part, ...]:
     """What a stage needs of each law that has it, in their order: LAW of that module of its folder, a `kind`."""
-    found = tuple(law for folder in laws if (law := _part(folder, module)) is not None)
-    assert all(isinstance(law, kind) for law in found), f"{module}: expected {kind.__name__}"
-    return found
+    result = tuple(law for folder in laws if (law := _part(folder, module)) is not None)
+    assert all(isinstance(law, kind) for law in result), f"{module}: expected {kind.__name__}"
+    return result

@@ -152,12 +152,12 @@ def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.
     from mahovik.core.stand.units import QuantityError
 
     try:
-        found = in_si(value, dimension)
+        result = in_si(value, dimension)
     except QuantityError as error:
         raise UsageError(f"{name}: {error}") from None
-    if not (math.isfinite(found) and low <= found <= high):
+    if not (math.isfinite(result) and low <= result <= high):
         raise UsageError(f"{name} {value}: out of range, expected {low:g} to {high:g} {dimension.si}".rstrip())
-    return found
+    return result
 
 
 def vector(name: str, given: str | Sequence[float], expected: str) -> Any:
@@ -165,12 +165,12 @@ def vector(name: str, given: str | Sequence[float], expected: str) -> Any:
     import numpy as np
 
     try:
-        found = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
+        result = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
     except ValueError:
-        found = np.zeros(0)
-    if found.shape != (3,) or not np.isfinite(found).all():
+        result = np.zeros(0)
+    if result.shape != (3,) or not np.isfinite(result).all():
         raise UsageError(f"{name} {given}: expected three finite numbers, {expected}")
-    return found
+    return result
 
 
 def time(name: str, value: Number) -> float:
@@ -184,10 +184,10 @@ def time_limit(name: str, value: Number | None) -> float | None:
     """How long a search may take, s; None: as long as it needs. Raises UsageError."""
     if value is None:
         return None
-    found = time(name, value)
-    if not found > 0.0:
-        raise UsageError(f"{name} {found:g}: expected a time above 0, in s")
-    return found
+    result = time(name, value)
+    if not result > 0.0:
+        raise UsageError(f"{name} {result:g}: expected a time above 0, in s")
+    return result
 
 
 def by_flywheel(
@@ -200,18 +200,18 @@ def by_flywheel(
     from mahovik.core.stand.units import ANGLE, show
 
     dimension = dimension or ANGLE
-    names = [each.name for each in stand.flywheels]
-    found = [0.0] * len(names)
+    names = [flywheel.name for flywheel in stand.flywheels]
+    result = [0.0] * len(names)
     if given is None:
-        return found
+        return result
     if isinstance(given, Mapping):
         for key, value in given.items():
             if key not in names:
                 raise UsageError(
                     f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}"
                 )
-            found[names.index(key)] = quantity(f"{name} of {key}", value, dimension)
-        return found
+            result[names.index(key)] = quantity(f"{name} of {key}", value, dimension)
+        return result
     if len(given) != len(names):
         raise UsageError(f"{name}: {len(given)} numbers, but the stand has {len(names)} flywheels")
     return [quantity(f"{name} of {own}", value, dimension) for own, value in zip(names, given, strict=True)]

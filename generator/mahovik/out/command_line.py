@@ -108,7 +108,7 @@ class _Command(click.Command):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         repeated = {name for one in self.params if isinstance(one, click.Option) and one.multiple for name in one.opts}
         single = {name for one in self.params if isinstance(one, click.Option) and not one.is_flag for name in one.opts}
-        arguments, found, last = len([one for one in self.params if isinstance(one, click.Argument)]), [], ""
+        arguments, result, last = len([one for one in self.params if isinstance(one, click.Argument)]), [], ""
         for k, word in enumerate(args):
             before = args[k - 1] if k else ""
             if word.startswith("-") or before in single:  # an option, or the value of one
@@ -116,9 +116,9 @@ class _Command(click.Command):
             elif arguments:
                 arguments, last = arguments - 1, ""
             elif last:
-                found.append(last)
-            found.append(word)
-        return super().parse_args(ctx, found)
+                result.append(last)
+            result.append(word)
+        return super().parse_args(ctx, result)
 
 
 class _Names(dict[str, Any]):
@@ -183,10 +183,10 @@ def _value(numbers: bool, repeated: bool, mapping: bool, _context: Any, option: 
         return read(value) if isinstance(value, str) else value
     pairs = [text.partition("=") for text in value]
     if mapping and pairs and all(equals for _, equals, _ in pairs):
-        found = {name.strip(): read(text.strip()) for name, _, text in pairs}
-        if len(found) < len(pairs):
+        result = {name.strip(): read(text.strip()) for name, _, text in pairs}
+        if len(result) < len(pairs):
             raise UsageError(f"{option.opts[0]}: a name is given twice")
-        return found
+        return result
     return [read(text) for text in value] if len(value) != 1 else read(value[0])
 
 
@@ -245,16 +245,16 @@ def _stream(lines: Generator[str, None, Result]) -> Result:
         sys.stdout.flush()
 
 
-def _print(found: Result, as_json: bool) -> None:
+def _print(result: Result, as_json: bool) -> None:
     """Print a result: JSON, or tables that narrow terminals fold, with colours on a terminal."""
     if as_json:
-        click.echo(found.to_json())
+        click.echo(result.to_json())
         return
     terminal = sys.stdout.isatty()
     without = os.environ.get("NO_COLOR") or os.environ.get("TERM", "").lower() in ("dumb", "unknown")
     styles = not without and bool(terminal or os.environ.get("FORCE_COLOR"))
     width = os.get_terminal_size(sys.stdout.fileno()).columns if terminal else None
-    text = found.text(width, styles)
+    text = result.text(width, styles)
     encoding = sys.stdout.encoding or "utf-8"
     click.echo(text.encode(encoding, "replace").decode(encoding), nl=False, color=styles)
 
@@ -285,10 +285,10 @@ def _usage_words(error: click.UsageError) -> str:
     name = param.metavar if isinstance(param, click.Argument) else param.opts[0]
     if isinstance(error, click.MissingParameter):
         return f"{name}: missing"
-    found = re.match(r"'(.*)' is not ", error.message)
-    if found and isinstance(param.type, click.Choice):
-        return f'{name}: unknown "{found[1]}", expected one of {", ".join(map(str, param.type.choices))}'
-    return f"{name} {found[1]}: expected a whole number" if found else words
+    match = re.match(r"'(.*)' is not ", error.message)
+    if match and isinstance(param.type, click.Choice):
+        return f'{name}: unknown "{match[1]}", expected one of {", ".join(map(str, param.type.choices))}'
+    return f"{name} {match[1]}: expected a whole number" if match else words
 
 
 # ---- all of them

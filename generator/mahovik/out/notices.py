@@ -95,26 +95,26 @@ def rest_to_start(stand: Stand, phi: Sequence[float] | None = None) -> State:
     """The state at rest from which a function starts. Warns of a pose that is turned. Raises CheckError."""
     from mahovik.use.study.rest import rest
 
-    found = rest(stand, phi).state
-    warn_of_turn(stand, found)
-    return found
+    state = rest(stand, phi).state
+    warn_of_turn(stand, state)
+    return state
 
 
-def warn_of_turn(stand: Stand, found: State | None = None) -> None:
+def warn_of_turn(stand: Stand, state: State | None = None) -> None:
     """Warn where the rest pose is far from upright, that of E0, or from the home pose of a hold.
 
-    found  the state at rest; None: it is searched, and where there is none nothing is said
+    state  the state at rest; None: it is searched, and where there is none nothing is said
     """
     import numpy as np
 
     from mahovik.proof.reference.rotation import carrier_rotation
     from mahovik.use.simulate.held import home
 
-    if found is None:
+    if state is None:
         with contextlib.suppress(CheckError):
             rest_to_start(stand)
         return
-    C = carrier_rotation(stand, home(stand)).T @ carrier_rotation(stand, found)
+    C = carrier_rotation(stand, home(stand)).T @ carrier_rotation(stand, state)
     turn = 2.0 * math.asin(min(1.0, math.sqrt(max(0.0, 3.0 - float(np.trace(C)))) / 2.0))
     if turn > TURNED:
         of = "E0" if stand.hold is None else "the home pose"

@@ -95,9 +95,11 @@ def _drawn_line(now: Progress) -> Any:
     if console.width >= NARROW:
         columns.insert(2, BarColumn(BAR))
     # standard streams stay what they are: results may go to a pipe meanwhile
-    found = Lines(*columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False)
-    found.add_task(now.words, completed=int(now.done or 0), total=now.total)
-    return found
+    progress = Lines(
+        *columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False
+    )
+    progress.add_task(now.words, completed=int(now.done or 0), total=now.total)
+    return progress
 
 
 def clock(seconds: float) -> str:

@@ -98,13 +98,13 @@ class Column(NamedTuple):
         """The index of the part that labels, numbers or slices name, of an array without rows. Raises InputError."""
         if len(labels) > len(self.axes):
             raise InputError(f"{self.name}: {len(labels)} labels, but it has {len(self.axes)} axes besides the rows")
-        found: list[Any] = []
+        result: list[Any] = []
         for k, (axis, label) in enumerate(zip(self.axes, labels, strict=False)):
             if isinstance(label, str) and label not in axis.labels:
                 hint = suggestion(label, axis.labels) if axis.labels else ", which has no labels, give a number"
                 raise InputError(f'{self.name}: no "{label}" on axis {k}{hint}')
-            found.append(axis.labels.index(label) if isinstance(label, str) else label)
-        return (Ellipsis, *found, *(slice(None) for _ in self.axes[len(found) :]))
+            result.append(axis.labels.index(label) if isinstance(label, str) else label)
+        return (Ellipsis, *result, *(slice(None) for _ in self.axes[len(result) :]))
 
 
 def column(
@@ -232,12 +232,12 @@ class Result(Mapping[str, Any]):
     def to_dict(self) -> dict[str, Any]:
         """Plain data, as JSON has it: what is not finite is None, a complex number a pair."""
         units = {one.name: one.unit for one in self.columns if one.unit} | dict(self.units)
-        found = {key: plain(value) for key, value in self.meta.items()}
+        result = {key: plain(value) for key, value in self.meta.items()}
         if self.rows:
-            found[self.rows] = self._objects()
+            result[self.rows] = self._objects()
         else:
-            found |= {one.name: plain(self[one.name]) for one in self.columns}
-        return {**found, "units": units, "messages": list(self.messages), "ok": bool(self.ok)}
+            result |= {one.name: plain(self[one.name]) for one in self.columns}
+        return {**result, "units": units, "messages": list(self.messages), "ok": bool(self.ok)}
 
     def _objects(self) -> Any:
         """An object a row."""
@@ -263,17 +263,17 @@ class Result(Mapping[str, Any]):
     def to_xarray(self) -> Any:
         """The columns as an xarray.Dataset, each with its unit in `attrs`. Raises UsageError without xarray."""
         rows: list[str] = [] if self.single else [self.index or "row"]
-        found, places = {}, dict[str, Any]()
+        result, places = {}, dict[str, Any]()
         for one in self.columns:
             dims: list[str] = []
             for axis in one.axes:
                 dims.append(axis.name if axis.name not in dims else f"{axis.name} of {one.name}")
                 places |= {dims[-1]: list(axis.labels)} if axis.labels else {}
             more = {"units": one.unit, "long_name": one.meaning}
-            found[one.name] = ([*rows, *dims], self[one.name], {key: text for key, text in more.items() if text})
+            result[one.name] = ([*rows, *dims], self[one.name], {key: text for key, text in more.items() if text})
         if rows:
-            places[rows[0]] = found.pop(self.index) if self.index else np.arange(self.count)
-        return _library("xarray", "frames").Dataset(found, coords=places)
+            places[rows[0]] = result.pop(self.index) if self.index else np.arange(self.count)
+        return _library("xarray", "frames").Dataset(result, coords=places)
 
     # ---- files
 
@@ -324,8 +324,8 @@ class Result(Mapping[str, Any]):
         """
         from mahovik.out.plots import draw_on_axes
 
-        found = draw_on_axes(self.title, self._drawings(), ax, self)
-        return found if ax is None else ax
+        result = draw_on_axes(self.title, self._drawings(), ax, self)
+        return result if ax is None else ax
 
     def _drawings(self) -> Sequence[Drawing]:
         from mahovik.out.plots import column_panels
@@ -462,12 +462,12 @@ def suffix_of(path: Path) -> str:
     """How the name of a file ends that a result can be written to. Raises UsageError."""
     from mahovik.writing import format_of
 
-    found = format_of(path, SUFFIXES)
-    if found is None:
+    suffix = format_of(path, SUFFIXES)
+    if suffix is None:
         raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
-    if found in (".svg", ".png"):
+    if suffix in (".svg", ".png"):
         _library("matplotlib", "report")
-    return found
+    return suffix
 
 
 def check_place(path: Path) -> None:

@@ -119,10 +119,10 @@ class Ball:
     def solve(S: Array, b: Array) -> Array:
         """StateError where S may be singular."""
         try:
-            found = arb_mat(_arbs(S)).solve(arb_mat(_arbs(b.reshape(len(b), -1))))
+            result = arb_mat(_arbs(S)).solve(arb_mat(_arbs(b.reshape(len(b), -1))))
         except ZeroDivisionError:
             raise StateError("the mass matrix is singular, as far as this precision can tell") from None
-        return np.array([Ball(x) for x in found.entries()], dtype=object).reshape(b.shape)
+        return np.array([Ball(x) for x in result.entries()], dtype=object).reshape(b.shape)
 
 
 def _arb(x: Any) -> Any:
@@ -173,8 +173,8 @@ def evaluate(at: Exact, want: str) -> Balls:
     Raises StateError where there is no answer, or where this precision cannot tell (a singular matrix, half a turn).
     """
     with ctx.workprec(at.bits):
-        found: Balls = _arbs(reference.evaluate(at.stand, at.state, [want], at.pieces))
-        return found
+        result: Balls = _arbs(reference.evaluate(at.stand, at.state, [want], at.pieces))
+        return result
 
 
 def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:
@@ -185,8 +185,8 @@ def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -
     bits, refusal = BITS, "the balls stay too wide"
     while bits <= MOST_BITS:
         try:
-            if narrow(found := found_at(bits)):
-                return found
+            if narrow(result := found_at(bits)):
+                return result
         except StateError as error:
             refusal = str(error)
         bits *= 2

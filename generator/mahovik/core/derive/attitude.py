@@ -73,10 +73,10 @@ def _reduce(expression: sp.Expr) -> sp.Expr:
 
 def kinematics(sequence: str) -> tuple[sp.Matrix, sp.Matrix]:
     """A and D = A' of (10), 6x6, with omega of the carrier by symbols (C^T)' = -<omega> C^T."""
-    found = attitude(sequence)
+    result = attitude(sequence)
     C, zero = matrix("C"), sp.zeros(3)
-    A = blocks(C.T, zero, zero, found.B)
-    return A, blocks(-cross(vector("omega")) * C.T, zero, zero, found.B_dot)
+    A = blocks(C.T, zero, zero, result.B)
+    return A, blocks(-cross(vector("omega")) * C.T, zero, zero, result.B_dot)
 
 
 def singular(sequence: str) -> sp.Expr:

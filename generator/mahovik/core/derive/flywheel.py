@@ -84,7 +84,7 @@ def harmonics(expression: sp.Expr, phi: sp.Symbol) -> dict[str, sp.Expr]:
     """
     c, s = sp.symbols("cos_phi sin_phi")
     polynomial = sp.Poly(sp.expand(expression.subs({sp.cos(phi): c, sp.sin(phi): s})), c, s)
-    found = dict.fromkeys(HARMONICS, sp.S.Zero)
+    result = dict.fromkeys(HARMONICS, sp.S.Zero)
     half = sp.Rational(1, 2)
     parts: dict[tuple[int, int], dict[str, sp.Expr]] = {
         (0, 0): {"0": sp.S.One},
@@ -98,8 +98,8 @@ def harmonics(expression: sp.Expr, phi: sp.Symbol) -> dict[str, sp.Expr]:
         if powers not in parts:
             raise ValueError(f"order {powers} of cos, sin is no Fourier polynomial of second order")
         for name, weight in parts[powers].items():
-            found[name] += weight * coefficient
-    return found
+            result[name] += weight * coefficient
+    return result
 
 
 @dataclass(frozen=True)

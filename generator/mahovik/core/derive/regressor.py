@@ -32,10 +32,10 @@ def body_columns() -> sp.Matrix:
     V, rate = v.col_join(w), (d - cross(w) * v).col_join(a)
     inertia = Theta(sp.Symbol("m"), vector("b"), symmetric("J"))
     wrench = inertia * rate + Phi(V) * inertia * V
-    found = wrench.jacobian(sp.Matrix(BODY)).applyfunc(sp.expand)
-    if found.free_symbols & v.free_symbols:
+    result = wrench.jacobian(sp.Matrix(BODY)).applyfunc(sp.expand)
+    if result.free_symbols & v.free_symbols:
         raise ValueError("the wrench of a body depends on the velocity of its origin")
-    return found
+    return result
 
 
 def added_mass_columns() -> sp.Matrix:

@@ -38,13 +38,13 @@ LibraryKind = Literal["states", "batches", "tables"]
 
 def array_functions(generated: Generated, kind: LibraryKind = "batches") -> tuple[ArrayFunction, ...]:
     """Arguments and results of the functions of `array_files`; "tables" has second forms of those of "batches"."""
-    found = []
+    result = []
     for f in _functions(generated):
         wide = kind != "states" and row_of(f.name).batch
-        found.append(
+        result.append(
             ArrayFunction(f.name, f.purpose, wide, tuple(_argument_layout(a, generated, wide) for a in f.arguments))
         )
-    return tuple(found)
+    return tuple(result)
 
 
 def tables(generated: Generated) -> dict[str, tuple[Member, ...]]:
@@ -85,9 +85,9 @@ def _functions(generated: Generated) -> list[Function]:
     public = {f.name: f for f in generated.program.functions if f.public}
     rows = FUNCTIONS | CHOSEN
     offered = (name for name, row in rows.items() if row.python or row.needs == "held")
-    found = [public[name] for name in offered if name in public]
-    found += [f for name, f in public.items() if task_of(name) and row_of(name).python]
-    return [replace(f, arguments=tuple(a for a in f.arguments if a.name not in TURNS)) for f in found]
+    functions = [public[name] for name in offered if name in public]
+    functions += [f for name, f in public.items() if task_of(name) and row_of(name).python]
+    return [replace(f, arguments=tuple(a for a in f.arguments if a.name not in TURNS)) for f in functions]
 
 
 def _argument_layout(a: Argument, generated: Generated, wide: bool) -> ArgumentLayout:
@@ -111,12 +111,14 @@ def _order(a: Argument, generated: Generated, wide: bool) -> Order:
 def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     """Structs shared with Python, with the size that Python assumes."""
     real = np.dtype(generated.program.precision.scalar)
-    found = {generated.layout.parameters.name: generated.layout.parameters}
+    structs = {generated.layout.parameters.name: generated.layout.parameters}
     for f in _functions(generated):
         for a in f.arguments:
             if isinstance(a.type, Struct):
-                found[a.type.name] = a.type
-    return [{"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in found.values()]
+                structs[a.type.name] = a.type
+    return [
+        {"name": s.name, "type": names.type(s), "bytes": record(members(s), real).itemsize} for s in structs.values()
+    ]
 
 
 def _call(f: Function, generated: Generated, names: Names, wide: bool, each: bool) -> dict[str, Any]:

@@ -363,10 +363,10 @@ class Preparing:
 
 def reals(struct: Struct) -> int:
     """How many reals a struct has."""
-    found = 0
+    result = 0
     for f in struct.fields:
         each = reals(f.type) if isinstance(f.type, Struct) else int(f.type is Kind.REAL)
         for length in f.shape:
             each *= int(length)
-        found += each
-    return found
+        result += each
+    return result

@@ -159,8 +159,8 @@ class Code:
     @cached_property
     def casts(self) -> set[Kind]:
         """Kinds that bits are cast to."""
-        found = (e for f in self.program.functions for e in expressions(f.body))
-        return {e.kind for e in found if isinstance(e, BitCast)}
+        result = (e for f in self.program.functions for e in expressions(f.body))
+        return {e.kind for e in result if isinstance(e, BitCast)}
 
     @cached_property
     def chooses(self) -> bool:

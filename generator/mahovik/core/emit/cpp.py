@@ -35,7 +35,7 @@ def cpp_header(stand: Stand, generated: Generated) -> dict[str, str]:
     """The C++17 header of generated C, by its file name."""
     code = Code(generated.program, identities(stand))
     program, names = code.program, code.names
-    absent = "" if any(each.name == "inverse_options" for each in program.structs) else "default_options"
+    absent = "" if any(struct.name == "inverse_options" for struct in program.structs) else "default_options"
     listed = [
         (name.removeprefix(names.constant("")), value, meaning)
         for name, value, meaning in statuses(names, generated.layout, generated.part)
@@ -158,8 +158,10 @@ def _home_pose(stand: Stand, generated: Generated, code: Code) -> list[tuple[str
     """Members of a state and their values in C++ in the home pose of a held carrier; empty where a State begins so."""
     if stand.hold is None:
         return []
-    found: list[tuple[str, Sequence[float]]] = [("position", stand.hold.position)] if any(stand.hold.position) else []
+    home_pose: list[tuple[str, Sequence[float]]] = (
+        [("position", stand.hold.position)] if any(stand.hold.position) else []
+    )
     if any(stand.hold.angles):
         run = generated.values.interpreter.run
-        found.append(("attitude", run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]))
-    return [(name, ", ".join(map(code.real, values))) for name, values in found]
+        home_pose.append(("attitude", run("quaternion", {"angles": stand.hold.angles})[1]["attitude"]))
+    return [(name, ", ".join(map(code.real, values))) for name, values in home_pose]

@@ -119,8 +119,8 @@ def zeros_of(a: Argument, names: Names) -> str:
 
 def zeros(functions: Iterable[Function], names: Names) -> list[str]:
     """Definitions of these constants, without their value."""
-    found = {a.name: a for f in functions for a in optional(f)}
-    return [f"static const {names.declaration(zeros_of(a, names), a.type, a.shape)}" for a in found.values()]
+    arguments = {a.name: a for f in functions for a in optional(f)}
+    return [f"static const {names.declaration(zeros_of(a, names), a.type, a.shape)}" for a in arguments.values()]
 
 
 def pointer_arguments(function: Function) -> list[Argument]:
@@ -159,14 +159,14 @@ def purpose_with_number(function: Function) -> str:
 
 def operation_counts(function: Function, program: Program) -> str:
     """`1216 operations, 2 divisions.`: counts of real arithmetic by the program itself."""
-    found = cost(function, program.whole)
-    if not found.total:
+    result = cost(function, program.whole)
+    if not result.total:
         return "No operation on reals."
     divisions = {0: "no division", 1: "1 of them a division"}.get(
-        found.divisions, f"{found.divisions} of them divisions"
+        result.divisions, f"{result.divisions} of them divisions"
     )
-    noun = "operation" if found.total == 1 else "operations"
-    return f"At most {found.total} {noun} on reals, {divisions}."
+    noun = "operation" if result.total == 1 else "operations"
+    return f"At most {result.total} {noun} on reals, {divisions}."
 
 
 def _shape_text(a: Argument) -> str:

@@ -74,16 +74,16 @@ def drivers(program: Program) -> tuple[Driver, ...]:
     """All drivers of a stand: of each public function on each set, then of the routines and CHECKS."""
     public = [f.name for f in program.functions if f.public]
     known = {f.name for f in program.functions}
-    found = [Driver(name, kind) for name in public for kind in (NORMAL, ANY, BITS)]
-    return (*found, *(Driver(name, ROUTINE) for name in (*ROUTINES, *CHECKS) if name in known))
+    result = [Driver(name, kind) for name in public for kind in (NORMAL, ANY, BITS)]
+    return (*result, *(Driver(name, ROUTINE) for name in (*ROUTINES, *CHECKS) if name in known))
 
 
 def _angles(program: Program) -> dict[str, Any] | None:
     """Places of the angles of `sincos_each`; None where there is none."""
-    found = next((f for f in program.functions if f.name == "sincos_each"), None)
-    if found is None:
+    function = next((f for f in program.functions if f.name == "sincos_each"), None)
+    if function is None:
         return None
-    count = int(found.arguments[0].shape[0])
+    count = int(function.arguments[0].shape[0])
     return {"given": range(count), "last": count - 1}
 
 
@@ -185,11 +185,11 @@ class _Writer:
         """Arrays that a check looks at, how many of their numbers, their limit, and the next number after it."""
         state = f.arguments[0].type
         assert isinstance(state, Struct)
-        found = [
+        limits = [
             (f"{prefix}{name}", int(count), self._number(limit), self._above(limit))
             for name, count, limit in state_limits(state, self._code.precision)
         ]
-        return found + [("values", int(a.shape[0]), "limit", "above") for a in f.arguments if a.shape]
+        return limits + [("values", int(a.shape[0]), "limit", "above") for a in f.arguments if a.shape]
 
     def _number(self, limit: Const) -> str:
         return self._names.constant(limit.name) if limit.name else self._code.real(float(limit.value))
@@ -225,14 +225,14 @@ class _Writer:
 
     def _limits_given(self, f: Function) -> list[Const]:
         """Limits that callers give to a check, each once."""
-        found: dict[str, Const] = {}
+        constants: dict[str, Const] = {}
         for caller in self._code.program.functions:
             for e in expressions(caller.body):
                 if isinstance(e, Call) and e.signature.name == f.name:
                     limit = e.arguments[-1]
                     assert isinstance(limit, Const)
-                    found[limit.name] = limit
-        return list(found.values())
+                    constants[limit.name] = limit
+        return list(constants.values())
 
     # ---- inputs ----
 
@@ -249,8 +249,8 @@ class _Writer:
         if a.direction == "out":
             return
         if isinstance(a.type, Struct) and a.type.name == "mount_table":
-            given = self._names.function("default_parameters")
-            yield f"(void){self._names.function('prepare_mounts')}(&{given}, &{a.name});"
+            function = self._names.function("default_parameters")
+            yield f"(void){self._names.function('prepare_mounts')}(&{function}, &{a.name});"
         elif isinstance(a.type, Struct) and not a.shape:
             yield f"{self._fill(a.type, kind)}(&{a.name});"
         else:

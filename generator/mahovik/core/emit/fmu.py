@@ -209,9 +209,9 @@ class _Printer:
         structs = {
             s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs() if _reals(s)
         }
-        found = [(s.name, s, [row for f in s.fields if not f.of_hold for row in _read(f)]) for s in structs.values()]
-        found += [("laws", layout.table, rows)] if rows else []
-        return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in found]
+        readers = [(s.name, s, [row for f in s.fields if not f.of_hold for row in _read(f)]) for s in structs.values()]
+        readers += [("laws", layout.table, rows)] if rows else []
+        return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in readers]
 
     def _suspects(self) -> Iterator[dict[str, str]]:
         """Parameters that may be refused: member in C, the name of its body, and its place within that."""
@@ -315,7 +315,7 @@ def fmu_build(stand: Stand, compiled: Sequence[str]) -> str:
 
 
 def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> dict[str, Any]:
-    found = identities(stand)
+    hashes = identities(stand)
     shown = [(reference, v) for reference, v in enumerate(form.variables) if v.shown]
     references = unique(form.variables)
     index = {v.name: k + 1 for k, (_, v) in enumerate(shown)}
@@ -325,8 +325,8 @@ def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
     return {
         "name": stand.name,
         "described": describe_bodies(stand),
-        "structure": found.structure,
-        "physics": found.physics,
+        "structure": hashes.structure,
+        "physics": hashes.physics,
         "kind": KINDS[form.kind],
         "cs": form.kind == "cs",
         "compiled": compiled,

@@ -174,16 +174,16 @@ class _Harness:
     def _draws(self, f: Function) -> list[str]:
         """Names of what is drawn for a function, constants first: what prepare refuses is not used."""
         kinds = {a.type.name for a in f.arguments if isinstance(a.type, Struct) and a.direction != "out"}
-        found = []
+        draws = []
         if "parameters" in kinds:
-            found.append("parameters")
+            draws.append("parameters")
         elif kinds & {"table", "mount_table"}:
-            found.append("tables")
+            draws.append("tables")
         if "inverse_options" in kinds:
-            found.append("options")
+            draws.append("options")
         names = {a.name for a in self._inputs}
         named = [a for a in f.arguments if a.direction != "out" and a.name in names and a.name != test_inputs.COSINE]
-        return found + [a.name for a in sorted(named, key=lambda a: a.direction != "inout")]
+        return draws + [a.name for a in sorted(named, key=lambda a: a.direction != "inout")]
 
     def _mask(self, f: Function, negative: bool, more: tuple[str, ...] = ()) -> str:
         """Statuses that a function documents: a bit each of the negative ones, the positive ones together."""

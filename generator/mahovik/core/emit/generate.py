@@ -150,25 +150,25 @@ class _Printer:
         taken = {c.name for c in self._program.counts} | set(limits(self._program.precision))
         taken |= {x.name for x in constants(self._program.precision)}
         taken |= OF_STANDS | RESERVED | OF_PROGRAMMES
-        found = []
+        enums = []
         if layout.flywheels:
             names = list(layout.structure.flywheels)
             entries = self._names.enumerators(names, taken)
             taken |= {entry.removeprefix(self._names.constant("")) for entry in entries}
-            found.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
+            enums.append(self._enum(entries, layout.count.name, len(names), layout.count.comment))
         if layout.inputs:
             names = list(layout.inputs)
             entries = self._names.enumerators(names, taken, "WRENCH_")
             count = layout.input_count
-            found.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
-        for given in run_time_inputs(layout.structure):
-            entries = self._names.enumerators(given.names, taken, given.prefix)
-            found.append(self._enum(entries, given.count.name, len(given.names), given.count.comment))
+            enums.append(self._enum(entries, count.name, len(names), f"{count.comment}: six numbers each"))
+        for item in run_time_inputs(layout.structure):
+            entries = self._names.enumerators(item.names, taken, item.prefix)
+            enums.append(self._enum(entries, item.count.name, len(item.names), item.count.comment))
         if layout.sensors:
             entries = self._names.enumerators(list(layout.sensors), taken, "SENSOR_")
             count = layout.sensor_count
-            found.append(self._enum(entries, count.name, len(layout.sensors), count.comment))
-        return found
+            enums.append(self._enum(entries, count.name, len(layout.sensors), count.comment))
+        return enums
 
     def _enum(self, entries: list[str], count: str, value: int, comment: str) -> list[str]:
         text = f"enum {{ {', '.join(entries)}, {self._names.constant(count)} = {value} }};"
@@ -176,19 +176,21 @@ class _Printer:
 
     def _function(self, f: Function) -> dict[str, Any]:
         """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
-        found = self._code.function(f) | {"hook": self._names.constant("SQRT") if f.name == "sqrt" else ""}
-        return found | {"comment": comment_lines(f.equation or f.purpose)} if f.public else found
+        function = self._code.function(f) | {"hook": self._names.constant("SQRT") if f.name == "sqrt" else ""}
+        return function | {"comment": comment_lines(f.equation or f.purpose)} if f.public else function
 
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""
         layout, values = self._layout, self._values
-        found = [
+        constants = [
             ("default_parameters", layout.parameters, values.parameters, "of the stand file"),
             ("default", layout.table, values.table, "made of them"),
         ]
         if values.options is not None and layout.inverse_options in self._program.structs:
-            found.append(("default_options", layout.inverse_options, values.options, "of inverse, by the stand file"))
-        return found
+            constants.append(
+                ("default_options", layout.inverse_options, values.options, "of inverse, by the stand file")
+            )
+        return constants
 
     def _labels(self) -> dict[str, list[str]]:
         """Names of the rows of tables."""

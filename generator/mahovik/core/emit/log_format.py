@@ -66,10 +66,10 @@ def state_hash(members: Sequence[bytes], version: int = FORMAT) -> int:
     """
     if version == 1:
         return fnv1a_words(map(fnv1a, members))
-    data, found = b"".join(members), fnv1a(b"")
+    data, result = b"".join(members), fnv1a(b"")
     for (word,) in struct.iter_unpack("<I", data):
-        found = fnv1a_words([word], (found << 5 | found >> 27) & 0xFFFFFFFF)
-    return found
+        result = fnv1a_words([word], (result << 5 | result >> 27) & 0xFFFFFFFF)
+    return result
 
 
 def logged_members(layout: Layout) -> tuple[Field, ...]:
@@ -80,8 +80,8 @@ def logged_members(layout: Layout) -> tuple[Field, ...]:
 def table_bytes(layout: Layout, table: Mapping[str, Any]) -> bytes:
     """A table, given as plain data, as a start record holds it."""
     formats = _formats(layout)
-    found = (leaf for f in logged_members(layout) for leaf in leaves(f.type, f.shape, table[f.name]))
-    return b"".join(struct.pack(formats[kind], value) for kind, value in found)
+    result = (leaf for f in logged_members(layout) for leaf in leaves(f.type, f.shape, table[f.name]))
+    return b"".join(struct.pack(formats[kind], value) for kind, value in result)
 
 
 def table_from_bytes(layout: Layout, data: bytes, beside: Mapping[str, Any]) -> dict[str, Any]:

@@ -55,14 +55,14 @@ def with_manifest(stand: Stand, generated: Generated, files: Mapping[str, str], 
 
 def manifest_with(stand: Stand, real: str, files: Mapping[str, str], more: Mapping[str, Any]) -> str:
     """Manifest of any files of a stand, with more facts about them."""
-    found = identities(stand)
+    hashes = identities(stand)
     return as_text(
         {
             "format": FORMAT,
             "generator": f"mahovik {__version__}",
             "stand": stand.name,
-            "structure": found.structure,
-            "physics": found.physics,
+            "structure": hashes.structure,
+            "physics": hashes.physics,
             "real": real,
             **more,
             "files": {name: digest(files[name]) for name in sorted(files)},
@@ -92,8 +92,8 @@ def read_header(folder: Path, stand_name: str) -> Header | None:
     text = path.read_text(encoding="utf-8", errors="replace")
 
     def first_match(pattern: str) -> str | None:
-        found = re.search(pattern, text, re.MULTILINE)
-        return found[1] if found else None
+        match = re.search(pattern, text, re.MULTILINE)
+        return match[1] if match else None
 
     macro = f"^#define {stand_name.upper()}_"
     return Header(
@@ -105,11 +105,11 @@ def read_header(folder: Path, stand_name: str) -> Header | None:
 
 def spans(source: str, name: str) -> dict[str, tuple[int, int]]:
     """First and last line of every function defined in a stand's C, by its name without prefix."""
-    found = {}
+    result = {}
     attributes = r"^(?:\w+_CODE )?(?:\w+_APART )?(?:static )?(?:inline |\w+_COPIED )?"
     head = rf"\w+ {name}_(\w+)\([^;{{]*\)\n"
     definition = re.compile(attributes + head + r"\{\n.*?^\}\n", re.DOTALL | re.MULTILINE)
     for match in definition.finditer(source):
         first = source.count("\n", 0, match.start()) + 1
-        found[match[1]] = (first, first + match[0].count("\n") - 1)
-    return found
+        result[match[1]] = (first, first + match[0].count("\n") - 1)
+    return result

@@ -87,11 +87,11 @@ class Names:
     def enumerators(self, names: Sequence[str], taken: Iterable[str], prefix: str = "") -> list[str]:
         """Enumerators for bodies: the name in capitals; with its number where that is taken already."""
         used = set(taken) | set(STATUS_VALUES)
-        found = []
+        result = []
         for number, name in enumerate(names):
             candidate = prefix + name.upper()
             while candidate in used:
                 candidate = f"{candidate}_{number}"
             used.add(candidate)
-            found.append(self.constant(candidate))
-        return found
+            result.append(self.constant(candidate))
+        return result

@@ -71,7 +71,7 @@ def rename_files(files: dict[str, str], stand_name: str, called: str) -> dict[st
     pattern = re.compile(rf"\b({'|'.join(map(re.escape, names))})(?=_|\b)")
 
     def replace_names(text: str) -> str:
-        return pattern.sub(lambda found: names[found[0]], text)
+        return pattern.sub(lambda result: names[result[0]], text)
 
     return {replace_names(name): replace_names(text) for name, text in files.items()}
 
@@ -169,9 +169,9 @@ class _Printer:
         """The public function of a course, which passes on to the one that takes the table."""
         given = {a.name: a.name for a in course.inner.arguments}
         given["table"] = f"&{self._names.function(course.form.table.name)}_values"
-        found = self._code.function(replace(course.outer, body=()))
-        return found | {
-            "body": found["body"] + wrap_statement(f"return {call(self._names, course.inner, given)};", INDENT)
+        function = self._code.function(replace(course.outer, body=()))
+        return function | {
+            "body": function["body"] + wrap_statement(f"return {call(self._names, course.inner, given)};", INDENT)
         }
 
     def _answers(self, golden: GoldenCourse) -> dict[str, Any]:

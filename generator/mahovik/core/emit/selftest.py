@@ -152,7 +152,11 @@ class _SelfTest:
             text = "table"
         if a.optional:
             return f"(omitted < 0) ? NULL : {text}"
-        number = [each.name for each in f.arguments if is_pointer(each)].index(a.name) + 1 if is_pointer(a) else 0
+        number = (
+            [argument.name for argument in f.arguments if is_pointer(argument)].index(a.name) + 1
+            if is_pointer(a)
+            else 0
+        )
         return f"(omitted == {number}) ? NULL : {text}" if number and f.returns is Kind.STATUS else text
 
     # ---- trials ----
@@ -165,20 +169,20 @@ class _SelfTest:
     def _trials(self) -> dict[str, Any]:
         """Values of the template for the trials: statements of each change, and a row for each answer."""
         numbers = {f.name: k for k, f in enumerate(self._tested)}
-        changes = list(dict.fromkeys(tuple(each.changes.items()) for each in self._golden.trials))
-        values = {str(value) for each in changes for _, value in each}
+        changes = list(dict.fromkeys(tuple(trial.changes.items()) for trial in self._golden.trials))
+        values = {str(value) for trial in changes for _, value in trial}
         prepares, rows = "prepare" in numbers, []
-        for each in self._golden.trials:
+        for trial in self._golden.trials:
             words = [0] * (len(numbers) // 32 + 1)
-            for name in each.functions:
+            for name in trial.functions:
                 words[numbers[name] // 32] |= 1 << numbers[name] % 32
             called = ", ".join(f"0x{word:x}u" for word in words)
-            made = any(is_prepared(f, each.changes) for f in self._tested if f.name in each.functions)
+            made = any(is_prepared(f, trial.changes) for f in self._tested if f.name in trial.functions)
             prepared = f"{int(made)}, " if prepares else ""
-            at = changes.index(tuple(each.changes.items()))
-            rows.append(f"{{ {at}, {each.status}, {prepared}0x{each.hash:08x}u, {{ {called} }} }},")
+            at = changes.index(tuple(trial.changes.items()))
+            rows.append(f"{{ {at}, {trial.status}, {prepared}0x{trial.hash:08x}u, {{ {called} }} }},")
         return {
-            "changes": [[line for path, value in each for line in self._change(path, value)] for each in changes],
+            "changes": [[line for path, value in trial for line in self._change(path, value)] for trial in changes],
             "trials": rows,
             "specials": {_SPECIAL[x]: self._bits(float(x)) for x in _SPECIAL if x in values},
             "words": len(numbers) // 32 + 1,

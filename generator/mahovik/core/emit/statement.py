@@ -68,7 +68,7 @@ class Statements:
 
     def _element_run(self, body: of.Statements) -> list[str]:
         """Short assignments to elements of one array that follow one another, as text."""
-        found: list[str] = []
+        element_run: list[str] = []
         first: Set | None = None
         for statement in body:
             if not isinstance(statement, Set) or statement.comment or not statement.place.path:
@@ -80,8 +80,8 @@ class Statements:
             array = not isinstance(place.path[-1], str)
             if not same or not array or not self._siblings(place, first.place) or len(text) > _SHORT:
                 break
-            found.append(text)
-        return found
+            element_run.append(text)
+        return element_run
 
     def _siblings(self, a: Place, b: Place) -> bool:
         """Are both elements of the same array?"""
@@ -103,19 +103,19 @@ class Statements:
 
     def _plain_declarations(self, body: of.Statements, indent: str) -> list[Variable]:
         """Variables of one type that are declared one after the other, without a word, as far as a line has room."""
-        found: list[Variable] = []
+        variables: list[Variable] = []
         room = WIDTH - len(indent)
         for statement in body:
             if not isinstance(statement, Declare) or statement.comment:
                 break
             variable = statement.variable
-            if found and variable.type != found[0].type:
+            if variables and variable.type != variables[0].type:
                 break
-            room -= len(self._with_lengths(variable)) + 2 + (0 if found else len(self._names.type(variable.type)))
+            room -= len(self._with_lengths(variable)) + 2 + (0 if variables else len(self._names.type(variable.type)))
             if room < 0:
                 break
-            found.append(variable)
-        return found
+            variables.append(variable)
+        return variables
 
     def _statement(self, s: Statement, indent: str, declared: Declare | None) -> list[str]:
         """Lines of a statement; `declared`: the variable to which it gives the first value is declared by it."""
@@ -177,16 +177,16 @@ class Statements:
                 assert isinstance(e, Place)
                 uses[key] += 1
                 places[key] = e.root.place.member(key[1])[s.index.place]
-        found = {}
+        named_elements = {}
         for key, count in uses.items():
             if count >= _OFTEN:
                 place = places[key]
                 assert isinstance(place.type, Struct)
                 name, path = self._fresh(place.type.name), self._expressions.place(place)
                 const = "const " if self._constant[key[0]] else ""
-                found[key] = f"{const}{self._names.type(place.type)} *{name} = &{path};"
+                named_elements[key] = f"{const}{self._names.type(place.type)} *{name} = &{path};"
                 self._expressions.name_element(key, name)
-        return found
+        return named_elements
 
     def _braced(self, head: str, comment: str, lines: list[str], indent: str) -> list[str]:
         """A statement with its body in braces: on one line where the body is a statement and there is room."""

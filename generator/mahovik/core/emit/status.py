@@ -24,8 +24,8 @@ def statuses(names: Names, layout: Layout, part: Program | None) -> list[tuple[s
         "rank": _power(decided.rank),
         "lengths": ", ".join(_lengths(layout)),
     }
-    found = [each for each in STATUSES if each.name in occurring]
-    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in found]
+    result = [each for each in STATUSES if each.name in occurring]
+    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in result]
 
 
 def _lengths(layout: Layout) -> Iterator[str]:

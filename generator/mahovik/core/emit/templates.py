@@ -29,7 +29,7 @@ def environment() -> Environment:
     """
     from jinja2 import Environment, FileSystemLoader, StrictUndefined, select_autoescape  # most commands print no C
 
-    found = Environment(
+    result = Environment(
         loader=FileSystemLoader(folders()),
         undefined=StrictUndefined,
         autoescape=select_autoescape(["html", "html.j2"]),
@@ -43,12 +43,12 @@ def environment() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    found.globals["version"] = __version__
-    found.globals["release"] = [int(part) for part in re.findall(r"\d+", __version__)[:3]]
-    found.filters["indented"] = lambda lines, by: "\n".join(" " * by + line for line in lines)
-    found.filters["thousands"] = "{:,}".format
-    found.filters["wrapped"] = lambda text, by: "\n".join(wrap_statement(text, " " * by))
-    return found
+    result.globals["version"] = __version__
+    result.globals["release"] = [int(part) for part in re.findall(r"\d+", __version__)[:3]]
+    result.filters["indented"] = lambda lines, by: "\n".join(" " * by + line for line in lines)
+    result.filters["thousands"] = "{:,}".format
+    result.filters["wrapped"] = lambda text, by: "\n".join(wrap_statement(text, " " * by))
+    return result
 
 
 def template(name: str) -> Template:

@@ -87,25 +87,25 @@ def member(
 def record(of: Sequence[Member], real: np.dtype[Any]) -> np.dtype[Any]:
     """A record as NumPy lays it out, which is how C does."""
     types: list[tuple[str, Any, tuple[int, ...]]] = []
-    for each in of:
-        inner = {"real": real, "int": np.dtype(np.int32)}.get(each.kind)
-        types.append((each.name, record(each.members, real) if inner is None else inner, each.shape))
+    for member in of:
+        inner = {"real": real, "int": np.dtype(np.int32)}.get(member.kind)
+        types.append((member.name, record(member.members, real) if inner is None else inner, member.shape))
     return np.dtype(types, align=True)
 
 
 def fill_record(of: Sequence[Member], real: np.dtype[Any], value: Mapping[str, Any]) -> NDArray[Any]:
     """One record in an array of one, from dicts (records), lists (arrays) and numbers."""
-    found = np.zeros(1, dtype=record(of, real))
-    _fill(of, found[0], value)
-    return found
+    result = np.zeros(1, dtype=record(of, real))
+    _fill(of, result[0], value)
+    return result
 
 
 def _fill(of: Sequence[Member], place: Any, value: Mapping[str, Any]) -> None:
-    for each in of:
-        if each.kind != "record":
-            place[each.name] = value[each.name]
-        elif each.shape:
-            for i, inner in enumerate(value[each.name]):
-                _fill(each.members, place[each.name][i], inner)
+    for member in of:
+        if member.kind != "record":
+            place[member.name] = value[member.name]
+        elif member.shape:
+            for i, inner in enumerate(value[member.name]):
+                _fill(member.members, place[member.name][i], inner)
         else:
-            _fill(each.members, place[each.name], value[each.name])
+            _fill(member.members, place[member.name], value[member.name])

@@ -82,18 +82,18 @@ class _Counter:
         return sum((self._statement(s, bound) for s in body), ZERO)
 
     def _statement(self, s: Statement, bound: dict[str, int]) -> Cost:
-        found = sum((self._expr(e, bound) for e in own(s)), ZERO)
+        cost = sum((self._expr(e, bound) for e in own(s)), ZERO)
         match s:
             case Set(_, value, _, True) if value.kind is Kind.REAL:
-                return found + Cost(additions=1)
+                return cost + Cost(additions=1)
             case Block(body):
                 return self.block(body, bound)
             case Loop():
-                return found + self._loop(s, bound)
+                return cost + self._loop(s, bound)
             case When(_, body, otherwise):
                 one, two = self.block(body, bound), self.block(otherwise, bound)
-                return found + (one if one.total >= two.total else two)
-        return found
+                return cost + (one if one.total >= two.total else two)
+        return cost
 
     def _loop(self, loop: Loop, bound: dict[str, int]) -> Cost:
         """Turns times body; turn by turn where an inner loop's bounds depend on the index."""
@@ -106,18 +106,18 @@ class _Counter:
         return self.block(loop.body, bound).times(max(0, stop - start))
 
     def _expr(self, e: Expr, bound: dict[str, int]) -> Cost:
-        found = sum((self._expr(part, bound) for part in e.operands if not isinstance(e, Place)), ZERO)
+        cost = sum((self._expr(part, bound) for part in e.operands if not isinstance(e, Place)), ZERO)
         match e:
             case Binary() if e.kind is Kind.REAL:
-                return found + {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
+                return cost + {"+": Cost(1), "-": Cost(1), "*": Cost(0, 1), "/": Cost(0, 0, 1)}[e.operator]
             case Compare() if e.left.kind is Kind.REAL:
-                return found + Cost(comparisons=1)
+                return cost + Cost(comparisons=1)
             case Select() if e.kind is Kind.REAL:
-                return found + Cost(comparisons=1)
+                return cost + Cost(comparisons=1)
             case Call():
                 known = {p.name: int(a.value) for p, a in e.pairs if isinstance(a, Const) and a.kind is Kind.INT}
-                return found + self.call(e.signature.name, known)
-        return found
+                return cost + self.call(e.signature.name, known)
+        return cost
 
 
 def _names_in_bounds(body: Statements) -> set[str]:
@@ -170,10 +170,10 @@ def stack_bound(function: Function, program: Program) -> int:
 @lru_cache(maxsize=8)
 def _depths(program: Program) -> dict[str, int]:
     """Stack of the deepest chain of calls from each function, bytes. Functions come after those that they call."""
-    found: dict[str, int] = {}
+    depths: dict[str, int] = {}
     for function in program.whole:
-        found[function.name] = _deepest(function, program.precision.width // 8, found)
-    return found
+        depths[function.name] = _deepest(function, program.precision.width // 8, depths)
+    return depths
 
 
 def _deepest(function: Function, width: int, below: dict[str, int]) -> int:

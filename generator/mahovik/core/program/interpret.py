@@ -98,9 +98,9 @@ class Interpreter:
         storage = {a.name: self.argument(a, inputs.get(a.name)) for a in function.arguments}
         value = self.call(name, *storage.values())
         boxes = {a.name for a in function.arguments if _is_box(a.variable)}
-        found = {name: place[0] if name in boxes else place for name, place in storage.items()}
-        results = [a.name for a in function.arguments if a.direction != "in" and found[a.name] is not None]
-        return value, {name: plain(found[name]) for name in results}
+        result = {name: place[0] if name in boxes else place for name, place in storage.items()}
+        results = [a.name for a in function.arguments if a.direction != "in" and result[a.name] is not None]
+        return value, {name: plain(result[name]) for name in results}
 
 
 def new_value(type_: Kind | Struct, shape: tuple[Any, ...], precision: Precision) -> Any:
@@ -149,13 +149,13 @@ def _number(precision: Precision) -> Any:
 
 
 def _word_of_double(x: float) -> int:
-    found: int = unpack("<Q", pack("<d", x))[0]
-    return found
+    word: int = unpack("<Q", pack("<d", x))[0]
+    return word
 
 
 def _double_of_word(w: int) -> float:
-    found: float = unpack("<d", pack("<Q", w))[0]
-    return found
+    result: float = unpack("<d", pack("<Q", w))[0]
+    return result
 
 
 def _function_name(name: str) -> str:

@@ -143,22 +143,22 @@ class _Rewriting:
         return replace(function, arguments=arguments, body=body, **_NO_STATUS)
 
     def _body(self, body: Statements) -> Statements:
-        found: list[Statement] = []
+        statements: list[Statement] = []
         looks: list[Call] = []
         for call, s in _checks(body):
             other = s if isinstance(s, Return) and isinstance(s.value, Status) else None
             if call is not None and other is None and self._probes and _only_looks(call.signature):
                 looks.append(call)
                 continue
-            found += self._merge_probes(looks)
+            statements += self._merge_probes(looks)
             looks = []
             if call is None:
-                found += self._statement(s)
+                statements += self._statement(s)
             elif other is not None and self._may_refuse(call):
-                found += self._rename_status(call, other)
+                statements += self._rename_status(call, other)
             else:
-                found.append(self._do(call))
-        return (*found, *self._merge_probes(looks))
+                statements.append(self._do(call))
+        return (*statements, *self._merge_probes(looks))
 
     def _do(self, call: Call, refused: Place | None = None) -> Do:
         signature, arguments = self._done[call.signature.name].signature, call.arguments

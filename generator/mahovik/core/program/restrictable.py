@@ -36,8 +36,8 @@ def _overlapping(caller: Function, call: Call, found: set[tuple[str, str]]) -> I
     for parameter, value in passed:
         if parameter.direction == "in" or not isinstance(value, Place):
             continue
-        others = [v for p, v in passed if p is not parameter and isinstance(v, Place) and _by_address(p)]
-        if any(_may_overlap(caller, value, other, found) for other in others):
+        places = [v for p, v in passed if p is not parameter and isinstance(v, Place) and _by_address(p)]
+        if any(_may_overlap(caller, value, other, found) for other in places):
             yield parameter.name
 
 
@@ -46,7 +46,7 @@ def _by_address(parameter: Argument) -> bool:
     return bool(parameter.shape) or parameter.variable.pointer
 
 
-def _may_overlap(caller: Function, one: Place, two: Place, found: set[tuple[str, str]]) -> bool:
+def _may_overlap(caller: Function, one: Place, two: Place, result: set[tuple[str, str]]) -> bool:
     if one.root is two.root:
         return not _disjoint(one.path, two.path)
     arguments = {id(a.variable): a for a in caller.arguments}
@@ -54,7 +54,7 @@ def _may_overlap(caller: Function, one: Place, two: Place, found: set[tuple[str,
         return False
     if caller.public:
         return any(arguments[id(place.root)].overlaps for place in (one, two))
-    return not any((caller.name, place.root.name) in found for place in (one, two))
+    return not any((caller.name, place.root.name) in result for place in (one, two))
 
 
 def _disjoint(one: tuple[str | Expr, ...], two: tuple[str | Expr, ...]) -> bool:

@@ -205,10 +205,10 @@ class _ShortLoops:
         """
         kept: list[Statement] = []
         for s in body:
-            found = self._statement(s, meanings, moved)
-            if not found and isinstance(s, Loop) and kept and isinstance(kept[-1], Note):
+            statement = self._statement(s, meanings, moved)
+            if not statement and isinstance(s, Loop) and kept and isinstance(kept[-1], Note):
                 kept.pop()
-            for new in found:
+            for new in statement:
                 if kept and _is_overwritten(kept[-1], new):
                     kept.pop()
                 kept.append(new)
@@ -281,9 +281,9 @@ def _are_same(a: Place, b: Place) -> bool:
 def restrict_program(program: Program, names: Collection[str], kept: Collection[str]) -> Program:
     """The program with the public functions `names`, and those that they call; structs of `kept` stay as well."""
     functions = reachable(tuple(f if f.name in names else replace(f, public=False) for f in program.functions))
-    found = {struct for f in functions for struct in _used_structs(f)}
-    found |= {held for struct in program.structs if struct.name in kept for held in struct.inner_structs()}
-    return replace(program, functions=functions, structs=tuple(s for s in program.structs if s in found))
+    structs = {struct for f in functions for struct in _used_structs(f)}
+    structs |= {held for struct in program.structs if struct.name in kept for held in struct.inner_structs()}
+    return replace(program, functions=functions, structs=tuple(s for s in program.structs if s in structs))
 
 
 def _used_structs(f: Function) -> set[Struct]:

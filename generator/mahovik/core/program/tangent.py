@@ -282,15 +282,15 @@ class _Pass:
         body = tuple(self._block(self._function.body))
         inputs = [a for a in self._function.arguments if a.direction == "in"]
         local = [Declare(a.variable) for a in self._results if a.direction == "out"]
-        found = Function(name, purpose, (*inputs, *arguments, *results), (*local, *body), self._function.equation)
+        result = Function(name, purpose, (*inputs, *arguments, *results), (*local, *body), self._function.equation)
         kept = {id(a.variable) for a in results}
         before = 0
-        while before != (before := len(list(statements(found.body)))):
-            found = prune(replace(found, body=_tidy(_without_idle(found.body, kept))))
-        used = used_variables(found.body)
+        while before != (before := len(list(statements(result.body)))):
+            result = prune(replace(result, body=_tidy(_without_idle(result.body, kept))))
+        used = used_variables(result.body)
         if any(a.direction == "inout" and id(a.variable) in used for a in self._results):
             raise TypeError(f"{name} needs what {self._function.name} adds to its results")
-        return found
+        return result
 
     # -- what changes ------------------------------------------------------------------------------------------------
 

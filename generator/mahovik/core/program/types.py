@@ -117,11 +117,11 @@ class Struct:
 
     def inner_structs(self) -> Iterator[Struct]:
         """The structs that it holds, directly or not, each after those that it holds itself; it comes last."""
-        found: dict[str, Struct] = {}
+        structs: dict[str, Struct] = {}
         for f in self.fields:
             if isinstance(f.type, Struct):
-                found |= {struct.name: struct for struct in f.type.inner_structs() if struct.name not in found}
-        yield from found.values()
+                structs |= {struct.name: struct for struct in f.type.inner_structs() if struct.name not in structs}
+        yield from structs.values()
         yield self
 
 

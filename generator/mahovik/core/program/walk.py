@@ -109,8 +109,8 @@ def rebuilt(e: Expr, leaf: Leaf, call: Callable[[Call], Expr] | None = None) -> 
     if isinstance(e, Place):
         steps = tuple(again(step) if isinstance(step, Expr) else step for step in e.path)
         return leaf(Place(e.root, steps, e.type, e.shape))
-    found = e.with_operands(again)
-    return call(found) if call is not None and isinstance(found, Call) else found
+    expression = e.with_operands(again)
+    return call(expression) if call is not None and isinstance(expression, Call) else expression
 
 
 def substitution(meanings: Mapping[int, Expr]) -> Leaf:
@@ -140,13 +140,13 @@ def without_missing(function: Function) -> Function:
     """The function for callers who leave out what may be missing: without these arguments and what looks at them."""
 
     def block(body: Statements) -> Statements:
-        found: list[Statement] = []
+        statements: list[Statement] = []
         for s in body:
             if isinstance(s, When) and isinstance(s.condition, Given):
-                found += block(s.otherwise)
+                statements += block(s.otherwise)
             else:
-                found.append(with_blocks(s, block))
-        return tuple(found)
+                statements.append(with_blocks(s, block))
+        return tuple(statements)
 
     kept = tuple(a for a in function.arguments if a.optional != "missing")
     return function if kept == function.arguments else replace(function, arguments=kept, body=block(function.body))

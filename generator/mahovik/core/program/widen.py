@@ -203,42 +203,42 @@ class _Widening:
 
     def _select(self, body: Statements, where: Expr | None) -> list[Statement]:
         """Statements under the condition `where` that varies, without conditions that vary."""
-        found: list[Statement] = []
+        statements: list[Statement] = []
         for s in body:
             match s:
                 case Set(place, value) if where is not None and not self._is_own(place, where):
                     new = place + value if s.add else value
-                    found.append(Set(place, select(where, new, place), s.comment))
+                    statements.append(Set(place, select(where, new, place), s.comment))
                 case Set(place):
                     self._unset.discard(id(place.root))
-                    found.append(s)
+                    statements.append(s)
                 case When(condition) if self._varying.expression(condition):
-                    found += self._when(s, where)
+                    statements += self._when(s, where)
                 case When(condition) if where is not None and not _on_ints(condition):
-                    found += self._when(s, where)
+                    statements += self._when(s, where)
                 case When() if where is None:
                     yes, no = self._select(s.body, None), self._select(s.otherwise, None)
-                    found.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
+                    statements.append(replace(s, body=tuple(yes), otherwise=tuple(no)))
                 case Loop() if where is None:
                     # What was declared before the loop may have a value from the turn before.
                     before, self._unset = self._unset, set()
-                    found.append(replace(s, body=tuple(self._select(s.body, None))))
+                    statements.append(replace(s, body=tuple(self._select(s.body, None))))
                     self._unset = before
                 case Declare(variable):
                     if variable.written:  # its first value is every state's: none reads it before its own
                         self._unset.add(id(variable))
                     self._scopes[id(variable)] = where
-                    found.append(s)
+                    statements.append(s)
                 case Let() | Note():
-                    found.append(s)
+                    statements.append(s)
                 case Do(call) if where is None:
                     self._unset -= {id(a.root) for a in call.arguments if isinstance(a, Place)}
-                    found.append(s)
+                    statements.append(s)
                 case Copy() if where is None:
-                    found.append(s)
+                    statements.append(s)
                 case _:
                     raise TypeError(f"{self._narrow.name}: {type(s).__name__} under a condition that varies")
-        return found
+        return statements
 
     def _is_own(self, place: Place, where: Expr) -> bool:
         """May all states set a variable where it has no value yet, or where only states under `where` ever read it?"""
@@ -254,11 +254,11 @@ class _Widening:
             return self._select(s.body, condition)
         kept = Let(Variable(self._fresh("where"), Kind.BOOL), condition)
         self._varying.add(kept.variable)
-        found: list[Statement] = [kept, *self._select(s.body, kept.variable.place)]
+        statements: list[Statement] = [kept, *self._select(s.body, kept.variable.place)]
         if s.otherwise:
             otherwise: Expr = Not(kept.variable.place)
-            found += self._select(s.otherwise, otherwise if where is None else and_(where, otherwise))
-        return found
+            statements += self._select(s.otherwise, otherwise if where is None else and_(where, otherwise))
+        return statements
 
     def _anywhere(self, s: When) -> list[Statement]:
         """Calls that do nothing but refuse, of every state that they have to: done for all where one state needs it."""
@@ -368,8 +368,8 @@ class _Widening:
         return self._variables[id(v)]
 
     def _expr(self, e: Expr, lane: Place | None) -> Expr:
-        found = rebuilt(e, lambda place: self._leaf(place, lane))
-        return found if lane is None else _without_branches(found)
+        expression = rebuilt(e, lambda place: self._leaf(place, lane))
+        return expression if lane is None else _without_branches(expression)
 
     def _leaf(self, place: Place, lane: Place | None) -> Place:
         """A place after its root has become wide; for a scalar, its element at `lane`."""
@@ -436,7 +436,7 @@ def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) 
         value = values.get(_key(place) or ())
         return place if value is None else value.place
 
-    found: list[Statement] = []
+    statements: list[Statement] = []
     for s in body:
         key = _key(s.place) if isinstance(s, Set) else None
         if isinstance(s, Set) and key in scalars:
@@ -444,11 +444,11 @@ def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) 
             if s.add:
                 new = values[key].place + new
             values[key] = Variable(name(_name(s.place)), s.place.kind)
-            found.append(Let(values[key], new, s.comment))
+            statements.append(Let(values[key], new, s.comment))
         else:
-            found.append(with_own(s, lambda e: rebuilt(e, leaf)))
+            statements.append(with_own(s, lambda e: rebuilt(e, leaf)))
     stores = (Set(place, values[key].place) for key, place in scalars.items() if key in values)
-    return (*found, *stores)
+    return (*statements, *stores)
 
 
 def _scalars(body: Sequence[Statement], lane: Variable) -> dict[Key, Place]:

@@ -61,12 +61,12 @@ class Envelope:
         along = along / np.linalg.norm(along)
         if not self.facets:
             return self._along_the_line(along)
-        found = math.inf
+        result = math.inf
         for facet in self.facets:
             share = abs(float(np.dot(facet.normal, along)))
             if share > _PARALLEL:
-                found = min(found, facet.distance / share)
-        return found if math.isfinite(found) else self._in_the_plane(along)
+                result = min(result, facet.distance / share)
+        return result if math.isfinite(result) else self._in_the_plane(along)
 
     def vertices(self, facet: Facet) -> Array:
         """Corners of a facet (M, 3), in order about its normal."""
@@ -87,13 +87,13 @@ class Envelope:
         """The vectors lie in one plane, and `along` in it: the edges of the polygon."""
         normal = np.array(self.facets[0].normal)
         columns = np.array(self.vectors)
-        found = math.inf
+        result = math.inf
         for column in columns[np.linalg.norm(columns, axis=1) > 0.0]:
             edge = np.cross(normal, column / np.linalg.norm(column))
             share = abs(float(edge @ along))
             if share > _PARALLEL:
-                found = min(found, float(np.abs(columns @ edge).sum()) / share)
-        return found
+                result = min(result, float(np.abs(columns @ edge).sum()) / share)
+        return result
 
 
 def envelope(vectors: Array) -> Envelope:
@@ -109,15 +109,15 @@ def envelope(vectors: Array) -> Envelope:
         across = _vec3(_forward(axes[2]))
         plane = (Facet(across, 0.0, tuple(int(k) for k in there)),) if rank == 2 else ()
         return Envelope(_rows(columns), plane, 0.0, (across,))
-    found = _facets(columns, {int(k): columns[k] / lengths[k] for k in there})
-    radius = min(facet.distance for facet in found)
+    facets = _facets(columns, {int(k): columns[k] / lengths[k] for k in there})
+    radius = min(facet.distance for facet in facets)
     least = radius + _EQUAL * float(lengths.sum())
-    return Envelope(_rows(columns), found, radius, tuple(facet.normal for facet in found if facet.distance <= least))
+    return Envelope(_rows(columns), facets, radius, tuple(facet.normal for facet in facets if facet.distance <= least))
 
 
 def _facets(columns: Array, units: dict[int, Array]) -> tuple[Facet, ...]:
     """Facets of vectors that span space; `units`: the directions of those that are not zero."""
-    found: dict[tuple[int, ...], Facet] = {}
+    facets: dict[tuple[int, ...], Facet] = {}
     directions = np.array(list(units.values()))
     for i, j in combinations(_different(units), 2):
         normal = np.cross(units[i], units[j])
@@ -127,11 +127,11 @@ def _facets(columns: Array, units: dict[int, Array]) -> tuple[Facet, ...]:
         normal = _forward(normal / size)
         flat = np.abs(directions @ normal) <= _PARALLEL
         inside = tuple(sorted({*(k for k, is_inside in zip(units, flat, strict=True) if is_inside), i, j}))
-        if inside not in found:
+        if inside not in facets:
             outside = [k for k in units if k not in inside]
             distance = float(np.abs(columns[outside] @ normal).sum())
-            found[inside] = Facet(_vec3(normal), distance, inside)
-    return tuple(found.values())
+            facets[inside] = Facet(_vec3(normal), distance, inside)
+    return tuple(facets.values())
 
 
 def _different(units: dict[int, Array]) -> list[int]:
@@ -204,10 +204,10 @@ def _momentum(flywheel: Flywheel) -> float | None:
 
 def _capacity(stand: Stand, each: list[float | None]) -> Capacity:
     columns = _columns(stand, each)
-    found = envelope(columns)
-    alone = vec3(np.array([found.reach(axis) for axis in np.eye(3)]))
+    capacity = envelope(columns)
+    alone = vec3(np.array([capacity.reach(axis) for axis in np.eye(3)]))
     total = float(np.linalg.norm(columns, axis=1).sum())
-    return Capacity(tuple(each), vec3(np.abs(columns).sum(axis=0)), alone, total, found.radius, found)
+    return Capacity(tuple(each), vec3(np.abs(columns).sum(axis=0)), alone, total, capacity.radius, capacity)
 
 
 def _columns(stand: Stand, each: list[float | None]) -> Array:

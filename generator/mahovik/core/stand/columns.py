@@ -106,8 +106,8 @@ def _by_sample(function: Callable[..., float], *numbers: Any) -> Any:
     if not columns:
         return function(*numbers)
     n = len(columns[0].values)
-    found = np.fromiter(map(function, *(values_of(x, n).tolist() for x in numbers)), np.float64, n)
-    return Column(found, columns[0].run, _keys(columns))
+    by_sample = np.fromiter(map(function, *(values_of(x, n).tolist() for x in numbers)), np.float64, n)
+    return Column(by_sample, columns[0].run, _keys(columns))
 
 
 def numbers(value: Any) -> Iterator[Any]:

@@ -33,7 +33,7 @@ def content(path: Path, most: int = TEXT) -> bytes:
 
     Of a file that is not there it says which one beside it, of the same kind, may be meant.
     """
-    found = bytearray()
+    result = bytearray()
     try:
         opened = path.open("rb")
     except FileNotFoundError:
@@ -43,10 +43,10 @@ def content(path: Path, most: int = TEXT) -> bytes:
         raise FileNotFoundError(errno.ENOENT, f"no such file{meant}", str(path)) from None
     with opened as file:
         while piece := file.read(_PIECE):
-            found += piece
-            if len(found) > most:
+            result += piece
+            if len(result) > most:
                 raise OSError(errno.EFBIG, f"larger than {most >> 20} MB", str(path))
-    return bytes(found)
+    return bytes(result)
 
 
 def readable(path: Path, expected: str) -> bytes:

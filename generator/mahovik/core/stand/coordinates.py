@@ -87,7 +87,7 @@ def coordinates_of(stand: Stand) -> Coordinates:
         found = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion to be planned"
         raise StandError([f"{stand.name}: hold: {found}; expected a closed set, of which `mahovik check` tells"])
     dimensions = {"slide": LENGTH, "turn": ANGLE, "twist": PLAIN}
-    kinds = tuple(dimensions[each.kind] for each in hold.freedoms)
+    kinds = tuple(dimensions[freedom.kind] for freedom in hold.freedoms)
     return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles), tuple(freedom_words(hold)))
 
 

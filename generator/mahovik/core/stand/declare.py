@@ -195,17 +195,17 @@ class Declared:
     def annotations(cls) -> dict[str, tuple[Any, ...]]:
         """Type of each field, and what is said of it."""
         hints = typing.get_type_hints(cls, include_extras=True)
-        found = {f.name: hints[f.name] for f in fields(cls)}  # type: ignore[arg-type]  # every subclass is a dataclass
+        result = {f.name: hints[f.name] for f in fields(cls)}  # type: ignore[arg-type]  # every subclass is a dataclass
         return {
             name: (hint.__origin__, *hint.__metadata__) if hasattr(hint, "__metadata__") else (hint,)
-            for name, hint in found.items()
+            for name, hint in result.items()
         }
 
     @classmethod
     def marked(cls, kind: type[Mark]) -> dict[str, Mark]:
         """What is said of fields in a word of one kind, by their names."""
         every = ((name, [x for x in said if isinstance(x, kind)]) for name, said in cls.annotations().items())
-        return {name: found[0] for name, found in every if found}
+        return {name: result[0] for name, result in every if result}
 
     @classmethod
     @cache
@@ -243,14 +243,14 @@ class Declared:
     def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI."""
         readers, defaults = self.marked(QuantityValidator), self.marked(Default)
-        found: dict[str, Any] = {}
+        result: dict[str, Any] = {}
         for name in self.annotations():
             value = getattr(self, name)
             left_out = name in defaults and not defaults[name].written and value == defaults[name].value
             if name in self.table().model_fields and value is not None and not left_out:
                 write = readers[name].write if name in readers else None
-                found[name] = _in_file(write(value) if write else value)
-        return found
+                result[name] = _in_file(write(value) if write else value)
+        return result
 
     @classmethod
     def random(cls, draw: Draw, of: Size = Size()) -> Self:

@@ -116,14 +116,14 @@ def _residual(W: Array, down: Array, phases: Array, derivative: int) -> Array:
 def _turns(phases: Array, derivative: int = 0) -> Array:
     """diag(C1, C1) of each phase (..., 6, 6), or its derivative by the phase."""
     c, s = np.cos(phases), np.sin(phases)
-    found = np.zeros((*phases.shape, 6, 6))
+    turns = np.zeros((*phases.shape, 6, 6))
     if derivative:
         c, s = -s, c
     for block in (0, 3):
-        found[..., block, block] = 0.0 if derivative else 1.0
-        found[..., block + 1, block + 1] = found[..., block + 2, block + 2] = c
-        found[..., block + 1, block + 2], found[..., block + 2, block + 1] = -s, s
-    return found
+        turns[..., block, block] = 0.0 if derivative else 1.0
+        turns[..., block + 1, block + 1] = turns[..., block + 2, block + 2] = c
+        turns[..., block + 1, block + 2], turns[..., block + 2, block + 1] = -s, s
+    return turns
 
 
 def _lowest(constant: Array, rows: Array) -> tuple[Array, Array]:

@@ -116,8 +116,8 @@ class Moments:
 def moments_of(raw: Mapping[str, Any]) -> Moments:
     """Moments of inertia of a valid table of a body, as it stands in the file."""
     given = {key: raw[key] for key in KEYS if key in raw}
-    found = [unit for unit in map(unit_of, given.values()) if unit]
+    moments = [unit for unit in map(unit_of, given.values()) if unit]
     place = ", ".join(f"{key} = {as_written(value, INERTIA.si)}" for key, value in given.items())
     return Moments(
-        place if place and len(place) <= _LONGEST else KEYS[0], found[-1] if found else INERTIA.si, not found
+        place if place and len(place) <= _LONGEST else KEYS[0], moments[-1] if moments else INERTIA.si, not moments
     )

@@ -70,10 +70,10 @@ def vec3(raw: Any, dimension: Dimension) -> Vec3:
 
 def direction(raw: Any) -> Vec3:
     """A direction of any length but zero, without unit."""
-    found = vec3(raw, PLAIN)
-    if not any(found):
+    result = vec3(raw, PLAIN)
+    if not any(result):
         raise QuantityError("[0, 0, 0] has no direction")
-    return found
+    return result
 
 
 def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:

@@ -139,17 +139,17 @@ class Hold(Declared):
 
     def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI; without a pivot that nothing turns about."""
-        kinds = [each.kind for each in self.freedoms]
-        found: dict[str, Any]
+        kinds = [freedom.kind for freedom in self.freedoms]
+        result: dict[str, Any]
         if kinds and kinds[0] == "twist":
-            found = {"basis": [each.twist for each in self.freedoms]}
+            result = {"basis": [freedom.twist for freedom in self.freedoms]}
         elif len(kinds) == 1 and self.freedoms[0] not in _NAMES:
-            found = {"axis" if kinds[0] == "turn" else "slide": self.freedoms[0].direction}
+            result = {"axis" if kinds[0] == "turn" else "slide": self.freedoms[0].direction}
         else:
-            found = {"freedoms": [_NAMES[each] for each in self.freedoms]}
+            result = {"freedoms": [_NAMES[freedom] for freedom in self.freedoms]}
         if kinds and kinds[0] != "twist" and any(self.pivot):
-            found["pivot"] = self.pivot
-        return found | {"position": self.position, "angles": self.angles}
+            result["pivot"] = self.pivot
+        return result | {"position": self.position, "angles": self.angles}
 
 
 def kinds(hold: Hold) -> tuple[str, ...]:
@@ -164,7 +164,7 @@ def twists(hold: Hold) -> Array:
 
 def twist_columns(hold: Hold) -> list[list[Any]]:
     """Columns of S, six numbers each; of many samples the pivot may have columns of numbers in place of numbers."""
-    return [_twist(each, hold.pivot) for each in hold.freedoms]
+    return [_twist(freedom, hold.pivot) for freedom in hold.freedoms]
 
 
 def _twist(freedom: Freedom, pivot: Vec3) -> list[Any]:
@@ -200,11 +200,11 @@ def wrench_columns(hold: Hold) -> list[list[Any]]:
     if any(freedom.kind == "twist" for freedom in hold.freedoms):
         columns: list[list[Any]] = _dual(twists(hold)).T.tolist()
         return columns
-    found = []
+    result = []
     for freedom in hold.freedoms:
-        own = _twist(freedom, ZERO3)
-        found.append([*own[:3], *(a + b for a, b in zip(own[3:], _cross(hold.pivot, own[:3]), strict=True))])
-    return found
+        twist = _twist(freedom, ZERO3)
+        result.append([*twist[:3], *(a + b for a, b in zip(twist[3:], _cross(hold.pivot, twist[:3]), strict=True))])
+    return result
 
 
 def _dual(S: Array) -> Array:

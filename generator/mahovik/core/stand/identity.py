@@ -59,8 +59,8 @@ def identities(stand: Stand) -> Identities:
 def _without_defaults(law: BodyLaw) -> dict[str, Any]:
     """The data of a law of a body without newer members at their default, as in a file without their keys."""
     defaults = {f.name: f.default for f in fields(law) if f.name in law.newer}
-    found = asdict(law)
-    return {name: value for name, value in found.items() if name not in defaults or value != defaults[name]}
+    result = asdict(law)
+    return {name: value for name, value in result.items() if name not in defaults or value != defaults[name]}
 
 
 def _digest(value: Any) -> str:

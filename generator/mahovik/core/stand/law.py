@@ -133,11 +133,11 @@ class CarrierLaw(Law):
     def read(cls, header: Table | None, tables: Sequence[Table]) -> Self | None:
         """The data of the valid tables; None where they do nothing."""
         if cls.item is None:
-            found = [cls.of_table(table) for table in tables]
+            result = [cls.of_table(table) for table in tables]
         else:
             given = {name: getattr(header, name) for name in cls.header if header is not None}
-            found = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
-        return next((law for law in found if law.acts), None)
+            result = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
+        return next((law for law in result if law.acts), None)
 
     @classmethod
     def of_parts(cls, stand: Stand, raw: Any, tables: dict[str, list[Any]], note: Note) -> Stand:

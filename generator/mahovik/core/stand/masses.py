@@ -53,9 +53,9 @@ def transfer(position: Array, C: Array) -> Array:
 
 def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
     """[[A, B], [C, D]] (6, 6) of four 3x3. As np.block, which takes ten times as long."""
-    found: Array = np.empty((6, 6))
-    found[:3, :3], found[:3, 3:], found[3:, :3], found[3:, 3:] = A, B, C, D
-    return found
+    statements: Array = np.empty((6, 6))
+    statements[:3, :3], statements[:3, 3:], statements[3:, :3], statements[3:, 3:] = A, B, C, D
+    return statements
 
 
 def _axes(flywheel: Flywheel) -> Array:
@@ -137,20 +137,20 @@ class MassProperties:
 
 def placed_bodies(stand: Stand) -> list[PlacedBody]:
     """All bodies of a stand in E1, in its order."""
-    found = ((body, *pose(stand, body)) for body in stand.bodies)
-    return [PlacedBody(body, origin, C, origin + C @ np.array(body.center_of_mass)) for body, origin, C in found]
+    result = ((body, *pose(stand, body)) for body in stand.bodies)
+    return [PlacedBody(body, origin, C, origin + C @ np.array(body.center_of_mass)) for body, origin, C in result]
 
 
 def mass_properties(stand: Stand) -> MassProperties:
     """Mass properties of a stand of mass > 0."""
     bodies = placed_bodies(stand)
-    mass = math.fsum(each.body.mass for each in bodies)
-    center: Array = np.sum([each.body.mass * each.center_of_mass for each in bodies], axis=0) / mass
+    mass = math.fsum(body.body.mass for body in bodies)
+    center: Array = np.sum([body.body.mass * body.center_of_mass for body in bodies], axis=0) / mass
     J: Array = np.zeros((3, 3))
-    for each in bodies:
-        r = each.center_of_mass - center
-        J += each.axes @ inertia_about_center(each.body) @ each.axes.T
-        J += each.body.mass * (r @ r * np.eye(3) - np.outer(r, r))
+    for body in bodies:
+        r = body.center_of_mass - center
+        J += body.axes @ inertia_about_center(body.body) @ body.axes.T
+        J += body.body.mass * (r @ r * np.eye(3) - np.outer(r, r))
     J = (J + J.T) / 2
     moments, axes = np.linalg.eigh(J)
     signs = np.sign(axes[np.argmax(np.abs(axes), axis=0), range(3)])
@@ -178,7 +178,7 @@ averaged   (12) holds for the mean stand; they shake the carrier besides
 
 def mean_stand(stand: Stand) -> Stand:
     """The stand with each flywheel as its mean over a turn."""
-    return replace(stand, flywheels=tuple(mean_flywheel(each) for each in stand.flywheels))
+    return replace(stand, flywheels=tuple(mean_flywheel(flywheel) for flywheel in stand.flywheels))
 
 
 def mean_flywheel(flywheel: Flywheel) -> Flywheel:
@@ -222,5 +222,5 @@ def grade(velocity: float) -> str:
     """The finest grade that admits this eccentricity times speed, m/s: "G 6.3"; "-" without static unbalance."""
     if velocity == 0.0:
         return "-"
-    found = next((each for each in GRADES if 1e3 * velocity <= each * (1.0 + _ROUNDING)), None)
-    return f"above G {GRADES[-1]:g}" if found is None else f"G {found:g}"
+    result = next((each for each in GRADES if 1e3 * velocity <= each * (1.0 + _ROUNDING)), None)
+    return f"above G {GRADES[-1]:g}" if result is None else f"G {result:g}"

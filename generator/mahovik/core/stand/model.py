@@ -89,8 +89,8 @@ class Law(Declared):
     @property
     def items(self) -> tuple[Any, ...]:
         """Its tables [[key]]."""
-        found: tuple[Any, ...] = getattr(self, fields(self)[-1].name)
-        return found
+        result: tuple[Any, ...] = getattr(self, fields(self)[-1].name)
+        return result
 
     @property
     def acts(self) -> bool:

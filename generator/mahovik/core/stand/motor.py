@@ -75,8 +75,8 @@ def mirrored(curve: Curve) -> Curve:
 def on_curve(curve: Curve, speed: Number) -> Number:
     """Torque (N m) of a curve at a speed or at speeds (rad/s)."""
     speeds, torques = zip(*curve, strict=True)
-    found = np.asarray(np.interp(speed, speeds, torques))
-    return float(found) if isinstance(speed, float) else found
+    result = np.asarray(np.interp(speed, speeds, torques))
+    return float(result) if isinstance(speed, float) else result
 
 
 def steepest(curve: Curve) -> float:

@@ -65,7 +65,7 @@ def path_of(steps: Iterable[str]) -> str:
     """The path of steps."""
     path = "".join(f"[{step}]" if step.isdigit() else f".{step}" for step in steps).removeprefix(".")
     element = re.compile(r"(?<=\binertia)\[([0-2])\]\[([0-2])\]$")
-    return element.sub(lambda found: f".J{int(found[1]) + 1}{int(found[2]) + 1}", path)
+    return element.sub(lambda result: f".J{int(result[1]) + 1}{int(result[2]) + 1}", path)
 
 
 # -- changes of a document -------------------------------------------------------------------------------------------
@@ -264,14 +264,14 @@ def tables_in(document: Mapping[str, Any]) -> Iterator[tuple[type[Table], Mappin
 
 def quantity_and_table(*annotations: Any) -> tuple[QuantityValidator | None, type[Table] | None]:
     """What reads the numbers of a field, and the table in its annotation; each None where there is none."""
-    for each in annotations:
-        if isinstance(each, QuantityValidator) and each.dimension is not None:
-            return each, None
-        if isinstance(each, type) and issubclass(each, Table):
-            return None, each
-        found = quantity_and_table(*typing.get_args(each))
-        if found != (None, None):
-            return found
+    for annotation in annotations:
+        if isinstance(annotation, QuantityValidator) and annotation.dimension is not None:
+            return annotation, None
+        if isinstance(annotation, type) and issubclass(annotation, Table):
+            return None, annotation
+        result = quantity_and_table(*typing.get_args(annotation))
+        if result != (None, None):
+            return result
     return None, None
 
 
@@ -401,9 +401,9 @@ class StandNumbers:
     def written_out(self, numbers: Iterable[StandNumber]) -> dict[str, Any]:
         """A copy of the document in which lists that have these numbers stand in SI, element by element."""
         document: dict[str, Any] = deepcopy(dict(self._document))
-        for each in numbers:
-            if each.whole is not None:
-                value_at(document, each.place[:-1])[each.place[-1]] = exact(each.whole)
+        for leaf in numbers:
+            if leaf.whole is not None:
+                value_at(document, leaf.place[:-1])[leaf.place[-1]] = exact(leaf.whole)
         return document
 
     def with_values(self, values: Mapping[StandNumber, float]) -> dict[str, Any]:
@@ -478,7 +478,7 @@ class StandNumbers:
     def _unbalance(self, name: str, raw: Mapping[str, Any]) -> Mapping[str, Any]:
         """Unbalance of a flywheel, however its file gives it."""
         if any(key in raw for key in _BY_TENSOR):
-            wheel = next(each for each in self._stand.flywheels if each.name == name)
+            wheel = next(flywheel for flywheel in self._stand.flywheels if flywheel.name == name)
             return {key: exact(value) for key, value in unbalance_of(wheel).items()}
         given: Mapping[str, Any] = raw.get("unbalance", {})
         return given

@@ -87,8 +87,8 @@ def check_body(body: Body, where: str, problems: Problems, moments: Moments | No
                 f"{shown.broken_inequality(a, b, c)}{f'; {advice}' if advice else f', {shown.condition(a, c)}'}",
             )
     for kind in body_laws():
-        if (law := body.law(kind)) is not None and (found := law.problem(body)) is not None:
-            problems.add(where, *found)
+        if (law := body.law(kind)) is not None and (problem := law.problem(body)) is not None:
+            problems.add(where, *problem)
     if isinstance(body, Flywheel) and not at_origin[0, 0] > 0.0:
         problems.add(
             where,

@@ -135,7 +135,7 @@ def _table_in(annotation: Any) -> type | None:
     if isinstance(annotation, type) and not isinstance(annotation, types.GenericAlias):
         return annotation if issubclass(annotation, BaseModel) or is_dataclass(annotation) else None
     for argument in typing.get_args(annotation):
-        found = _table_in(argument)
-        if found is not None:
-            return found
+        table = _table_in(argument)
+        if table is not None:
+            return table
     return None

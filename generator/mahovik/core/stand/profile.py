@@ -22,8 +22,8 @@ NEAREST_STATIONS = 1e-9
 def _depths(raw: Any) -> tuple[float, ...]:
     """Two numbers or more, increasing."""
     values = raw.get("value") if isinstance(raw, dict) else raw
-    found = vector(raw, (max(2, len(values) if isinstance(values, list) else 0),), units.LENGTH)
-    for above, below in pairwise(found):
+    depths = vector(raw, (max(2, len(values) if isinstance(values, list) else 0),), units.LENGTH)
+    for above, below in pairwise(depths):
         if not above < below:
             raise QuantityError(f"expected increasing numbers, found {below:g} m after {above:g} m")
         if below - above < NEAREST_STATIONS * max(abs(above), abs(below)):
@@ -31,11 +31,11 @@ def _depths(raw: Any) -> tuple[float, ...]:
                 f"expected stations apart by at least {NEAREST_STATIONS:g} of their depth, found {below:.17g} m after "
                 f"{above:.17g} m: leave one of them out"
             )
-    if (deepest := max(map(abs, found))) > (most := BOUNDS["MAX_POSITION"].value):
+    if (deepest := max(map(abs, depths))) > (most := BOUNDS["MAX_POSITION"].value):
         raise QuantityError(
             f"expected depths of at most {most:g} m, which is the range of a position, found {deepest:g} m"
         )
-    return found
+    return depths
 
 
 def _velocities(raw: Any) -> tuple[Vec3, ...]:

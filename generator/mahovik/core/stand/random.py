@@ -122,7 +122,7 @@ def random_stand(
         Point(f"p{k + 1}", mounts[int(rng.integers(len(mounts)))], draw.vec3(0.2), draw.vec3(1.0))
         for k in range(draw.count(features.points, 2))
     )
-    found = Stand(
+    stand = Stand(
         name=name,
         angles=angles,
         gravity=gravity,
@@ -134,7 +134,7 @@ def random_stand(
         tasks=_tasks(_tasks_generator(rng), features.tasks, instruments, points) if flywheels else (),
         laws=tuple(law for law in laws if law is not None),
     )
-    return _with_flow(found, Draw(rng.spawn(1)[0])) if features.flow else found
+    return _with_flow(stand, Draw(rng.spawn(1)[0])) if features.flow else stand
 
 
 def _with_flow(stand: Stand, draw: Draw) -> Stand:
@@ -171,7 +171,7 @@ def _tasks(
     """Tasks of random independent rows, of O1 and of instruments and points."""
     places = places_of(instruments, points)
     frames = ["", *places]
-    found = []
+    tasks = []
     for k in range(Draw(rng).count(given, 1)):
         task = Task(f"t{k + 1}", ())
         most = int(rng.integers(1, 7))
@@ -180,8 +180,8 @@ def _tasks(
             longer = Task(task.name, (*task.rows, row))
             if dependent_rows(longer, places) is None:
                 task = longer
-        found.append(task)
-    return tuple(found)
+        tasks.append(task)
+    return tuple(tasks)
 
 
 class _Bodies(Draw):

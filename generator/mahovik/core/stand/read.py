@@ -64,14 +64,14 @@ def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
     path = Path(path)
     try:
-        found = readable(path, "a stand file (TOML)")
+        content = readable(path, "a stand file (TOML)")
     except ValueError as error:
         raise StandError([str(error)]) from None
     try:
-        text = found.decode("utf-8-sig")  # Windows editors write a byte order mark
+        text = content.decode("utf-8-sig")  # Windows editors write a byte order mark
     except UnicodeDecodeError as error:
-        line = found.count(b"\n", 0, error.start) + 1
-        raise StandError([f"{path.name}: not UTF-8, byte 0x{found[error.start]:02x} in line {line}"]) from None
+        line = content.count(b"\n", 0, error.start) + 1
+        raise StandError([f"{path.name}: not UTF-8, byte 0x{content[error.start]:02x} in line {line}"]) from None
     return loads(text, path.name)
 
 
@@ -198,7 +198,7 @@ def _bodies(
     problems: Problems, kind: type[AnyBody], items: list[_Item], mounted: Mapping[type[BodyLaw], list[Any]]
 ) -> list[_ReadBody[AnyBody]]:
     """The bodies of valid tables with all laws on them, as far as they are known."""
-    found = []
+    bodies = []
     for where, raw, table in items:
         name, moments = getattr(table, "name", "carrier"), moments_of(raw)
         given = {law: getattr(table, law.key) for law in body_laws() if not law.mounted}
@@ -207,8 +207,8 @@ def _bodies(
         acting = tuple(law for law in laws if law is not None)
         body = kind.read(table, partial(problems.add, where), moments, name=name, laws=acting)
         if body is not None:
-            found.append(_ReadBody(body, where, table, moments))
-    return found
+            bodies.append(_ReadBody(body, where, table, moments))
+    return bodies
 
 
 def _valid(problems: Problems, where: str, table: type[Table], raw: Any) -> Any:
@@ -244,13 +244,13 @@ def _array(problems: Problems, document: dict[str, Any], key: str) -> list[_Item
     if not isinstance(raw, list):
         problems.add(key, f"expected an array of tables, [[{key}]], found {show(raw)}")
         return []
-    found = []
+    result = []
     for i, item in enumerate(raw):
         name = item.get("name") if isinstance(item, dict) else None
         where = f"{key} {show(name)}" if isinstance(name, str) else f"{key}[{i}]"
         if (table := _valid(problems, where, arrays()[key], item)) is not None:
-            found.append((where, item, table))
-    return found
+            result.append((where, item, table))
+    return result
 
 
 def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
@@ -261,14 +261,14 @@ def _tasks(problems: Problems, document: dict[str, Any]) -> tuple[Task, ...]:
         return ()
     if raw and not document.get("flywheel"):
         problems.add("task", "a task is what flywheels are to do, but there is no flywheel")
-    found = []
+    tasks = []
     for name, item in raw.items():
         where = f"task {show(name)}"
         if (problem := name_of_task_problem(name)) is not None:
             problems.add(where, problem)
         if (table := _valid(problems, where, Task.table(), item)) is not None:
-            found.append(Task.of_table(table, name=name))
-    return tuple(found)
+            tasks.append(Task.of_table(table, name=name))
+    return tuple(tasks)
 
 
 def _tables_with_names(document: dict[str, Any], key: str) -> list[tuple[str, dict[str, Any]]]:

@@ -51,7 +51,7 @@ def slips(
     `written`: static unbalances with units as written in the file, by the names of the flywheels.
     """
     bodies = placed_bodies(stand)
-    radii = np.array([_gyration(each.body) for each in bodies])
+    radii = np.array([_gyration(body.body) for body in bodies])
     return [
         *_unbalances(stand, speeds, written or {}),
         *_places(stand, bodies, radii),
@@ -82,8 +82,8 @@ def _unbalances(stand: Stand, speeds: Sequence[float], written: Mapping[str, str
 
 def _places(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterator[str]:
     """Instruments, flywheels and points far away from all others, by the size of these."""
-    mass = np.array([each.body.mass for each in bodies])
-    centers = np.array([each.center_of_mass for each in bodies])
+    mass = np.array([body.body.mass for body in bodies])
+    centers = np.array([body.center_of_mass for body in bodies])
     for k, placed in enumerate(bodies):
         if not isinstance(placed.body, Carrier):
             kind = "instrument" if isinstance(placed.body, Instrument) else "flywheel"
@@ -91,7 +91,7 @@ def _places(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterato
             yield from _outlier(
                 f"{kind} {placed.body.name}", placed.position, mass[others], centers[others], radii[others]
             )
-    mounts = {each.body.name: each for each in bodies}
+    mounts = {body.body.name: body for body in bodies}
     for point in stand.points:
         mount = mounts[point.mount]
         at = mount.position + mount.axes @ np.array(point.position)

@@ -124,8 +124,8 @@ class Summary:
 
     def as_dict(self) -> dict[str, Any]:
         """The figures as plain dicts and tuples, which `json` writes as objects and lists; a hold if there is one."""
-        found = asdict(self)
-        return found if self.hold else {key: value for key, value in found.items() if not key.startswith("hold")}
+        result = asdict(self)
+        return result if self.hold else {key: value for key, value in result.items() if not key.startswith("hold")}
 
 
 def summarize(
@@ -137,11 +137,11 @@ def summarize(
     static unbalances as written in the file, for warnings.
     """
     bodies = []
-    for each in placed_bodies(stand):
-        body = each.body
+    for placed_body in placed_bodies(stand):
+        body = placed_body.body
         kind = "flywheel" if isinstance(body, Flywheel) else "instrument" if isinstance(body, Instrument) else "carrier"
         mount = body.mount if isinstance(body, Flywheel) else "carrier" if isinstance(body, Instrument) else ""
-        bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(each.center_of_mass)))
+        bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(placed_body.center_of_mass)))
     whole = mass_properties(stand)
     unbalance = tuple(_unbalance(flywheel, speed, planes) for flywheel in stand.flywheels)
     known = [speed is not None or (s.motor or UNLIMITED).no_load is not None for s in stand.flywheels]
@@ -184,7 +184,7 @@ def _place(stand: Stand) -> list[HoldNumber]:
 
 def forces_along_freedoms(stand: Stand) -> list[HoldNumber]:
     """The numbers of the laws along the freedoms of a hold: friction and stops."""
-    return [each for law in held_laws() for each in law.numbers(stand)]
+    return [number for law in held_laws() for number in law.numbers(stand)]
 
 
 def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
@@ -222,12 +222,12 @@ def _angle(second: float, third: float) -> float | None:
 
 
 def _warnings(stand: Stand) -> list[str]:
-    found = []
+    warnings = []
     if stand.angles == "euler":
-        found.append('angles = "euler" are singular at theta = 0, which is the attitude aligned with E0 itself')
+        warnings.append('angles = "euler" are singular at theta = 0, which is the attitude aligned with E0 itself')
     elif _heading_is_singular(stand.angles, stand.gravity):
         better = [name for name in ("ship", "aircraft") if not _heading_is_singular(name, stand.gravity)]
-        found.append(
+        warnings.append(
             f'angles = "{stand.angles}" are singular where the carrier\'s axis 1 lies along axis '
             f"{_FIRST_AXIS[stand.angles] + 1} of E0: a turn about the vertical passes there, it is a heading"
             + (f' ("{better[0]}" has no such heading with this gravity)' if better else "")
@@ -235,9 +235,9 @@ def _warnings(stand: Stand) -> list[str]:
     carrying = [law for law in (*carrier_laws(), *body_laws()) if law.carries_weight]
     if stand.hold is None and any(stand.gravity) and not any(law.short(stand) for law in carrying):
         *names, last = (law.name for law in carrying)
-        found.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
+        warnings.append(f"nothing carries the weight (no {', '.join(names)} or {last}): the stand falls freely")
     of_laws = (line for law in (*body_laws(), *carrier_laws()) for line in law.warnings(stand))
-    return [*found, *of_laws, *idle_laws(stand)]
+    return [*warnings, *of_laws, *idle_laws(stand)]
 
 
 def _heading_is_singular(angles: str, gravity: Vec3) -> bool:
@@ -259,18 +259,18 @@ def idle_laws(stand: Stand) -> list[str]:
     if stand.hold is None:
         return []
     S = twists(stand.hold)
-    found = []
+    result = []
     for law in stand.laws:
         idle = [WRENCH_LETTERS[i] for i in law.rows or () if not np.any(S[i])]
         if idle:
             name = type(law).__name__.lower()
-            found.append(
+            result.append(
                 f"{name}: [hold] blocks the motion along {', '.join(idle)} of its wrench, which there adds to the "
                 "reaction and does nothing else"
             )
         elif not stand.hold.freedoms:
-            found.append(
+            result.append(
                 f"{type(law).__name__.lower()}: [hold] clamps the carrier: wrenches on it add to the reaction and do "
                 "nothing else"
             )
-    return found
+    return result

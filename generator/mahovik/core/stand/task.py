@@ -75,15 +75,15 @@ def check_tasks(
 
 def places_of(instruments: tuple[Instrument, ...], points: tuple[Point, ...]) -> dict[str, tuple[Array, Array]]:
     """Where instruments and points are in E1, by name."""
-    found = {each.name: placement(each) for each in instruments}
-    frames = {"carrier": (np.zeros(3), np.eye(3))} | found
+    places = {instrument.name: placement(instrument) for instrument in instruments}
+    frames = {"carrier": (np.zeros(3), np.eye(3))} | places
     for point in points:
         if point.mount in frames:
             origin, axes = frames[point.mount]
             psi, theta, phi = point.angles
             own = turn(2, psi) @ turn(1, theta) @ turn(0, phi)
-            found[point.name] = (origin + axes @ np.array(point.position), axes @ own)
-    return found
+            places[point.name] = (origin + axes @ np.array(point.position), axes @ own)
+    return places
 
 
 def row_vector(row: TaskRow, places: Places) -> Array:

@@ -100,12 +100,12 @@ def readings(unit: str) -> list[str]:
     may be left out of `1/min`.
     """
     plain = unit.translate(_SIGNS)
-    found = ["rpm"] if plain.replace(" ", "") in _PER_MINUTE else []
+    result = ["rpm"] if plain.replace(" ", "") in _PER_MINUTE else []
     if plain.lower() == "cpm":  # cycles per minute: of a shaft, or of what it shakes
-        found = ["rpm", "1/min"]
+        result = ["rpm", "1/min"]
     product = as_product(unit)
-    found += [product, _WEIGHT.sub(r"\1f", product)]
-    return [each for k, each in enumerate(found) if each != unit and each not in found[:k]]
+    result += [product, _WEIGHT.sub(r"\1f", product)]
+    return [each for k, each in enumerate(result) if each != unit and each not in result[:k]]
 
 
 def as_product(unit: str) -> str:
@@ -116,8 +116,8 @@ def as_product(unit: str) -> str:
 def respellings(unit: str) -> list[str]:
     """Units that may be meant by one that does not fit: usual words and another case, of each factor."""
     words = _WORD.sub(lambda match: _WORDS.get(match.group().lower(), match.group().lower()), unit)
-    found = [_WORDS.get(unit.lower(), words), words, unit.lower()]
-    return [each for k, each in enumerate(found) if each != unit and each not in found[:k]]
+    result = [_WORDS.get(unit.lower(), words), words, unit.lower()]
+    return [each for k, each in enumerate(result) if each != unit and each not in result[:k]]
 
 
 def hint(unit: str, dimension: str) -> str:

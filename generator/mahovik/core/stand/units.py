@@ -81,14 +81,14 @@ def number(raw: Any, dimension: Dimension, unit: str | None = None) -> float:
         value, unit = split_value_unit(raw, unit)
         return number(value, dimension, unit)
     if isinstance(raw, str):
-        found = _QUANTITY.fullmatch(raw.strip())
-        if found is None:
+        match = _QUANTITY.fullmatch(raw.strip())
+        if match is None:
             raise QuantityError(f"{show(raw)} is not a number with a unit, expected {_expectation(dimension)}")
         if unit is not None:
             raise QuantityError(f"{show(raw)} has a unit of its own inside a list in {unit}")
-        if not found[2]:
+        if not match[2]:
             raise QuantityError(f"{show(raw)} has no unit, write the number without quotes for SI")
-        return _round(_exact(Decimal(found[1])) * factor(found[2], dimension))
+        return _round(_exact(Decimal(match[1])) * factor(match[2], dimension))
     if isinstance(raw, Column):
         return cast(float, _column(raw, dimension, unit))
     if isinstance(raw, bool) or not isinstance(raw, int | Decimal):
@@ -129,16 +129,16 @@ def unit_of(raw: Any) -> str | None:
         return str(raw["unit"])
     if isinstance(raw, list):
         return next(filter(None, map(unit_of, raw)), None)
-    found = _QUANTITY.fullmatch(raw.strip()) if isinstance(raw, str) else None
-    return None if found is None else found[2]
+    match = _QUANTITY.fullmatch(raw.strip()) if isinstance(raw, str) else None
+    return None if match is None else match[2]
 
 
 def last_digit(raw: Any, dimension: Dimension) -> float:
     """One unit of the last printed digit of a valid number of the file, in SI; 0 of a column of samples."""
     if isinstance(raw, dict):
         return number({"value": _last_digit(raw["value"]), "unit": raw["unit"]}, dimension)
-    if isinstance(raw, str) and (found := _QUANTITY.fullmatch(raw.strip())) is not None:
-        return number(f"{_last_digit(Decimal(found[1]))} {found[2]}", dimension)
+    if isinstance(raw, str) and (match := _QUANTITY.fullmatch(raw.strip())) is not None:
+        return number(f"{_last_digit(Decimal(match[1]))} {match[2]}", dimension)
     return number(_last_digit(raw), dimension) if isinstance(raw, int | Decimal) else 0.0
 
 
@@ -175,9 +175,9 @@ def _refusal(literal: str, unit: str, dimension: Dimension) -> str:
 
 def _advice(unit: str, dimension: Dimension, unknown: bool) -> str:
     """End of the message with the unit that may be meant by an `unknown` one, or by one of another dimension; or ""."""
-    for each in respellings(unit):
-        if _fits(each, dimension):
-            return f', did you mean "{each}"?'
+    for respelling in respellings(unit):
+        if _fits(respelling, dimension):
+            return f', did you mean "{respelling}"?'
     if not unknown:
         return ""
     near = nearest_name(unit, [name for name in NAMES if _fits(name, dimension)])
@@ -261,11 +261,11 @@ def _root(unit: str) -> tuple[Fraction, dict[str, int]]:
     scale, powers, place = Fraction(1), dict[str, int](), 0
     text = unit.replace("²", "2").replace("³", "3").replace("·", "*").strip()
     while place < len(text):
-        found = _FACTOR.match(text, place)
-        if found is None or (place == 0 and found["sign"]) or len(text) > _LONGEST:
+        match = _FACTOR.match(text, place)
+        if match is None or (place == 0 and match["sign"]) or len(text) > _LONGEST:
             raise QuantityError(f"{show(unit)} is not a unit, expected names with whole powers such as kg m^2/s")
-        place, power = found.end(), int(found["power"] or 1) * (-1 if found["sign"] == "/" else 1)
-        factor, roots = _root_of_name(found["name"]) if found["name"] else _root(found["group"] or "")
+        place, power = match.end(), int(match["power"] or 1) * (-1 if match["sign"] == "/" else 1)
+        factor, roots = _root_of_name(match["name"]) if match["name"] else _root(match["group"] or "")
         scale *= factor**power
         for root, times in roots.items():
             powers[root] = powers.get(root, 0) + times * power

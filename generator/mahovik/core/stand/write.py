@@ -20,28 +20,28 @@ def document_of(stand: Stand) -> dict[str, Any]:
     header = Header(**{f.name: getattr(stand, f.name) for f in fields(Header)})
     laws = [law for kind in carrier_laws() if (law := stand.law(kind)) is not None]
     held = {law.key: [item.as_keys() for item in law.items] for law in laws if isinstance(law, HeldLaw)}
-    found = {"schema": 1, **header.as_keys()}
+    document = {"schema": 1, **header.as_keys()}
     tables: dict[str, Any] = {}
     for law in (law for law in laws if law.key not in held):
         if law.item is not None:
-            found |= law.as_keys()
+            document |= law.as_keys()
         tables |= law.as_tables()
     if stand.profile is not None:
-        found["stream_profile"] = stand.profile.as_keys()
-    found |= {"carrier": stand.carrier.as_keys(), **tables}
+        document["stream_profile"] = stand.profile.as_keys()
+    document |= {"carrier": stand.carrier.as_keys(), **tables}
     if stand.hold is not None:
-        found["hold"] = stand.hold.as_keys() | held
-    found |= {
+        document["hold"] = stand.hold.as_keys() | held
+    document |= {
         "instrument": [instrument.as_keys() for instrument in stand.instruments],
         "flywheel": [flywheel.as_keys() for flywheel in stand.flywheels],
         "point": [point.as_keys() for point in stand.points],
     }
     for kind in mounted_laws():
-        found[kind.key] = [
+        document[kind.key] = [
             {"mount": body.name, **item.as_keys()} for _, body, law in kind.of(stand) for item in law.items
         ]
-    found["task"] = {task.name: task.as_keys() for task in stand.tasks}
-    return {key: value for key, value in found.items() if value not in ([], {})}
+    document["task"] = {task.name: task.as_keys() for task in stand.tasks}
+    return {key: value for key, value in document.items() if value not in ([], {})}
 
 
 def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:

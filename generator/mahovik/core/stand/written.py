@@ -51,7 +51,7 @@ def written_numbers(path: str | Path) -> tuple[list[Written], list[str]]:
     a whole turn, and on symmetric matrices with elements that differ, of which the mean counts.
     """
     numbers = list(_numbers(path))
-    items = (_of_matrix6(*each) if isinstance(each[0], tuple) else _of_value(*each) for each in numbers)
+    items = (_of_matrix6(*number) if isinstance(number[0], tuple) else _of_value(*number) for number in numbers)
     return list(chain.from_iterable(items)), list(_doubts(numbers))
 
 

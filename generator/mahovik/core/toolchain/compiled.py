@@ -193,10 +193,10 @@ def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapp
     """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
     of, only = structure(source.stand), source.only or ()
     key = store.library_key(of, source.real, source.command, source.parallel, kind, only)
-    found = store.find(key)
-    if found is not None:
+    found_or_made = store.find(key)
+    if found_or_made is not None:
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
-            return load(*found)
+            return load(*found_or_made)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
         library, facts = _compile(source, kind, Path(scratch))
@@ -207,23 +207,23 @@ def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapp
 def _kept_numbers(stand: Stand, real: str) -> dict[str, Any]:
     """Numbers of a stand from the store; where they are missing, they are computed, and kept for others."""
     key = store.numbers_key(stand, real)
-    found = store.find_numbers(key)
-    if found is None:
-        found = _numbers(stand, real)
-        store.keep_numbers(key, found)
-    return found
+    numbers = store.find_numbers(key)
+    if numbers is None:
+        numbers = _numbers(stand, real)
+        store.keep_numbers(key, numbers)
+    return numbers
 
 
 def _load(source: Source, library: Path, facts: Mapping[str, Any], numbers: Mapping[str, Any]) -> CompiledLibrary:
     functions = _FUNCTIONS.validate_python(facts["functions"])
-    found = _RECORDS.validate_python(facts["tables"])
+    result = _RECORDS.validate_python(facts["tables"])
     names = [f.name for f in functions]
     return CompiledLibrary(
         ArrayLibrary(library, source.stand.name, names, source.parallel, tables=False),
         {f.name: f for f in functions},
-        {name: fill_record(of, ELEMENT[source.real], numbers[name]) for name, of in found.items()},
+        {name: fill_record(of, ELEMENT[source.real], numbers[name]) for name, of in result.items()},
         _RECORDS.validate_python(facts["parameters"]).get("parameters", ()),
-        found,
+        result,
         source.command,
         numbers["options"] or {},
         tuple(facts["inputs"]),
@@ -268,12 +268,12 @@ def lower_structure(of: Structure, real: str) -> tuple[Layout, Program]:
     from mahovik.core.lower.layout import Layout
     from mahovik.core.lower.program import lower_numbers
 
-    found = _PROGRAMS.get((of, real))
-    if found is None:
+    result = _PROGRAMS.get((of, real))
+    if result is None:
         layout = Layout(of, FLOAT if real == "float" else DOUBLE)
-        found = layout, lower_numbers(layout)
-        _remember(of, real, found)
-    return found
+        result = layout, lower_numbers(layout)
+        _remember(of, real, result)
+    return result
 
 
 def _remember(of: Structure, real: str, lowered: tuple[Layout, Program]) -> None:

@@ -81,8 +81,8 @@ def program_file(compiler: tuple[str, ...]) -> str:
     Where they are equal, so is the code that is compiled without `-march=native`.
     """
     path = Path(shutil.which(compiler[0]) or compiler[0]).resolve()
-    found = path.stat()
-    return f"{path} {found.st_size} {found.st_mtime_ns} {platform.machine()}"
+    stat = path.stat()
+    return f"{path} {stat.st_size} {stat.st_mtime_ns} {platform.machine()}"
 
 
 # -- a module as programs of others load it: the binary of an FMU ------------------------------------------------------

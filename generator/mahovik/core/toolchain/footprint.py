@@ -40,14 +40,14 @@ class Footprint:
 
     def with_calls(self, function: str) -> frozenset[str]:
         """The function and all it calls, directly or not, with routines of the compiler's library."""
-        found: set[str] = set()
+        calls: set[str] = set()
         open_ = [function]
         while open_:
             name = open_.pop()
-            if name not in found:
-                found.add(name)
+            if name not in calls:
+                calls.add(name)
                 open_ += self.calls.get(name, ())
-        return frozenset(found)
+        return frozenset(calls)
 
     def code_of(self, function: str) -> int:
         """Size of the code of a function and of all that it calls, bytes."""
@@ -74,19 +74,19 @@ class Footprint:
 
     @cached_property
     def _depths(self) -> dict[str, int]:
-        found: dict[str, int] = {}
+        depths: dict[str, int] = {}
 
         def depth(name: str, above: tuple[str, ...]) -> int:
             if name in above:
                 raise ToolchainError(f"{name} calls itself: its stack has no bound")
-            if name not in found:
+            if name not in depths:
                 inner = max((depth(called, (*above, name)) for called in self.calls.get(name, ())), default=0)
-                found[name] = self.frames.get(name, 0) + inner
-            return found[name]
+                depths[name] = self.frames.get(name, 0) + inner
+            return depths[name]
 
         for name in self.frames:
             depth(name, ())
-        return found
+        return depths
 
 
 def footprint(compiler: str, compiled: Path) -> Footprint:
@@ -133,7 +133,7 @@ def _graph(text: str) -> tuple[dict[str, int], dict[str, frozenset[str]]]:
     calls: dict[str, set[str]] = {}
     for source, target in _EDGE.findall(text):
         calls.setdefault(_plain(source), set()).add(_plain(target))
-    return frames, {name: frozenset(found) for name, found in calls.items()}
+    return frames, {name: frozenset(result) for name, result in calls.items()}
 
 
 def _plain(title: str) -> str:

@@ -84,10 +84,10 @@ class Library:
 
     def _is_function(self, name: str) -> bool:
         try:
-            found = getattr(self._library, name)
+            function = getattr(self._library, name)
         except (AttributeError, KeyError):  # declared by an included header, and defined elsewhere
             return False
-        return isinstance(found, self._ffi.CData) and self._ffi.typeof(found).kind == "function"
+        return isinstance(function, self._ffi.CData) and self._ffi.typeof(function).kind == "function"
 
     def constant(self, name: str) -> int:
         """A whole number of the header by its name without prefix, such as `SERVO_TICKS`."""
@@ -108,8 +108,8 @@ class Library:
             if there != expected:
                 return f"{name} takes {there} arguments, expected {expected}"
             for struct in (s for a in function.arguments if isinstance(a.type, Struct) for s in a.type.inner_structs()):
-                if struct.name not in seen and (found := self._struct_difference(struct)):
-                    return found
+                if struct.name not in seen and (result := self._struct_difference(struct)):
+                    return result
                 seen.add(struct.name)
         return None
 

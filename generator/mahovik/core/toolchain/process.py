@@ -29,8 +29,8 @@ _of_thread = threading.local()
 
 def _stops() -> Stops:
     """Return the stop flags of the running thread."""
-    found: Stops = getattr(_of_thread, "stops", ())
-    return found
+    events: Stops = getattr(_of_thread, "stops", ())
+    return events
 
 
 def run(

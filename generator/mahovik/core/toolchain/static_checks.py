@@ -105,8 +105,8 @@ def version(tool: str) -> str:
     """`cppcheck 2.10`: name and number of a tool."""
     require(tool)
     done = process.run([tool, "--version"])
-    found = re.search(r"\d+(\.\d+)+", done.stdout)
-    return f"{tool} {found[0] if found else 'of unknown version'}"
+    match = re.search(r"\d+(\.\d+)+", done.stdout)
+    return f"{tool} {match[0] if match else 'of unknown version'}"
 
 
 def warnings_of(folder: Path, files: Sequence[str]) -> list[str]:
@@ -140,9 +140,9 @@ def _finding(line: str) -> Finding:
     return Finding(parts[0].removeprefix("misra-c2012-"), parts[1], int(parts[2]))
 
 
-def count_by_rule(found: Iterable[Finding]) -> Counter[str]:
+def count_by_rule(by_rule: Iterable[Finding]) -> Counter[str]:
     """Number of breaches of each rule."""
-    return Counter(each.rule for each in found)
+    return Counter(each.rule for each in by_rule)
 
 
 # -- Frama-C Eva ------------------------------------------------------------------------------------------------------
@@ -191,8 +191,8 @@ def prove(script: Path, wanted: Sequence[str] = (), limit: int | None = None, lo
 
 def parse_proof(line: str) -> Proof:
     """Proof reported by a line of the script. Raises ToolchainError for another line."""
-    found = _LINE.fullmatch(line.strip())
-    if found is None:
+    match = _LINE.fullmatch(line.strip())
+    if match is None:
         raise ToolchainError(f"_eva.sh printed {line.strip()!r}, expected `SET_FUNCTION alarms N unproved N seconds N`")
-    alarms = None if found["alarms"] == "failed" else int(found["alarms"])
-    return Proof(found["function"], found["set"], alarms, int(found["bad"]), int(found["s"]))
+    alarms = None if match["alarms"] == "failed" else int(match["alarms"])
+    return Proof(match["function"], match["set"], alarms, int(match["bad"]), int(match["s"]))

@@ -56,11 +56,11 @@ def library_key(
 def source_key(source: Path, flags: Sequence[str]) -> str:
     """Compiler, flags, one C file, the headers beside it. Raises ToolchainError, OSError."""
     compiler = find_compiler()
-    found = hashlib.sha256(repr((compiler, program_file(tuple(compiler)), tuple(flags))).encode())
+    digest = hashlib.sha256(repr((compiler, program_file(tuple(compiler)), tuple(flags))).encode())
     for file in (source, *sorted(source.parent.glob("*.h"))):
         content = file.read_bytes()
-        found.update(f"{file.name} {len(content)}\n".encode() + content)
-    return found.hexdigest()[:32]
+        digest.update(f"{file.name} {len(content)}\n".encode() + content)
+    return digest.hexdigest()[:32]
 
 
 def numbers_key(stand: Stand, real: str) -> str:
@@ -76,12 +76,12 @@ def _key(*parts: str) -> str:
 @cache
 def _generator() -> str:
     """SHA-256 of all that decides the text of the C and how it is compiled."""
-    found = hashlib.sha256(__version__.encode())
+    digest = hashlib.sha256(__version__.encode())
     for place in (*(_PACKAGE / part for part in ("contract", "core", "laws")), *folders()):
         for path in sorted(place.rglob("*")):
             if path.suffix != ".pyc" and path.is_file():
-                found.update(f"\0{path.relative_to(place).as_posix()}\0".encode() + path.read_bytes())
-    return found.hexdigest()
+                digest.update(f"\0{path.relative_to(place).as_posix()}\0".encode() + path.read_bytes())
+    return digest.hexdigest()
 
 
 def folder() -> Path | None:
@@ -132,10 +132,10 @@ def find_numbers(name: str) -> dict[str, Any] | None:
         if digest.decode("ascii") != _digest(content):
             return None
         os.utime(path)
-        found: dict[str, Any] = json.loads(content)
+        document: dict[str, Any] = json.loads(content)
     except (OSError, ValueError, RecursionError):
         return None
-    return found
+    return document
 
 
 def keep_numbers(name: str, numbers: Mapping[str, Any]) -> None:

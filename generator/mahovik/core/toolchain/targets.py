@@ -70,8 +70,8 @@ def _processor_flags() -> frozenset[str]:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
         return frozenset()
-    found = next((line for line in lines if line.startswith("flags")), "")
-    return frozenset(found.partition(":")[2].split())
+    processor_flags = next((line for line in lines if line.startswith("flags")), "")
+    return frozenset(processor_flags.partition(":")[2].split())
 
 
 _KIB = 1024

@@ -92,12 +92,12 @@ def workload(program: Program, states: Sequence[Mapping[str, Any]], recorder: bo
 
 def read(printed: str) -> list[Line]:
     """The lines of a measuring program's text."""
-    found = []
+    result = []
     for line in printed.splitlines():
         name, state, sign, status, calls, instructions, stack = line.split()
         number = -int(status) if sign == "-" else int(status)
-        found.append(Line(name, int(state), number, int(calls), int(instructions), int(stack)))
-    return found
+        result.append(Line(name, int(state), number, int(calls), int(instructions), int(stack)))
+    return result
 
 
 def _preparation(public: Sequence[Function], names: Names) -> list[str]:
@@ -195,9 +195,9 @@ def _calls(text: str) -> Iterator[tuple[int, int, int]]:
     caller = called = ""
     pending = 0
     for row in text.splitlines():
-        if found := _FUNCTION.match(row):
-            name = names.setdefault(found[2], found[3] or "")
-            caller, called = (name, called) if found[1] == "fn" else (caller, name)
+        if match := _FUNCTION.match(row):
+            name = names.setdefault(match[2], match[3] or "")
+            caller, called = (name, called) if match[1] == "fn" else (caller, name)
         elif row.startswith("calls="):
             pending = int(row.removeprefix("calls=").split()[0])
         elif pending:

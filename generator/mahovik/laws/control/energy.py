@@ -22,19 +22,19 @@ def _of_power(body: Body, law: ControlDerivatives) -> Expr:
     power = ca.SX(0)
     for term in law.terms:
         product = W[term.wrench] * term.value
-        for each in term.of:
-            size = _size(body, law, each, V)
-            product *= ca.fabs(size) if each.absolute else size
+        for velocity in term.of:
+            size = _size(body, law, velocity, V)
+            product *= ca.fabs(size) if velocity.absolute else size
         power += product
     return ca.Function("control", [V], [ca.gradient(power, W)])
 
 
-def _size(body: Body, law: ControlDerivatives, each: Factor, V: Expr) -> Expr:
+def _size(body: Body, law: ControlDerivatives, velocity: Factor, V: Expr) -> Expr:
     """A factor without its bars; the race is the excess of one speed ahead over another."""
-    if isinstance(each, Velocity):
-        return V[each.component]
-    given = body.inputs[each.source]
-    if each.what != "race":
+    if isinstance(velocity, Velocity):
+        return V[velocity.component]
+    given = body.inputs[velocity.source]
+    if velocity.what != "race":
         return given
     behind = ca.norm_2(ca.vertcat(V[0], given * law.race**0.5))
     excess = behind - ca.fabs(V[0])

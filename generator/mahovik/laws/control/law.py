@@ -37,8 +37,8 @@ class Velocity:
     @property
     def text(self) -> str:
         """Letter of SNAME as in the stand file: "u" or "|u|"."""
-        found = TWIST_LETTERS[self.component]
-        return f"|{found}|" if self.absolute else found
+        result = TWIST_LETTERS[self.component]
+        return f"|{result}|" if self.absolute else result
 
     @property
     def powers(self) -> tuple[int, int, int]:
@@ -66,8 +66,8 @@ class Control:
     @property
     def text(self) -> str:
         """Spelling of the stand file: "rudder.deflection", with bars for a magnitude."""
-        found = f"{self.of}.{self.what}"
-        return f"|{found}|" if self.absolute else found
+        result = f"{self.of}.{self.what}"
+        return f"|{result}|" if self.absolute else result
 
     @property
     def powers(self) -> tuple[int, int, int]:
@@ -84,15 +84,15 @@ def _factor(raw: Any) -> Factor:
     inner = given[1:-1] if bars else given
     if inner in TWIST_LETTERS:
         return Velocity(TWIST_LETTERS.index(inner), bars)
-    found = _INPUT.fullmatch(inner)
-    what = None if found is None else next((each for each in INPUTS if each == found[2]), None)
-    if found is None or what is None:
+    match = _INPUT.fullmatch(inner)
+    what = None if match is None else next((input_ for input_ in INPUTS if input_ == match[2]), None)
+    if match is None or what is None:
         letters = " ".join(TWIST_LETTERS)
         raise QuantityError(
             f"expected one of {letters}, or FIN.deflection, PROPELLER.speed, PROPELLER.race, with or without bars, "
             f"found {show(raw)}"
         )
-    return Control(found[1], what, bars)
+    return Control(match[1], what, bars)
 
 
 def _factors(raw: Any) -> tuple[Factor, ...]:
@@ -216,11 +216,11 @@ class ControlDerivatives(BodyLaw):
         for name in (name for body in stand.bodies for name in body.inputs):
             member = name.rpartition(".")[2]
             places[name] = counts[member] = counts.get(member, -1) + 1
-        found = tuple(
+        result = tuple(
             (i, tuple((term.wrench, tuple(_fact(f, places) for f in term.of)) for term in law.terms))
             for i, _, law in cls.of(stand)
         )
-        return {"control_derivatives": found} if found else {}
+        return {"control_derivatives": result} if result else {}
 
     def problem(self, body: Body) -> tuple[str, str] | None:
         """Where a derivative names what the body does not bear."""
@@ -265,12 +265,12 @@ def _fact(f: Factor, places: dict[str, int]) -> tuple[str, int, bool]:
 
 def _factors_of_inputs(body: Body) -> list[Factor]:
     """Every input, bare and by its magnitude, and the race of every propeller."""
-    found: list[Factor] = []
+    velocities: list[Factor] = []
     for name in body.inputs:
         of, _, member = name.rpartition(".")
         what: tuple[Input, ...] = ("speed", "race") if member == "speed" else ("deflection",)
-        found += [Control(of, each, absolute) for each in what for absolute in (False, True)]
-    return found
+        velocities += [Control(of, each, absolute) for each in what for absolute in (False, True)]
+    return velocities
 
 
 LAW = ControlDerivatives

@@ -27,15 +27,15 @@ def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Arra
     return P
 
 
-def factor(body: Body, law: ControlDerivatives, each: Factor, V_r: Array) -> Any:
+def factor(body: Body, law: ControlDerivatives, velocity: Factor, V_r: Array) -> Any:
     """A velocity (m/s, rad/s), deflection (rad), speed (rad/s) or race (m/s), or its magnitude."""
-    if isinstance(each, Velocity):
-        found = V_r[each.component]
+    if isinstance(velocity, Velocity):
+        result = V_r[velocity.component]
     else:
-        found = body.inputs[each.source]
-        if each.what == "race":
-            found = race(law.race, found, V_r[0])
-    return abs(found) if each.absolute else found
+        result = body.inputs[velocity.source]
+        if velocity.what == "race":
+            result = race(law.race, result, V_r[0])
+    return abs(result) if velocity.absolute else result
 
 
 def race(a: float, n: float, u: float) -> Any:

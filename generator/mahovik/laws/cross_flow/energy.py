@@ -26,7 +26,7 @@ def _rows(law: CrossFlow) -> list[tuple[float, float, float]]:
     """Place, and drag over squared velocity along y and z, of each strip."""
     from scipy.special import roots_legendre  # SciPy takes half a second to start, and few stands have strips
 
-    found = []
+    rows = []
     roots, weights = roots_legendre(law.points)
     for k in range(1, len(law.x)):
         left, right = law.x[k - 1], law.x[k]
@@ -37,8 +37,8 @@ def _rows(law: CrossFlow) -> list[tuple[float, float, float]]:
 
             length = weight * (right - left) / 2
             side, flat = law.density * length * value(law.height) / 2, law.density * length * value(law.breadth) / 2
-            found.append((value(law.x), side * value(law.drag_y), flat * value(law.drag_z)))
-    return found
+            rows.append((value(law.x), side * value(law.drag_y), flat * value(law.drag_z)))
+    return rows
 
 
 @cache

@@ -40,11 +40,11 @@ def law_terms(bodies: Sequence[Body], V_r: Array) -> Iterator[LawTerm]:
         speed = np.hypot(*across.values()) if law.together else np.abs(across[own])
         drag = sum(of_table[key] for key in tables) * sum(moving[part] for part in velocities)
         force = np.divide(drag, speed, out=np.zeros_like(speed), where=speed > 0.0)
-        found = np.zeros((len(force), 6))
+        result = np.zeros((len(force), 6))
         i, arm, sign = (1, 5, 1.0) if own == "drag_y" else (2, 4, -1.0)
-        found[:, i] = -law.density / 2 * force @ dx
-        found[:, arm] = -sign * law.density / 2 * force @ (dx * x)
-        return found
+        result[:, i] = -law.density / 2 * force @ dx
+        result[:, arm] = -sign * law.density / 2 * force @ (dx * x)
+        return result
 
     path = f"{body.name}.cross_flow"
     name = "cross flow" if body.name == "carrier" else f"{body.name}: cross flow"

@@ -29,10 +29,10 @@ def _numbers(raw: Any, dimension: Dimension) -> Numbers:
 
 
 def _sizes(raw: Any, dimension: Dimension) -> Numbers:
-    found = _numbers(raw, dimension)
-    for size in found:
+    numbers = _numbers(raw, dimension)
+    for size in numbers:
         require_bounds(size, dimension.si, 0.0)
-    return found
+    return numbers
 
 
 def _drags(raw: Any) -> Numbers:
@@ -41,10 +41,10 @@ def _drags(raw: Any) -> Numbers:
 
 
 def _points(raw: Any) -> int:
-    found = integer(raw)
-    if not 1 <= found <= MOST_POINTS:
-        raise QuantityError(f"expected 1 to {MOST_POINTS} points between two stations, found {found}")
-    return found
+    points = integer(raw)
+    if not 1 <= points <= MOST_POINTS:
+        raise QuantityError(f"expected 1 to {MOST_POINTS} points between two stations, found {points}")
+    return points
 
 
 Places = Annotated[Numbers, validator(lambda raw: _numbers(raw, units.LENGTH), units.LENGTH)]
@@ -117,8 +117,8 @@ class CrossFlow(BodyLaw):
     @classmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:
         """Body index, number of strips and kind of each cross-flow drag; nothing without, as other stands have it."""
-        found = tuple((i, law.points * (len(law.x) - 1), law.together) for i, _, law in cls.of(stand))
-        return {"cross_flow": found} if found else {}
+        result = tuple((i, law.points * (len(law.x) - 1), law.together) for i, _, law in cls.of(stand))
+        return {"cross_flow": result} if result else {}
 
     @classmethod
     def random_on(cls, draw: Draw, body: Body) -> Self | None:

@@ -30,8 +30,8 @@ class Factor:
     @property
     def letter(self) -> str:
         """Letter of SNAME, "u", or "|u|"."""
-        found = TWIST_LETTERS[self.component]
-        return f"|{found}|" if self.absolute else found
+        result = TWIST_LETTERS[self.component]
+        return f"|{result}|" if self.absolute else result
 
 
 def _factors(raw: Any) -> tuple[Factor, Factor]:
@@ -155,8 +155,8 @@ class Damping(BodyLaw):
     @property
     def matrices(self) -> dict[str, Mat6]:
         """The matrices that there are, in which the equations are linear."""
-        found = {"linear": self.linear, "quadratic": self.quadratic}
-        return {name: rows for name, rows in found.items() if rows is not None}
+        result = {"linear": self.linear, "quadratic": self.quadratic}
+        return {name: rows for name, rows in result.items() if rows is not None}
 
     @classmethod
     def of_table(cls, table: Any, **more: Any) -> Self:
@@ -175,7 +175,7 @@ class Damping(BodyLaw):
         Without derivatives that contain the products of added mass their key is missing, as other stands have it.
         """
         damped = [(i, damping) for i, _, damping in cls.of(stand)]
-        found = {
+        result = {
             "linear_damping": tuple(i for i, damping in damped if damping.linear is not None),
             "quadratic_damping": tuple(i for i, damping in damped if damping.quadratic is not None),
             "damping_terms": tuple(
@@ -183,7 +183,7 @@ class Damping(BodyLaw):
             ),
         }
         products = tuple(i for i, damping in damped if damping.contains_products)
-        return found | ({"products_in_derivatives": products} if products else {})
+        return result | ({"products_in_derivatives": products} if products else {})
 
     def problem(self, body: Body) -> tuple[str, str] | None:
         """Where the derivatives cannot contain products of added mass: the body has none about its origin."""
@@ -270,13 +270,13 @@ MISSING = (
 
 def _coefficients(damping: Damping) -> dict[tuple[int, int, int], float]:
     """Derivatives of two velocities without bars, added up: component, lower and higher factor."""
-    found: dict[tuple[int, int, int], float] = {}
+    coefficients: dict[tuple[int, int, int], float] = {}
     for term in damping.terms:
         if not any(factor.absolute for factor in term.of):
             first, second = sorted(factor.component for factor in term.of)
             key = (term.wrench, first, second)
-            found[key] = found.get(key, 0.0) + term.value
-    return found
+            coefficients[key] = coefficients.get(key, 0.0) + term.value
+    return coefficients
 
 
 def products_of_added_mass(added: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -284,15 +284,15 @@ def products_of_added_mass(added: NDArray[np.float64]) -> NDArray[np.float64]:
 
     Force p x omega and moment p x v + h x omega, where (p, h) = Lambda V.
     """
-    found = np.zeros((6, 6, 6))
+    products = np.zeros((6, 6, 6))
     unit = np.eye(6)
     for j in range(6):
         for k in range(6):
             p, h = added[:3, j], added[3:, j]
             v, omega = unit[k, :3], unit[k, 3:]
             wrench = np.concatenate([np.cross(p, omega), np.cross(p, v) + np.cross(h, omega)])
-            found[:, min(j, k), max(j, k)] += wrench
-    return found
+            products[:, min(j, k), max(j, k)] += wrench
+    return products
 
 
 LAW = Damping

@@ -17,14 +17,14 @@ def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
     damping = body.law(Damping)
     if damping is None:
         return {}
-    found = {
+    result = {
         "linear damping": linear_damping(damping, V_r),
         "quadratic damping": quadratic_damping(damping, V_r),
         "damping terms": damping_terms(damping, V_r),
     }
     if damping.contains_products:
-        found["products in derivatives"] = products_in_derivatives(body, V_r)
-    return found
+        result["products in derivatives"] = products_in_derivatives(body, V_r)
+    return result
 
 
 def linear_damping(damping: Damping, V_r: Array) -> Array:

@@ -122,8 +122,8 @@ def _slope(given: Any) -> float:
     """Slope of the lift: as given, or of a wing of low aspect ratio A, pi A/(1 + sqrt(1 + (A/2)^2)) (Beard, McLain)."""
     if given.lift_slope is not None:
         return given.lift_slope  # type: ignore[no-any-return]  # of the table
-    found: float = math.pi * given.aspect / (1.0 + hypot(1.0, given.aspect / 2.0))
-    return found
+    slope: float = math.pi * given.aspect / (1.0 + hypot(1.0, given.aspect / 2.0))
+    return slope
 
 
 def _induced_drag(given: Any) -> float:

@@ -41,11 +41,11 @@ def _speeds(hold: Hold, V: Expr) -> Expr:
     if hold.freedoms[0].kind == "twist":
         return ca.DM(np.linalg.pinv(np.array([freedom.twist for freedom in hold.freedoms]).T)) @ V
     at_pivot = V[:3] + ca.cross(V[3:], ca.DM(hold.pivot))
-    found = []
+    speeds = []
     for freedom in hold.freedoms:
         part = at_pivot if freedom.kind == "slide" else V[3:]
-        found.append(ca.dot(ca.DM(unit(freedom.direction)), part))
-    return ca.vertcat(*found)
+        speeds.append(ca.dot(ca.DM(unit(freedom.direction)), part))
+    return ca.vertcat(*speeds)
 
 
 LAW = CarrierEnergy(force)

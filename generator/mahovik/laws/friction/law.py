@@ -69,8 +69,8 @@ class Friction(FreedomItem):
     @property
     def numbers(self) -> dict[str, float]:
         """Its numbers, by key; breakaway where there is a rise."""
-        found = super().numbers
-        return found if "stribeck_speed" in found else {key: x for key, x in found.items() if key != "breakaway"}
+        result = super().numbers
+        return result if "stribeck_speed" in result else {key: x for key, x in result.items() if key != "breakaway"}
 
     def titled(self, label: str) -> str:
         """Friction of the freedom."""
@@ -78,8 +78,8 @@ class Friction(FreedomItem):
 
     def with_errors(self, errors: Errors) -> Self:
         """Coefficients times 1 + e, breakaway and coulomb by the same; speeds as they are."""
-        found, factor = super().with_errors(errors), errors.times(1.0)
-        return replace(found, coulomb=factor * self.coulomb, breakaway=factor * self.breakaway)
+        result, factor = super().with_errors(errors), errors.times(1.0)
+        return replace(result, coulomb=factor * self.coulomb, breakaway=factor * self.breakaway)
 
 
 def _problem(
@@ -95,8 +95,8 @@ def _problem(
     if table.stribeck_speed is not None and table.breakaway is None:
         return "breakaway", "required with stribeck_speed, but missing"
     if breakaway > coulomb and stribeck <= smoothing:
-        found = f"{stribeck:g} {unit} is not above smoothing, {smoothing:g} {unit}"
-        return "stribeck_speed", f"{found}: the smoothed sign would hide the rise"
+        problem = f"{stribeck:g} {unit} is not above smoothing, {smoothing:g} {unit}"
+        return "stribeck_speed", f"{problem}: the smoothed sign would hide the rise"
     return None
 
 

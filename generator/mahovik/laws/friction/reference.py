@@ -17,7 +17,9 @@ from mahovik.proof.reference.screw import E, twists, wrench_to_parent
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
     """Wrench (6; N, N m) of the friction of every freedom on the carrier about O1 in E1, by its name in (7)."""
-    return {f"friction {each.name}": wrench(each, stand.hold, at) for each in frictions_of(stand) if stand.hold}
+    return {
+        f"friction {friction.name}": wrench(friction, stand.hold, at) for friction in frictions_of(stand) if stand.hold
+    }
 
 
 def wrench(friction: Friction, hold: Hold, at: Pose) -> Array:

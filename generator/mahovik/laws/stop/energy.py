@@ -32,9 +32,9 @@ def _force(stop: Stop) -> Expr:
     q, u = ca.SX.sym("q"), ca.SX.sym("u")
     depth = q - stop.at if stop.above else stop.at - q
     U, R = stop.stiffness * depth**2 / 2, stop.damping * depth * u**2 / 2
-    found = -ca.gradient(U, q) - ca.gradient(R, u)
-    pushes = found < 0 if stop.above else found > 0
-    return ca.Function("stop_force", [q, u], [ca.if_else(ca.logic_and(depth > 0, pushes), found, 0)])
+    s_x = -ca.gradient(U, q) - ca.gradient(R, u)
+    pushes = s_x < 0 if stop.above else s_x > 0
+    return ca.Function("stop_force", [q, u], [ca.if_else(ca.logic_and(depth > 0, pushes), s_x, 0)])
 
 
 def _speed(hold: Hold, freedom: Freedom, V: Expr) -> Expr:

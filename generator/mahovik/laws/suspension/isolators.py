@@ -106,21 +106,21 @@ def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed
     `preload`: springs balance weight and buoyancy in the pose that the file gives. Raises QuantityError with the place
     and the reason where they cannot.
     """
-    for each in isolators:
-        given = [key for key in ("damping", "ratio", "loss") if getattr(each, key) is not None]
+    for isolator in isolators:
+        given = [key for key in ("damping", "ratio", "loss") if getattr(isolator, key) is not None]
         if len(given) > 1:
-            raise QuantityError(f"isolator {each.name}", given[1], f"given beside {given[0]}: expected one of them")
+            raise QuantityError(f"isolator {isolator.name}", given[1], f"given beside {given[0]}: expected one of them")
     return by_sample(lambda of: _summed(*of), (tuple(isolators), preload, stand))
 
 
 def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed:
     """The suspension of one stand, whose numbers are floats. Raises QuantityError."""
-    K, home = _matrix(isolators, lambda each: each.stiffness), _home(stand)
-    bearing = preload or any(each.damping_ratio is not None for each in isolators)
+    K, home = _matrix(isolators, lambda isolator: isolator.stiffness), _home(stand)
+    bearing = preload or any(isolator.damping_ratio is not None for isolator in isolators)
     x = _displacement(K, _weight(stand, home), stand) if bearing else [0.0] * 6
     gravity = _times(_transposed(home), _column(stand.gravity))
-    damping = {each.name: _damping(each, x, gravity) for each in isolators}
-    D = _matrix(isolators, lambda each: damping[each.name])
+    damping = {isolator.name: _damping(isolator, x, gravity) for isolator in isolators}
+    D = _matrix(isolators, lambda isolator: damping[isolator.name])
     position, angles = (ZERO3, ZERO3) if stand.hold is None else (stand.hold.position, stand.hold.angles)
     if preload and any(x):
         turn = math.sqrt(math.fsum(a * a for a in x[3:]))
@@ -136,12 +136,12 @@ def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summe
 def _matrix(isolators: Sequence[Isolator], numbers: Callable[[Isolator], Vec3]) -> Rows:
     """Sum of T^T A diag(k) A^T T (6x6): each isolator's numbers k along its axes."""
     total = [[0.0] * 6 for _ in range(6)]
-    for each in isolators:
-        A, T = _product_of_turns(each.angles, (2, 1, 0)), _at(each.position)
+    for isolator in isolators:
+        A, T = _product_of_turns(isolator.angles, (2, 1, 0)), _at(isolator.position)
         columns = _times(_transposed(A), T)
         for i in range(6):
             for j in range(6):
-                total[i][j] += math.fsum(columns[n][i] * k * columns[n][j] for n, k in enumerate(numbers(each)))
+                total[i][j] += math.fsum(columns[n][i] * k * columns[n][j] for n, k in enumerate(numbers(isolator)))
     return total
 
 
@@ -193,7 +193,14 @@ def _place(stand: Stand, body: Any) -> tuple[list[float], Rows]:
     else:
         axes = _product_of_turns((body.mounting.psi, body.mounting.theta), (2, 1))
     origin = list(body.position)
-    mount = next((each for each in stand.instruments if isinstance(body, Flywheel) and each.name == body.mount), None)
+    mount = next(
+        (
+            instrument
+            for instrument in stand.instruments
+            if isinstance(body, Flywheel) and instrument.name == body.mount
+        ),
+        None,
+    )
     if mount is None:
         return origin, axes
     below, turned = _place(stand, mount)

@@ -117,7 +117,7 @@ class Suspension(CarrierLaw):
         if not self.isolators:
             return super().as_tables()
         preload = {"suspension": {"preload": "weight"}} if self.preload else {}
-        return {**preload, "isolator": [each.as_keys() for each in self.isolators]}
+        return {**preload, "isolator": [isolator.as_keys() for isolator in self.isolators]}
 
     def with_errors(self, errors: Errors) -> Self:
         """One whose matrices and place are a little wrong, whatever they are made of."""

@@ -57,7 +57,7 @@ class Status(IntEnum):
 def status_words(status: int | Array) -> Any:
     """A status in words, as `mahovik eval` has it: `OK`, `NEAR_SINGULAR|LIMITED`; of an array a list of them."""
     if isinstance(status, np.ndarray) and status.ndim:
-        return [status_words(each) for each in status]
+        return [status_words(statu) for statu in status]
     return words_of_status(int(status))
 
 
@@ -172,9 +172,9 @@ class Calls:
         if order not in (2, 4):
             raise InputError(f"order: expected 2 or 4, found {order!r:.40}")
         given |= {"dt": self._number(dt, "dt"), "order": np.array([order], dtype=np.int32)}
-        found, status, single = self._call(function, x, how, given, carry)
+        result, status, single = self._call(function, x, how, given, carry)
         if carry is not None:
-            carry[...] = found["rounding"].reshape(carry.shape)
+            carry[...] = result["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
         if coarse:
             which = f" in {coarse:,} of {len(status):,} states" if len(status) > 1 else ""
@@ -184,7 +184,7 @@ class Calls:
                 RuntimeWarning,
                 stacklevel=3,
             )
-        return States(self.stand.name, self._state, found["next"], single)
+        return States(self.stand.name, self._state, result["next"], single)
 
     def _call(
         self, function: str, x: Any, how: How, given: Mapping[str, Any], carry: Any = None
@@ -222,8 +222,8 @@ class Calls:
             n = self.check_tables(tables, n)
         if carry is not None:
             alike["carry"] = self._carry_records(f, carry, n)
-        found, status = self._run(function, parts | alike, 1 if n is None else n, how.get("on_error", "raise"), tables)
-        return found, status, n is None
+        result, status = self._run(function, parts | alike, 1 if n is None else n, how.get("on_error", "raise"), tables)
+        return result, status, n is None
 
     def _run(
         self, function: str, given: Mapping[str, Array], n: int, on_error: str, tables: Tables | None
@@ -258,30 +258,30 @@ class Calls:
             for a, array in outputs:
                 if a.direction == "out":
                     _spoil(a, array, status < 0)
-        found = {name: part for a, array in outputs for name, part in _by_name(a, array)}
+        result = {name: part for a, array in outputs for name, part in _by_name(a, array)}
         if function == "mounts":
-            found = {"mount_wrench": found["mount_wrench"].reshape(n, len(self.flywheels), 6)}
+            result = {"mount_wrench": result["mount_wrench"].reshape(n, len(self.flywheels), 6)}
         if not self.flywheels:
             missing = _WITHOUT_FLYWHEELS.get(function, {}).items()
-            found |= {name: np.zeros((n, *shape), self.element) for name, shape in missing}
-        return found, status
+            result |= {name: np.zeros((n, *shape), self.element) for name, shape in missing}
+        return result, status
 
     def _quaternions(self, angles: Array) -> Array:
         """Quaternions of angles (3) or (n, 3) of the stand's sequence. Raises RefusedError."""
-        found, _ = self._run("quaternion", {"angles": angles}, len(np.atleast_2d(angles)), "raise", None)
-        return found["attitude"] if angles.ndim == 2 else found["attitude"][0]
+        quaternions, _ = self._run("quaternion", {"angles": angles}, len(np.atleast_2d(angles)), "raise", None)
+        return quaternions["attitude"] if angles.ndim == 2 else quaternions["attitude"][0]
 
     # -- what goes in ------------------------------------------------------------------------------------------------
 
     def _function(self, name: str) -> ArrayFunction:
         """A function of the C. Raises InputError: this stand's has none of that name."""
-        found = self.made.functions.get(name)
-        if found is None:
+        array_function = self.made.functions.get(name)
+        if array_function is None:
             hold, needs = self.stand.hold, row_of(name).needs
             what = {"sensors": "instruments or points", "held": "[hold]"}.get(needs, needs)
             fault = inverse_fault(len(hold.freedoms), len(self.flywheels)) if hold and name == "inverse" else ""
             raise InputError(f"{name}: {fault or f'the stand has no {what}'}")
-        return found
+        return array_function
 
     def check_tables(self, tables: Any, n: int | None) -> int:
         """The number of states with these tables; one state stands for all. Raises InputError."""
@@ -313,16 +313,16 @@ class Calls:
             if not x.is_like(self._state):
                 raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
             return x.array
-        found = inputs.read(x, "states", components, (), "component")
-        if found.ndim == 0:
+        result = inputs.read(x, "states", components, (), "component")
+        if result.ndim == 0:
             raise InputError(f"states: expected States or shape (n, {components}), found a number")
-        return found
+        return result
 
     def _number(self, value: Any, what: str) -> Array:
-        found = inputs.numbers(value, what)
-        if found.ndim:
-            raise InputError(f"{what}: expected one number for all states, found shape {found.shape}")
-        return np.array([found], dtype=self.element)
+        numbers = inputs.numbers(value, what)
+        if numbers.ndim:
+            raise InputError(f"{what}: expected one number for all states, found shape {numbers.shape}")
+        return np.array([numbers], dtype=self.element)
 
     def rows_of(self, task: str) -> tuple[str, ...]:
         """Names of the rows of a task. Raises InputError."""
@@ -345,28 +345,28 @@ class Calls:
                     inputs.read(value, name, 0, (), "flywheel")
             return []
         a = next(a for a in self._function("inverse").arguments if a.name == "options")
-        found = np.zeros(1, dtype=record(a.members, self.element))
+        result = np.zeros(1, dtype=record(a.members, self.element))
         for name, value in self.made.options.items():
-            found[name] = value
+            result[name] = value
         for name, value in given.items():
             if value is None:
                 continue
-            if not found[name].shape[1:]:
-                found[name] = self._number(value, name)
+            if not result[name].shape[1:]:
+                result[name] = self._number(value, name)
             elif isinstance(value, Mapping):
                 for i, number in inputs.places(value, name, self.flywheels, "flywheel").items():
-                    found[name][0, i] = self._number(number, f"{name} of {self.flywheels[i]}")[0]
+                    result[name][0, i] = self._number(number, f"{name} of {self.flywheels[i]}")[0]
             else:
                 part = inputs.read(value, name, len(self.flywheels), self.flywheels, "flywheel")
                 if part.ndim == 2:
                     raise InputError(f"{name}: expected shape ({len(self.flywheels)},), the same for all states")
-                found[name] = part
+                result[name] = part
         if task is not None:
             for row in rows or ():
                 if row not in (known := self.rows_of(task)):
                     raise InputError(f"rows: the task {task} has no {show(row)}{suggestion(row, known)}")
-            found[f"use_{task}"] = [rows is None or row in rows for row in self.rows_of(task)]
-        return found
+            result[f"use_{task}"] = [rows is None or row in rows for row in self.rows_of(task)]
+        return result
 
 
 def _spoil(a: ArgumentLayout, memory: Array, which: NDArray[np.bool_]) -> None:
@@ -388,17 +388,19 @@ def _by_name(a: ArgumentLayout, memory: Array) -> Iterator[tuple[str, Array]]:
         inner = m.members if m.kind == "record" else ()
         if a.order != "components":
             part = memory[m.name]
-            yield from ((each.name, part[each.name]) for each in inner) if inner else [(m.name, part)]
+            yield from ((member.name, part[member.name]) for member in inner) if inner else [(m.name, part)]
             continue
-        width = sum(each.numbers for each in inner) if inner else 1
+        width = sum(member.numbers for member in inner) if inner else 1
         block = memory[row : row + m.numbers].reshape(*m.shape, width, memory.shape[1])
         row += m.numbers
         at = 0
-        for each in inner:
+        for member in inner:
             yield (
-                each.name,
-                np.moveaxis(block[..., at : at + each.size, :].reshape(*m.shape, *each.shape, memory.shape[1]), -1, 0),
+                member.name,
+                np.moveaxis(
+                    block[..., at : at + member.size, :].reshape(*m.shape, *member.shape, memory.shape[1]), -1, 0
+                ),
             )
-            at += each.size
+            at += member.size
         if not inner:
             yield m.name, np.moveaxis(block.reshape(*m.shape, memory.shape[1]), -1, 0)

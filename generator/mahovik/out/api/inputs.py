@@ -21,14 +21,14 @@ Given = ArrayLike | Mapping[str, ArrayLike]
 def numbers(given: Any, what: str) -> Array:
     """An array of real numbers. Raises InputError for anything else."""
     try:
-        found = np.asarray(given)
+        result = np.asarray(given)
     except (ValueError, TypeError) as error:
         raise InputError(f"{what}: no array of numbers: {str(error).split('. ')[0]}") from None
-    if found.dtype.kind not in "iuf":
-        if found.size == 0:
-            return found.astype(np.float64)
-        raise InputError(f"{what}: expected real numbers, found an array of {found.dtype}")
-    return found
+    if result.dtype.kind not in "iuf":
+        if result.size == 0:
+            return result.astype(np.float64)
+        raise InputError(f"{what}: expected real numbers, found an array of {result.dtype}")
+    return result
 
 
 def is_count(n: Any) -> bool:
@@ -53,29 +53,29 @@ def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -
                 raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {part.shape}")
         n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
         return _side_by_side(parts, n, len(names), 1)
-    found = numbers(given, what)
-    if found.ndim == 0 or (found.ndim <= 2 and found.shape[-1] == count):
-        return found
+    result = numbers(given, what)
+    if result.ndim == 0 or (result.ndim <= 2 and result.shape[-1] == count):
+        return result
     of = f" ({', '.join(names)})" if 0 < len(names) <= 12 else ""
-    raise InputError(f"{what}: expected shape ({count},) or (n, {count}){of}, found {found.shape}")
+    raise InputError(f"{what}: expected shape ({count},) or (n, {count}){of}, found {result.shape}")
 
 
 def _side_by_side(parts: Mapping[int, Array], n: int | None, count: int, width: int) -> Array:
     """Parts by place, each `width` numbers wide, as (count width,) or (n, count width); missing ones are 0."""
-    found = np.zeros((count, width) if n is None else (n, count, width))
+    result = np.zeros((count, width) if n is None else (n, count, width))
     for i, part in parts.items():
-        found[..., i, :] = part[..., np.newaxis] if width == 1 else part
-    return found.reshape(*found.shape[:-2], count * width)
+        result[..., i, :] = part[..., np.newaxis] if width == 1 else part
+    return result.reshape(*result.shape[:-2], count * width)
 
 
 def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
     """Values given by name, by their place. Raises InputError for an unknown name."""
-    found = {}
+    result = {}
     for name, value in given.items():
         if name not in names:
             raise InputError(f"{what}: no {noun} {show(name)}{suggestion(str(name), names)}")
-        found[list(names).index(name)] = value
-    return found
+        result[list(names).index(name)] = value
+    return result
 
 
 def batch_size(parts: Mapping[str, Array], axes: int = 2) -> int | None:
@@ -97,9 +97,9 @@ def by_component(part: Array, count: int, n: int, real: np.dtype[Any]) -> Array:
         return np.ascontiguousarray(part[:, np.newaxis], dtype=real)
     if not part.any():
         return np.zeros((count, n), dtype=real)
-    found = np.empty((count, n), dtype=real)
-    found[...] = part if part.ndim == 0 else part[:, np.newaxis]
-    return found
+    result = np.empty((count, n), dtype=real)
+    result[...] = part if part.ndim == 0 else part[:, np.newaxis]
+    return result
 
 
 def lock_flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.int32]:
@@ -108,10 +108,10 @@ def lock_flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArra
     if isinstance(given, Sequence) and all(isinstance(each, str) for each in given):
         locked = places(dict.fromkeys(map(str, given)), "locked", names, "flywheel")
         return np.array([i in locked for i in range(len(names))], dtype=np.int32)
-    found = np.asarray(given)
-    if found.shape != (len(names),) or found.dtype.kind not in "biu":
+    result = np.asarray(given)
+    if result.shape != (len(names),) or result.dtype.kind not in "biu":
         raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {given!r:.60}")
-    return np.asarray(found != 0, dtype=np.int32)
+    return np.asarray(result != 0, dtype=np.int32)
 
 
 def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known: Sequence[str]) -> Array:

@@ -113,8 +113,8 @@ def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array,
     if start is None:
         from mahovik.use.study.rest import rest
 
-        found = rest(calls.stand).state
-        start = np.array([*found.position, *(found.quaternion or ()), *found.V, *found.phi, *found.phi_dot])
+        state = rest(calls.stand).state
+        start = np.array([*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot])
     given = calls.array(start).astype(calls.element)
     n = None if given.ndim == 1 else len(given)
     n = calls.check_tables(tables, n) if tables is not None else n

@@ -67,8 +67,8 @@ class States:
         for one in self._columns:
             size = one.values.shape[1]
             if one.name == name:
-                found: Array = self.array[..., first : first + size]
-                return found[one.part(*labels)] if labels else found
+                result: Array = self.array[..., first : first + size]
+                return result[one.part(*labels)] if labels else result
             first += size
         if name in ARRAYS:  # no flywheels
             return self.array[..., :0]
@@ -160,14 +160,19 @@ class StateMaker:
         self.flywheels = tuple(s.name for s in stand.flywheels)
         self.components = sum(one.values.shape[1] for one in columns)
 
-    def states(self, n: int | None, given: StateNumbers) -> States:
+    def states(self, n: int | None, state_numbers: StateNumbers) -> States:
         """See `Model.states`."""
-        if unknown := given.keys() - StateNumbers.__annotations__.keys():
+        if unknown := state_numbers.keys() - StateNumbers.__annotations__.keys():
             name = min(unknown)
             raise InputError(f"states: unknown {name}{suggestion(name, StateNumbers.__annotations__)}")
-        place, turn = self._pose(given.get("position"), given.get("attitude"), given.get("angles"))
+        place, turn = self._pose(
+            state_numbers.get("position"), state_numbers.get("attitude"), state_numbers.get("angles")
+        )
         parts: Parts = {"position": (place, 3), "attitude": (turn, 4)}
-        parts |= {"V": (self._twist(given.get("V", 0.0), given.get("u")), 6), **self._flywheel_parts(given)}
+        parts |= {
+            "V": (self._twist(state_numbers.get("V", 0.0), state_numbers.get("u")), 6),
+            **self._flywheel_parts(state_numbers),
+        }
         return self._stacked(parts, n)
 
     def from_coordinates(
@@ -190,8 +195,8 @@ class StateMaker:
         n = batch_size({name: part for name, (part, _) in (parts | wheels).items()})
         coordinates = [by_component(part, count, n or 1, np.dtype(float)).T for part, count in parts.values()]
         place, turn, V = held_states.of_coordinates(self.stand, *coordinates)
-        found = self._stacked({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
-        return found if n is not None else found.take(0)
+        states = self._stacked({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
+        return states if n is not None else states.take(0)
 
     def of_array(self, array: ArrayLike) -> States:
         """See `Model.states_of`."""
@@ -241,17 +246,17 @@ class StateMaker:
         """V (), (6,) or (n, 6), given or of u. Raises InputError, also for one that a hold does not allow."""
         hold = self.stand.hold
         if u is None:
-            found = read(V, "V", 6, TWIST_LETTERS, "component")
-            if hold is not None and (reason := blocked_twist(hold, found * np.ones(6))):
+            twist = read(V, "V", 6, TWIST_LETTERS, "component")
+            if hold is not None and (reason := blocked_twist(hold, twist * np.ones(6))):
                 raise InputError(reason)
-            return found
+            return twist
         if hold is None:
             raise InputError("u: the stand has no [hold], expected V")
         if not (isinstance(V, float) and V == 0.0):
             raise InputError("V, u: both given, expected one of them")
         count = len(hold.freedoms)
-        found = read(u, "u", count, freedom_names(hold), "freedom") * np.ones(count)
-        return np.asarray(found @ twists(hold).T)
+        twist = read(u, "u", count, freedom_names(hold), "freedom") * np.ones(count)
+        return np.asarray(twist @ twists(hold).T)
 
     def _attitudes(self, attitude: ArrayLike | None, angles: ArrayLike | None) -> Array:
         """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
@@ -262,12 +267,12 @@ class StateMaker:
             return self.quaternions(np.full(3, given) if given.ndim == 0 else given)
         if attitude is None:
             return np.array([1.0, 0.0, 0.0, 0.0])
-        found = numbers(attitude, "attitude")
-        if found.ndim not in (1, 2) or found.shape[-1] != 4:
-            raise InputError(f"attitude: expected shape (4,) or (n, 4) (w, x, y, z), found {found.shape}")
-        length = np.linalg.norm(found.astype(np.float64), axis=-1, keepdims=True)
+        attitudes = numbers(attitude, "attitude")
+        if attitudes.ndim not in (1, 2) or attitudes.shape[-1] != 4:
+            raise InputError(f"attitude: expected shape (4,) or (n, 4) (w, x, y, z), found {attitudes.shape}")
+        length = np.linalg.norm(attitudes.astype(np.float64), axis=-1, keepdims=True)
         wrong = np.flatnonzero(~(np.abs(length - 1.0) <= UNIT_LENGTH))
         if wrong.size:
-            where = f" of state {wrong[0]}" if found.ndim == 2 else ""
+            where = f" of state {wrong[0]}" if attitudes.ndim == 2 else ""
             raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
-        return np.where(np.abs(length - 1.0) <= ROUNDING, found, found / length)
+        return np.where(np.abs(length - 1.0) <= ROUNDING, attitudes, attitudes / length)

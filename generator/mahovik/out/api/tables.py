@@ -38,10 +38,10 @@ class Tables:
     the model.
     """
 
-    def __init__(self, made_of: CoreStand, real: str, samples: Samples, found: Variants, prepare: Prepare) -> None:
+    def __init__(self, made_of: CoreStand, real: str, samples: Samples, variants: Variants, prepare: Prepare) -> None:
         """`found`: the numbers of all samples; `prepare`: makes the blocks. Raises StandError."""
         self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
-        self._found, self._prepare = found, prepare
+        self._found, self._prepare = variants, prepare
         self._blocks, _ = prepare(False)
 
     def __len__(self) -> int:
@@ -101,12 +101,12 @@ def make_tables(
     """See `Model.tables`."""
     stand, samples = Stand.of(of), Samples.of(changes, n)
     _refuse_numbers_of_holds(stand, samples)
-    found = variants(stand, real, samples)
-    for number in np.flatnonzero(found.doubtful):
+    tables = variants(stand, real, samples)
+    for number in np.flatnonzero(tables.doubtful):
         check_sample(stand, samples, int(number))
 
     def prepare(mountings: bool) -> tuple[Blocks, NDArray[np.int32]]:
-        blocks, status = prepare_tables(made, element, threads, found, samples.n, mountings)
+        blocks, status = prepare_tables(made, element, threads, tables, samples.n, mountings)
         refused = np.flatnonzero(status < 0)
         if refused.size:
             first = int(refused[0])
@@ -115,7 +115,7 @@ def make_tables(
             raise StandError([f"{stand.name}, sample {first}: refused by prepare: {name}"])
         return blocks, status
 
-    return Tables(of, real, samples, found, prepare)
+    return Tables(of, real, samples, tables, prepare)
 
 
 def check_sample(stand: Stand, samples: Samples, number: int) -> None:
@@ -124,7 +124,7 @@ def check_sample(stand: Stand, samples: Samples, number: int) -> None:
 
 
 def prepare_tables(
-    made: CompiledLibrary, element: np.dtype[Any], threads: int, found: Variants, n: int, mountings: bool
+    made: CompiledLibrary, element: np.dtype[Any], threads: int, variants: Variants, n: int, mountings: bool
 ) -> tuple[Blocks, NDArray[np.int32]]:
     """Tables by argument of the C, with `mountings` these too where there are flywheels; and statuses."""
     lanes = LANES[element.itemsize]
@@ -132,19 +132,19 @@ def prepare_tables(
     blocks = {name: _aligned_memory(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
     status = np.zeros(n, dtype=np.int32)
     if n:
-        given, _columns = prepare_arguments(made, element, found, blocks)
+        given, _columns = prepare_arguments(made, element, variants, blocks)
         made.of_tables.call("prepare", n, given, status, threads)
     return blocks, status
 
 
 def prepare_arguments(
-    made: CompiledLibrary, element: np.dtype[Any], found: Variants, blocks: Blocks
+    made: CompiledLibrary, element: np.dtype[Any], variants: Variants, blocks: Blocks
 ) -> tuple[list[NDArray[Any]], list[NDArray[Any]]]:
     """The arguments of `prepare` of n stands, and the columns whose addresses they have."""
-    columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in found.varied]
+    columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in variants.varied]
     addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in columns], dtype=np.uintp)
-    parameters = fill_record(made.parameters, element, found.parameters)
-    table = fill_record(made.records["table"], element, found.table)
+    parameters = fill_record(made.parameters, element, variants.parameters)
+    table = fill_record(made.records["table"], element, variants.table)
     none = np.zeros(0)
     given = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
     return given, columns

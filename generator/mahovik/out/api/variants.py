@@ -86,12 +86,12 @@ def _value(path: str, value: Any) -> Any:
     if isinstance(value, str | int | float | bool | None) or not hasattr(value, "__len__"):
         return value
     try:
-        found = np.asarray(value)
+        result = np.asarray(value)
     except (ValueError, TypeError):
-        found = np.array(None)
-    if found.dtype.kind not in "iuf" or found.ndim == 0:
+        result = np.array(None)
+    if result.dtype.kind not in "iuf" or result.ndim == 0:
         raise InputError(f"tables: {path}: expected an array of numbers, one of each sample, found {show(value)}")
-    return np.asarray(found, dtype=np.float64)
+    return np.asarray(result, dtype=np.float64)
 
 
 def _lists(values: Array, run: Run, keys: frozenset[str]) -> Any:

@@ -131,8 +131,8 @@ class Campaign:
         content = [hashlib.sha256(path.read_bytes()).hexdigest() for path in named]
         canonical = json.dumps([deciding, content], sort_keys=True, default=str)
         hashes = {"campaign file": canonical, "stand": dumps(self.stand)}
-        found = {key: hashlib.sha256(value.encode()).hexdigest() for key, value in hashes.items()}
-        return found | {"version of mahovik": mahovik.__version__}
+        result = {key: hashlib.sha256(value.encode()).hexdigest() for key, value in hashes.items()}
+        return result | {"version of mahovik": mahovik.__version__}
 
     @cached_property
     def _model(self) -> Model:
@@ -157,7 +157,7 @@ class Campaign:
             raise UsageError(f"rows: samples {first} to {last}, but the campaign has {self.design.samples}")
         values = self.draw.values(self.design.unit(first, count))
         possible = possible_tables(self._model, values, count)
-        columns = {each.name: np.full(count, np.nan) for each in self.quantities}
+        columns = {quantity.name: np.full(count, np.nan) for quantity in self.quantities}
         errors = [possible.reasons.get(i, "") for i in range(count)]
         computed, reasons = self.runner.values(possible.tables)
         for i, reason in zip(possible.numbers.tolist(), reasons, strict=True):

@@ -195,65 +195,65 @@ def _place(stand: Stand, signal: Signal, at: str | None) -> str:
 # -- signals ---------------------------------------------------------------------------------------------------------
 
 
-def _acceleration(own: Quantity, scene: Scene, at: Moments) -> Array:
-    V, r, omega = at.state[:, 7:10], scene.places[own.at], at.state[:, 10:13]
+def _acceleration(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    V, r, omega = at.state[:, 7:10], scene.places[quantity.at], at.state[:, 10:13]
     values = at.V_dot[:, :3] + cross(omega, V + cross(omega, r)) + cross(at.V_dot[:, 3:], r)
-    return _on_axes(own, scene, at, values)
+    return _on_axes(quantity, scene, at, values)
 
 
-def _velocity(own: Quantity, scene: Scene, at: Moments) -> Array:
-    return _on_axes(own, scene, at, at.state[:, 7:10] + cross(at.state[:, 10:13], scene.places[own.at]))
+def _velocity(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    return _on_axes(quantity, scene, at, at.state[:, 7:10] + cross(at.state[:, 10:13], scene.places[quantity.at]))
 
 
-def _on_axes(own: Quantity, scene: Scene, at: Moments, values: Array) -> Array:
+def _on_axes(quantity: Quantity, scene: Scene, at: Moments, values: Array) -> Array:
     """A vector in E1 on the axes that the point has at the start; as it is where its length alone counts."""
-    if not own.on_axes:
+    if not quantity.on_axes:
         return values
     fixed = turn(rotation(at.state[:, 3:7]), values)
-    return turn(scene.axes[own.at], turn(scene.C, fixed, back=True), back=True)
+    return turn(scene.axes[quantity.at], turn(scene.C, fixed, back=True), back=True)
 
 
-def _displacement(own: Quantity, scene: Scene, at: Moments) -> Array:
-    r = scene.places[own.at]
+def _displacement(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    r = scene.places[quantity.at]
     values = (at.state[:, :3] - scene.start[:3]) + (turn(rotation(at.state[:, 3:7]), r) - turn(scene.C, r))
-    return turn(scene.axes[own.at], turn(scene.C, values, back=True), back=True) if own.on_axes else values
+    return turn(scene.axes[quantity.at], turn(scene.C, values, back=True), back=True) if quantity.on_axes else values
 
 
-def _rotation(own: Quantity, scene: Scene, at: Moments) -> Array:
+def _rotation(quantity: Quantity, scene: Scene, at: Moments) -> Array:
     values = rotation_vector(scene.start[3:7], at.state[:, 3:7])
-    return turn(scene.axes[own.at], values, back=True) if own.on_axes else values
+    return turn(scene.axes[quantity.at], values, back=True) if quantity.on_axes else values
 
 
-def _rate(own: Quantity, scene: Scene, at: Moments) -> Array:
-    return turn(scene.axes[own.at], at.state[:, 10:13], back=True) if own.on_axes else at.state[:, 10:13]
+def _rate(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    return turn(scene.axes[quantity.at], at.state[:, 10:13], back=True) if quantity.on_axes else at.state[:, 10:13]
 
 
-def _specific_force(own: Quantity, scene: Scene, at: Moments) -> Array:
-    first = 24 * sensors(scene.stand).index(own.at) + 18
+def _specific_force(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    first = 24 * sensors(scene.stand).index(quantity.at) + 18
     return at.readings[:, first : first + 3]
 
 
-def _load(own: Quantity, scene: Scene, at: Moments) -> Array:
-    first, values = (0 if own.what == "force" else 3), at.reaction
-    if own.at != HOLD:
-        first, values = first + 6 * [s.name for s in scene.stand.flywheels].index(own.at), at.loads
+def _load(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+    first, values = (0 if quantity.what == "force" else 3), at.reaction
+    if quantity.at != HOLD:
+        first, values = first + 6 * [s.name for s in scene.stand.flywheels].index(quantity.at), at.loads
     return values[:, first : first + 3]
 
 
-def _of_flywheel(own: Quantity, scene: Scene, at: Moments) -> Array:
+def _of_flywheel(quantity: Quantity, scene: Scene, at: Moments) -> Array:
     N = len(scene.stand.flywheels)
     speed = at.state[:, 13 + N :]
-    values = {"torque": at.tau, "speed": speed}.get(own.what)
+    values = {"torque": at.tau, "speed": speed}.get(quantity.what)
     values = at.tau * speed if values is None else values
-    if own.at == EVERY:
+    if quantity.at == EVERY:
         return np.asarray(np.abs(values).max(axis=1, keepdims=True))
-    return values[:, [[s.name for s in scene.stand.flywheels].index(own.at)]]
+    return values[:, [[s.name for s in scene.stand.flywheels].index(quantity.at)]]
 
 
-def _error(own: Quantity, scene: Scene, at: Moments) -> Array:
+def _error(quantity: Quantity, scene: Scene, at: Moments) -> Array:
     assert scene.errors is not None
     coordinates, share = scene.errors(at)
-    return coordinates[:, [coordinates_of(scene.stand).names.index(own.axis)]] if own.axis else share
+    return coordinates[:, [coordinates_of(scene.stand).names.index(quantity.axis)]] if quantity.axis else share
 
 
 SIGNALS: Mapping[str, Signal] = {
@@ -342,22 +342,22 @@ def turn(C: Array, v: Array, back: bool = False) -> Array:
 def cross(a: Array, b: Array) -> Array:
     """a x b, (..., 3, n)."""
     (a1, a2, a3), (b1, b2, b3) = ((v[..., 0, :], v[..., 1, :], v[..., 2, :]) for v in (a, b))
-    found = np.empty(np.broadcast_shapes(a.shape, b.shape))
+    result = np.empty(np.broadcast_shapes(a.shape, b.shape))
     for i, (p, q, r, s) in enumerate(((a2, b3, a3, b2), (a3, b1, a1, b3), (a1, b2, a2, b1))):
-        np.multiply(p, q, out=found[..., i, :])
-        found[..., i, :] -= r * s
-    return found
+        np.multiply(p, q, out=result[..., i, :])
+        result[..., i, :] -= r * s
+    return result
 
 
 def rotation_vector(start: Array, q: Array) -> Array:
     """Rotation vector (..., 3, n), of length at most pi, from quaternions `start` (4, n) to others (..., 4, n)."""
     (a, b, c, d), (w, x, y, z) = ([each[..., i, :] for i in range(4)] for each in (start, q))
     real = a * w + b * x + c * y + d * z
-    found = np.empty(q[..., 1:, :].shape)
-    found[..., 0, :] = a * x - b * w - c * z + d * y
-    found[..., 1, :] = a * y + b * z - c * w - d * x
-    found[..., 2, :] = a * z - b * y + c * x - d * w
-    sine = np.sqrt(found[..., 0, :] ** 2 + found[..., 1, :] ** 2 + found[..., 2, :] ** 2)
+    result = np.empty(q[..., 1:, :].shape)
+    result[..., 0, :] = a * x - b * w - c * z + d * y
+    result[..., 1, :] = a * y + b * z - c * w - d * x
+    result[..., 2, :] = a * z - b * y + c * x - d * w
+    sine = np.sqrt(result[..., 0, :] ** 2 + result[..., 1, :] ** 2 + result[..., 2, :] ** 2)
     small = sine < 1e-12
     angle = 2.0 * np.arctan2(sine, np.abs(real)) / np.where(small, 1.0, sine)
-    return np.asarray(found * np.copysign(np.where(small, 2.0, angle), real)[..., None, :])
+    return np.asarray(result * np.copysign(np.where(small, 2.0, angle), real)[..., None, :])

@@ -59,13 +59,13 @@ def _figures(values: Array, has_quantiles: bool) -> dict[str, float]:
     """Figures of a quantity; quantiles lie between two order statistics, whatever the distribution (binomial law)."""
     known = values[~np.isnan(values)]
     n = len(known)
-    found = {"mean": known.mean() if n else np.nan, "deviation": known.std(ddof=1) if n > 1 else np.nan}
+    figures = {"mean": known.mean() if n else np.nan, "deviation": known.std(ddof=1) if n > 1 else np.nan}
     if has_quantiles:
         for share in SHARES:
             interval = quantile_interval(known, share)
-            found |= {f"{100 * share:g} %": interval[0]}
-        found |= {"95 % from": interval[1], "95 % to": interval[2]}
-    return found | {"least": known.min(initial=np.inf), "largest": known.max(initial=-np.inf)}
+            figures |= {f"{100 * share:g} %": interval[0]}
+        figures |= {"95 % from": interval[1], "95 % to": interval[2]}
+    return figures | {"least": known.min(initial=np.inf), "largest": known.max(initial=-np.inf)}
 
 
 def quantile_interval(values: Array, share: float, confidence: float = CONFIDENCE) -> tuple[float, float, float]:
@@ -124,6 +124,6 @@ def write_report(campaign: Campaign, result: Result, path: Path) -> None:
     part = Part(
         "Quantities",
         html=result._repr_html_(),
-        panels=tuple(each for each in result.drawings if isinstance(each, Panel)),
+        panels=tuple(drawing for drawing in result.drawings if isinstance(drawing, Panel)),
     )
     write(path, page(campaign.name, [part], campaign.stand, [("campaign", campaign.path.name)]))

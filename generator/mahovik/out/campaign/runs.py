@@ -246,7 +246,7 @@ def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity]
         state = state_of(start, stand, START_KEYS, HINT)
         begin = partial(_begin_at, _column(stand, state))
     else:
-        begin = AtRest(stand, [each.phase or 0.0 for each in regime.flywheels])
+        begin = AtRest(stand, [flywheel.phase or 0.0 for flywheel in regime.flywheels])
         state = begin.nominal
         warn_of_turn(stand, state)
     return _timed(Case(stand, regime, state, over.until, over.every, over.dt, over.order), stand, quantities, begin)

@@ -160,13 +160,13 @@ def _varied(pattern: str, raw: Any, numbers: StandNumbers) -> list[Varied]:
     if _kind(raw) == "grade":
         return list(_graded(pattern, raw, numbers))
     group = f"group {_read('group', text, raw['group'])}" if "group" in raw else None
-    found = []
-    for each in numbers.find(pattern):
-        distribution = _distribution(raw, each)
-        low, high = _ends(distribution, raw, each)
-        factor = None if isinstance(distribution, float) else group or each.path
-        found.append(Varied(each, distribution, factor, low, high))
-    return found
+    result = []
+    for leaf in numbers.find(pattern):
+        distribution = _distribution(raw, leaf)
+        low, high = _ends(distribution, raw, leaf)
+        factor = None if isinstance(distribution, float) else group or leaf.path
+        result.append(Varied(leaf, distribution, factor, low, high))
+    return result
 
 
 def _graded(pattern: str, raw: Mapping[str, Any], numbers: StandNumbers) -> Iterator[Varied]:

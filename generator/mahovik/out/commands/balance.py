@@ -169,7 +169,7 @@ def _by_model(given: Any, files: Sequence[Path], plane: Any) -> Result:
             ),
             **{f"pieces of {name}": table for name, table in pieces.items()},
         },
-        messages=[*(note for each in recordings for note in each.notes), *([CUT] if cut else [])],
+        messages=[*(note for recording in recordings for note in recording.notes), *([CUT] if cut else [])],
         details=("stand",),
     )
 
@@ -222,7 +222,7 @@ def _planes_of(name: str, given: Any) -> Planes:
             raise UsageError(f"{where}: unknown key {key}{suggestion(str(key), ('positions', 'pieces'))}")
     values = table.get("positions", [0.0])
     texts = values.split(",") if isinstance(values, str) else values if isinstance(values, list | tuple) else [values]
-    places = tuple(quantity(where, each, LENGTH) for each in texts)
+    places = tuple(quantity(where, text, LENGTH) for text in texts)
     if not places or len(set(places)) < len(places):
         raise UsageError(f"{where}: expected different positions, found {values}")
     try:

@@ -179,16 +179,16 @@ def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None,
     from mahovik.use.study.rest import TWIST, rest, sag
 
     try:
-        found = rest(stand, phases)
+        rest_pose = rest(stand, phases)
     except CheckError as error:
         return None, [f"rest pose: {error}"]
-    words, more = found.words(), dict[str, Any]()
-    if (low := sag(stand, found.state)) is not None:
+    words, more = rest_pose.words(), dict[str, Any]()
+    if (low := sag(stand, rest_pose.state)) is not None:
         more["sag"] = low.tolist()
         shown = "  ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, low, strict=True))
         words.append(f"static sag of the isolators from where they are unloaded, mm and mrad in E1: {shown}")
-    numbers = {name: getattr(found, name) for name in ("V_dot", "free", "unstable", "frequencies")}
-    return {"state": state_object(found.state), **numbers, **more}, words
+    numbers = {name: getattr(rest_pose, name) for name in ("V_dot", "free", "unstable", "frequencies")}
+    return {"state": state_object(rest_pose.state), **numbers, **more}, words
 
 
 def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]]:
@@ -197,21 +197,21 @@ def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]
         return {}, []
     from mahovik.use.study.fluid import fluid
 
-    found = fluid(stand, ahead)
-    powers = [vars(one) | {"speed": one.speed if one.positive else None} for one in found.powers]
-    return {"fluid": vars(found) | {"powers": powers}}, found.words()
+    result = fluid(stand, ahead)
+    powers = [vars(one) | {"speed": one.speed if one.positive else None} for one in result.powers]
+    return {"fluid": vars(result) | {"powers": powers}}, result.words()
 
 
 def _tools() -> Result:
     from mahovik.core.toolchain.doctor import findings
 
-    found = findings()
+    result = findings()
     return Result(
         "tools on this machine",
         (
-            *columns_of(found, {"what": "", "serves": "", "found": ""}),
-            column("install", "", ["" if each.found else each.install for each in found]),
+            *columns_of(result, {"what": "", "serves": "", "found": ""}),
+            column("install", "", ["" if each.found else each.install for each in result]),
         ),
         rows="tools",
-        ok=bool(found[0].found),
+        ok=bool(result[0].found),
     )

@@ -213,7 +213,7 @@ def _loop_options(attitude: Any) -> Any:
     from mahovik.use.control.attitude import LoopOptions
 
     settings = {"task": attitude} if isinstance(attitude, str) else dict(attitude)
-    known = [each.name for each in fields(LoopOptions)]
+    known = [field.name for field in fields(LoopOptions)]
     for key, value in settings.items():
         if key not in known:
             raise UsageError(f'attitude: unknown "{key}"{suggestion(key, known)}')

@@ -128,26 +128,26 @@ def judge(
             program = program_of(str(with_), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(own, program, longest))
         count = STATES if states is None else states
-        found = verify_program(own, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance)
+        report = verify_program(own, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance)
 
         def answers(requests: Sequence[Request]) -> Answers:
             results = answers_of_program(program, requests, longest)
             by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
             return lambda request: by_id[request.id]
 
-        judged_program = Judged(found, answers, tolerance, program=program)
+        judged_program = Judged(report, answers, tolerance, program=program)
         return _result(*_explained(own, judged_program, explain, seed, progress), junit, worst)
 
 
-def _result(found: Report, diagnosis: Diagnosis | None, junit: Any, worst: Any) -> Result:
+def _result(report: Report, diagnosis: Diagnosis | None, junit: Any, worst: Any) -> Result:
     """The verdict, with the diagnosis in JSON and in sentences."""
     if diagnosis is None:
-        return report_result(found, everything=True, junit=junit, worst=worst)
+        return report_result(report, everything=True, junit=junit, worst=worst)
     from mahovik.proof.diagnose.diagnosis import as_object, sentences
 
     more = {"diagnosis": as_object(diagnosis)}
     words = sentences(diagnosis)
-    return report_result(found, more=more, words=words, everything=True, junit=junit, worst=worst)
+    return report_result(report, more=more, words=words, everything=True, junit=junit, worst=worst)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -158,15 +158,15 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
     if not actuators_of(stand):
         return False
     try:
-        found = takes_actuators(stand, program, timeout)
+        actuators = takes_actuators(stand, program, timeout)
     except CheckError:
         return False  # the table will say what is wrong with it
-    if not found:
+    if not actuators:
         warn(
             f"{program.name}: its answers do not depend on `actuators` of a state: deflections of fins and speeds of "
             "propellers are those of the stand file"
         )
-    return found
+    return actuators
 
 
 def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
@@ -188,9 +188,9 @@ def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: 
         for want, rows in log.answers.items()
         if name in rows
     ]
-    found = verify_log(stand, str(path), answered, len(log.states), wants=wants, tolerance=tolerance)
+    report = verify_log(stand, str(path), answered, len(log.states), wants=wants, tolerance=tolerance)
     by_id = {request.id: result for request, result in answered}
-    return Judged(found, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
+    return Judged(report, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
 
 
 def _explained(

@@ -78,8 +78,8 @@ def modes(
         if name not in known:
             raise UsageError(f'points: unknown point "{name}"{suggestion(name, known)}')
     model = linear_model(own, _nominal(own, at), names, locked=flywheels == "locked")
-    found = modes_of(model)
-    modes = found.modes
+    result = modes_of(model)
+    modes = result.modes
     where = "rest" if isinstance(at, str) and at == "rest" else "a state" if not isinstance(at, str) else at
     messages = []
     if any(mode.kind == "free" for mode in modes):
@@ -88,11 +88,11 @@ def modes(
         messages.append(
             "valid for one moment: the carrier or a flywheel accelerates here, so growth does not show stability"
         )
-    elif found.unstable:
+    elif result.unstable:
         messages.append("warning: unstable, a mode with negative damping grows")
     if words := numbers_in_words(own.hold, "q_"):
         messages.append(words)
-    coordinates = [str(each) for each in found.coordinates]
+    coordinates = [str(each) for each in result.coordinates]
     channels = {"states": model.states, "inputs": model.inputs, "outputs": model.outputs}
     matrices = {"A": model.A, "B": model.B, "C": model.C, "D": model.D}
     return Result(
@@ -101,7 +101,7 @@ def modes(
             column("kind", "", [mode.kind for mode in modes]),
             column("frequency", "Hz", [np.nan if mode.kind == "free" else mode.frequency for mode in modes]),
             column("damping", "", [np.nan if mode.kind == "free" else mode.damping for mode in modes]),
-            column("motion", "", [shape_words(found, mode.shape) for mode in modes]),
+            column("motion", "", [shape_words(result, mode.shape) for mode in modes]),
             column("damped_frequency", "Hz", [mode.damped_frequency for mode in modes]),
             column("eigenvalue", "1/s", [mode.eigenvalue for mode in modes]),
             column("shape", "", np.array([mode.shape for mode in modes]), coordinates),
@@ -109,8 +109,8 @@ def modes(
         rows="modes",
         meta={
             "stand": own.name, "physics": identities(own).physics, "at": where, "flywheels": flywheels,
-            "state": state_object(model.state), "coordinates": coordinates, "zero_eigenvalues": found.zeros,
-            "unstable": found.unstable, "steady": model.steady,
+            "state": state_object(model.state), "coordinates": coordinates, "zero_eigenvalues": result.zeros,
+            "unstable": result.unstable, "steady": model.steady,
             **{name: [each.name for each in named] for name, named in channels.items()},
             **{f"{name[:-1]}_units": [each.unit for each in named] for name, named in channels.items()},
             "points": list(model.points),
@@ -122,7 +122,7 @@ def modes(
             "zero_eigenvalues", "unstable", "steady", *channels, *(f"{name[:-1]}_units" for name in channels),
             "points", *matrices,
         ),
-        drawings=_pictures(found),
+        drawings=_pictures(result),
     )  # fmt: skip
 
 
@@ -160,45 +160,45 @@ def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
     plan = read_speeds(stand, speed)
     if plan.sweep is None:
         raise UsageError("speed: none is swept, expected a range of one, NAME=LOW..HIGH or all=LOW..HIGH")
-    found = campbell(Scene.of(stand), plan, np.array(plan.values(steps)))
-    absent = int((~np.isfinite(found.natural).any(axis=0)).sum())  # the first columns, which are nowhere
-    modes = [str(k) for k in range(1, found.natural.shape[1] - absent + 1)]
+    result = campbell(Scene.of(stand), plan, np.array(plan.values(steps)))
+    absent = int((~np.isfinite(result.natural).any(axis=0)).sum())  # the first columns, which are nowhere
+    modes = [str(k) for k in range(1, result.natural.shape[1] - absent + 1)]
     units = {"order": "", "mode": "", "speed": "rad/s", "frequency": "Hz", "damping": ""}
-    met = [vars(each) | {"mode": each.mode - absent} for each in found.crossings]
+    met = [vars(crossing) | {"mode": crossing.mode - absent} for crossing in result.crossings]
     crossings = columns_of(met, units, shown={"speed": "rpm"})
-    growing = np.flatnonzero(found.growth > 0.0)
+    growing = np.flatnonzero(result.growth > 0.0)
     messages = []
     if len(growing):
-        messages.append(f"warning: unstable from {RPM * found.speed[growing[0]]:.6g} rpm: small motions grow")
+        messages.append(f"warning: unstable from {RPM * result.speed[growing[0]]:.6g} rpm: small motions grow")
     return Result(
         f"natural frequencies of {stand.name} over the speed of {plan.names[plan.swept or 0]}",
         (
-            column("speed", "rad/s", found.speed, shown="rpm"),
-            column("frequency", "Hz", found.natural[:, absent:], modes),
-            column("damping", "", found.damping[:, absent:], modes),
-            column("growth", "1/s", found.growth),
+            column("speed", "rad/s", result.speed, shown="rpm"),
+            column("frequency", "Hz", result.natural[:, absent:], modes),
+            column("damping", "", result.damping[:, absent:], modes),
+            column("growth", "1/s", result.growth),
         ),
         index="speed",
-        meta={"orders": list(found.orders), "crossings": Result("orders meet modes", crossings)},
+        meta={"orders": list(result.orders), "crossings": Result("orders meet modes", crossings)},
         messages=messages,
         details=("damping", "growth"),
-        drawings=(_diagram(found, absent, plan.names[plan.swept or 0] if sum(map(bool, plan.factor)) == 1 else ""),),
+        drawings=(_diagram(result, absent, plan.names[plan.swept or 0] if sum(map(bool, plan.factor)) == 1 else ""),),
     )
 
 
-def _diagram(found: Campbell, absent: int, name: str) -> Panel:
+def _diagram(campbell: Campbell, absent: int, name: str) -> Panel:
     """Natural frequencies, orders of the flywheels, dots where they meet."""
-    speed, top = RPM * found.speed, 1.15 * (float(np.nanmax(np.nan_to_num(found.natural))) or 1.0)
+    speed, top = RPM * campbell.speed, 1.15 * (float(np.nanmax(np.nan_to_num(campbell.natural))) or 1.0)
     ends = speed[[0, -1]]
-    columns = range(absent, found.natural.shape[1])
-    lines = [Line(f"mode {k - absent + 1}", speed, found.natural[:, k], k - absent) for k in columns]
-    for n in found.orders:
+    columns = range(absent, campbell.natural.shape[1])
+    lines = [Line(f"mode {k - absent + 1}", speed, campbell.natural[:, k], k - absent) for k in columns]
+    for n in campbell.orders:
         x = np.clip(ends, -60.0 * top / n, 60.0 * top / n)
         seen = np.ptp(x) > 0.15 * np.ptp(ends)
         lines.append(Line("", x, np.abs(n * x / 60.0), None, dashed=True, tag=f"{n}×" * bool(seen)))
     return Panel(
         "natural frequency, Hz", tuple(lines), abscissa=f"speed of {name}, rpm" if name else "common speed, rpm",
         height=1.6, top=top, span=(float(ends[0]), float(ends[1])),
-        marks=tuple((RPM * each.speed, each.frequency) for each in found.crossings),
-        note="dashed: orders " + ", ".join(f"{n}×" for n in found.orders),
+        marks=tuple((RPM * crossing.speed, crossing.frequency) for crossing in campbell.crossings),
+        note="dashed: orders " + ", ".join(f"{n}×" for n in campbell.orders),
     )  # fmt: skip

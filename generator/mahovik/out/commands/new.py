@@ -66,9 +66,9 @@ def new(
     from mahovik import stands
 
     if list:
-        found = {each: _first_sentence(stands.path(each)) for each in stands.names()}
+        result = {each: _first_sentence(stands.path(each)) for each in stands.names()}
         return Result(
-            "examples", (column("name", "", [*found]), column("words", "", [*found.values()])), rows="examples"
+            "examples", (column("name", "", [*result]), column("words", "", [*result.values()])), rows="examples"
         )
     if source is None:
         raise UsageError(f"source: which example? One of {', '.join(stands.names())}; or {ADAPTER}, or a FILE")

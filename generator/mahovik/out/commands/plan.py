@@ -84,14 +84,16 @@ def plan(
     paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
     own, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
     required = required_of(motion, own)
-    found, made, changes = _planned(own, required, keys, method, options, lambda words: tell(progress, Progress(words)))
-    programme = _programme(found)
+    result, made, changes = _planned(
+        own, required, keys, method, options, lambda words: tell(progress, Progress(words))
+    )
+    programme = _programme(result)
     for name, path in paths.items():
         if programme is not None and name == "output":
             write(path, json.dumps(programme, indent=1) + "\n")
         elif programme is not None:
             made.save(path)
-    return _result(made, required, found, programme, changes)
+    return _result(made, required, result, programme, changes)
 
 
 def _planned(
@@ -115,9 +117,9 @@ def _planned(
     if keys:
         from mahovik.use.plan.free import plan_free
 
-        found = plan_free(stand, stand.to_dict(), required, keys, options, on_progress)
-        made = stand if found.document is None else type(stand).from_dict(found.document, stand.name)
-        return found.plan, made, found.changes
+        free_plan = plan_free(stand, stand.to_dict(), required, keys, options, on_progress)
+        made = stand if free_plan.document is None else type(stand).from_dict(free_plan.document, stand.name)
+        return free_plan.plan, made, free_plan.changes
     if method == "ocp":
         from mahovik.use.plan.ocp import plan_ocp
 
@@ -125,20 +127,20 @@ def _planned(
     return plan_motion(stand, required, options, on_progress), stand, ()
 
 
-def _programme(found: Plan) -> dict[str, Any] | None:
+def _programme(plan: Plan) -> dict[str, Any] | None:
     """Keys of the programme file; None: there is none."""
     from mahovik.core.motion.programme import programme_text
 
-    if not found.programmes:
+    if not plan.programmes:
         return None
-    keys: dict[str, Any] = json.loads(programme_text(found.programmes[0]))
+    keys: dict[str, Any] = json.loads(programme_text(plan.programmes[0]))
     return keys
 
 
 def _result(
     stand: Stand,
     required: RequiredMotion | Slew,
-    found: Plan,
+    plan: Plan,
     programme: Mapping[str, Any] | None,
     changes: Sequence[tuple[str, str, float, float]],
 ) -> Result:
@@ -152,23 +154,23 @@ def _result(
         units = {"peak_speed": "rad/s", "peak_acceleration": "rad/s2", torque: "N m"}
         columns = [column("flywheel", "", programme["flywheels"])]
         columns += [column(name, unit, report[name]) for name, unit in units.items()]
-    moved = [column(name, "", [each[k] for each in changes]) for k, name in enumerate(_MOVED)] if changes else []
+    moved = [column(name, "", [change[k] for change in changes]) for k, name in enumerate(_MOVED)] if changes else []
     kind = {"kind": report.get("kind"), "winding": None if programme is None else programme.get("winding")}
-    cut = ["warning: the time cut the search: another run may find more"] if found.effort.get("cut_by_time") else []
+    cut = ["warning: the time cut the search: another run may find more"] if plan.effort.get("cut_by_time") else []
     given = json.loads(text_of_keys(stand.to_dict())) if changes else None
     return Result(
         f"programme of {stand.name} for {required.name}",
         columns,
         rows="flywheels",
         meta={
-            "status": found.status, "reason": found.reason, **kind,
+            "status": plan.status, "reason": plan.reason, **kind,
             **{name: report.get(name) for name in _FIGURES}, "through_zero": report.get("through_zero"),
-            "changes": Result("numbers of the stand", moved, rows="changes"), "interrupted": found.interrupted,
-            "effort": dict(found.effort), "programme": programme, "stand": given,
+            "changes": Result("numbers of the stand", moved, rows="changes"), "interrupted": plan.interrupted,
+            "effort": dict(plan.effort), "programme": programme, "stand": given,
         },
         units=_UNITS,
-        messages=[*(f"warning: {line}" for line in found.warnings), *cut, *found.words, *_details(report)],
-        ok=found.status == "OK",
+        messages=[*(f"warning: {line}" for line in plan.warnings), *cut, *plan.words, *_details(report)],
+        ok=plan.status == "OK",
         details=("interrupted", "effort", "programme", "stand", *(["winding"] if kind["kind"] == "slew" else [])),
         drawings=() if programme is None else (_draw_speeds,),
     )  # fmt: skip
@@ -197,11 +199,11 @@ def _details(report: Mapping[str, Any]) -> list[str]:
     return lines
 
 
-def _draw_speeds(found: Result, ax: Any) -> None:
+def _draw_speeds(result: Result, ax: Any) -> None:
     """The speeds of the flywheels over the period, or the duration."""
     from mahovik.out.arguments import programme_of
 
-    programme = programme_of(found["programme"])
+    programme = programme_of(result["programme"])
     t = np.linspace(0.0, programme.span, 401)
     ax.plot(t, programme.at(t).phi_dot, label=list(programme.flywheels))
     ax.set(xlabel="time, s", title="speeds of the flywheels, rad/s")

@@ -161,21 +161,22 @@ def _stand(start: Start, given: Any, log: Path) -> tuple[Stand, str]:
     )
 
 
-def _emit_test(stand: Stand, machine: Machine, found: Outcome) -> str:
+def _emit_test(stand: Stand, machine: Machine, outcome: Outcome) -> str:
     """Write a step as a unit test in C; say so."""
     from mahovik.core.emit.replay_test import replay_test
     from mahovik.use.simulate.replay import step_inputs
     from mahovik.writing import write
 
-    path = Path(f"{stand.name}_step_{found.step.count}.c")
-    name, inputs = step_inputs(machine.generated, found.step)
-    carry = found.carry_after.tolist() if found.step.carried else None
+    path = Path(f"{stand.name}_step_{outcome.step.count}.c")
+    name, inputs = step_inputs(machine.generated, outcome.step)
+    carry = outcome.carry_after.tolist() if outcome.step.carried else None
     if carry is not None:
-        inputs["carry"] = found.carry
-    before, after = ({k: v.tolist() for k, v in each.items()} for each in (found.before, found.after))
+        inputs["carry"] = outcome.carry
+    before, after = ({k: v.tolist() for k, v in each.items()} for each in (outcome.before, outcome.after))
     text = replay_test(
-        stand, machine.generated, path.name, found.step.count, name, inputs, before, after, found.status, found.table,
+        stand, machine.generated, path.name, outcome.step.count, name, inputs, before, after, outcome.status,
+        outcome.table,
         carry,
     )  # fmt: skip
     write(path, text)
-    return f"{path}   step {found.step.count} as a unit test: build it with {stand.name}.c"
+    return f"{path}   step {outcome.step.count} as a unit test: build it with {stand.name}.c"

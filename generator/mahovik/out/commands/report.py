@@ -159,13 +159,13 @@ def modes_part(stand: Stand) -> Part | None:
     if stand.hold is not None and not stand.hold.freedoms:
         return None
     try:
-        found = modes(stand)
+        result = modes(stand)
     except (CheckError, UsageError) as error:
         return Part("Modes", f"{error}: there is no pose to be linear about.")
-    swinging = np.flatnonzero(np.nan_to_num(found["frequency"]) > 0.0)
-    still = found.count - len(swinging)
-    words = f"{still} of the {found.count} small motions about rest do not oscillate: free, or damped too much."
-    frequency = found["frequency"][swinging]
+    swinging = np.flatnonzero(np.nan_to_num(result["frequency"]) > 0.0)
+    still = result.count - len(swinging)
+    words = f"{still} of the {result.count} small motions about rest do not oscillate: free, or damped too much."
+    frequency = result["frequency"][swinging]
     ends = " to ".join(dict.fromkeys(f"{each:.3g}" for each in (*frequency[:1], *frequency[-1:])))
     panels: tuple[Any, ...] = ()
     if stand.flywheels:
@@ -175,7 +175,7 @@ def modes_part(stand: Stand) -> Part | None:
         if 0.0 < 2.0 * last < end:  # somewhat beyond the last crossing
             diagram = modes(stand, speed=f"0..{last!r} rad/s", steps=steps)
         panels = tuple(diagram.drawings) if diagram["frequency"].size else ()
-    tables = (found.take(swinging, ("frequency", "damping", "motion"), ""),) if len(swinging) else ()
+    tables = (result.take(swinging, ("frequency", "damping", "motion"), ""),) if len(swinging) else ()
     summary = f"{ends} Hz at rest" if ends else ""
     return Part("Modes", words * bool(still), tables, panels, summary=summary)
 
@@ -189,19 +189,19 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
     for point in points:
         quantity: Literal["acceleration"] | None = None if point.startswith("hold.") else "acceleration"
         try:
-            found = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, quantity=quantity, steps=STEPS)
+            result = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, quantity=quantity, steps=STEPS)
         except CheckError as error:
             return Part("Vibration", f"{error}: there is no steady vibration to show.")
-        rms, unit = np.linalg.norm(np.nan_to_num(found["rms"]), axis=1), found["largest"]["unit"]
+        rms, unit = np.linalg.norm(np.nan_to_num(result["rms"]), axis=1), result["largest"]["unit"]
         if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
         shown += [
-            replace(each, abscissa="common speed, rpm", height=1.6)
-            for each in found.drawings
-            if isinstance(each, Panel)
+            replace(drawing, abscissa="common speed, rpm", height=1.6)
+            for drawing in result.drawings
+            if isinstance(drawing, Panel)
         ]
-        speed = RPM * found["speeds"][int(rms.argmax())]
+        speed = RPM * result["speeds"][int(rms.argmax())]
         summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
     words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders." * bool(
         shown
@@ -213,19 +213,19 @@ def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part 
     """Limits of the angle of a point, over all common speeds."""
     if not require:
         return None
-    found = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, require=require, steps=4 * STEPS - 3)
-    verdicts = found["requirements"]
+    result = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, require=require, steps=4 * STEPS - 3)
+    verdicts = result["requirements"]
     listed = Result(
         "",
         (
-            column("requirement", "", [each["text"] for each in verdicts]),
-            column("largest, of it", "%", [100.0 * each["value"] / each["limit"] for each in verdicts]),
+            column("requirement", "", [verdict["text"] for verdict in verdicts]),
+            column("largest, of it", "%", [100.0 * verdict["value"] / verdict["limit"] for verdict in verdicts]),
             *columns_of(verdicts, {"axis": "", "speed": "rad/s"}, shown={"speed": "rpm"}),
-            column("verdict", "", ["met" if each["met"] else "FAILED" for each in verdicts]),
+            column("verdict", "", ["met" if verdict["met"] else "FAILED" for verdict in verdicts]),
         ),
     )
-    failures = tuple(f"{point}: {each['text']} is not met" for each in verdicts if not each["met"])
-    words = f"{found['quantity']} of {point}, all flywheels at any common speed up to {RPM * _fastest(stand):.5g} rpm."
+    failures = tuple(f"{point}: {verdict['text']} is not met" for verdict in verdicts if not verdict["met"])
+    words = f"{result['quantity']} of {point}, all flywheels at any common speed up to {RPM * _fastest(stand):.5g} rpm."
     summary = f"{len(verdicts) - len(failures)} of {len(verdicts)} met at {point}"
     return Part("Requirements", words, (listed,), summary=summary, failures=failures)
 
@@ -245,7 +245,7 @@ def verification_part(stand: Stand) -> Part:
     """The C by the reference and the second derivation, now, at few states."""
     file = f"{stand.name}.toml"
     try:
-        found = verify(stand, states=STATES)
+        result = verify(stand, states=STATES)
     except MahovikError as error:
         return Part("Verification", f"The C was not judged: {error}. `mahovik verify {file}`")
     words = (
@@ -253,9 +253,9 @@ def verification_part(stand: Stand) -> Part:
         f"Lagrange's equations in CasADi. The lines nearest to their limits; `mahovik verify {file}` has all, at more "
         f"states, `mahovik evidence {file}` everything else that speaks for the C."
     )
-    verdict = found.messages[-1]
-    failures = () if found.ok else (f"verification: {verdict}",)
-    shown = found.take(slice(MOST_ROWS), [one.name for one in found.columns], "")
+    verdict = result.messages[-1]
+    failures = () if result.ok else (f"verification: {verdict}",)
+    shown = result.take(slice(MOST_ROWS), [one.name for one in result.columns], "")
     return Part("Verification", words, (shown,), summary=verdict, failures=failures)
 
 

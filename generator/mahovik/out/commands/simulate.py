@@ -125,14 +125,14 @@ def simulate(
     warn_of_steps(case)
     for long in long_steps(model, case.dt, chosen.has_speed_law) if backend == "c" else ():
         warn(str(long))
-    found = run(case, backend, mounts, lambda t: tell(progress, Progress(f"simulate {model.name}", t, end)))
-    weak = {name: {"t": t, "torque": missing} for name, (t, missing) in found.weak_motors.items()}
+    result = run(case, backend, mounts, lambda t: tell(progress, Progress(f"simulate {model.name}", t, end)))
+    weak = {name: {"t": t, "torque": missing} for name, (t, missing) in result.weak_motors.items()}
     messages = [
         f"motor of {name}: cannot give the torque of its law; {short['torque']:.4g} N m short at t = {short['t']:.6g} s"
         for name, short in weak.items()
     ]
     meta = {"motors_short": weak}
-    return _result(model, found.columns, f"{model.name} under {chosen.name}", meta, messages, found)
+    return _result(model, result.columns, f"{model.name} under {chosen.name}", meta, messages, result)
 
 
 def _result(
@@ -242,12 +242,12 @@ def share_of(mismatch: float | str) -> float:
     """A share from `0.01` or `"1%"`. Raises UsageError."""
     text = str(mismatch).strip()
     try:
-        found = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
+        share = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
     except ValueError:
-        found = math.nan
-    if not (math.isfinite(found) and found >= 0.0):
+        share = math.nan
+    if not (math.isfinite(share) and share >= 0.0):
         raise UsageError(f"mismatch {mismatch}: expected 0 or more, such as 0.01 or 1%")
-    return found
+    return share
 
 
 def following_case(

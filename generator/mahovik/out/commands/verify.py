@@ -137,18 +137,18 @@ def verify(
     if cost:
         return _cost(own, path, targets, real, accept, progress)
     if servo is not None and path is not None:
-        found = _servo(own, path, servo, programme, motion, name, seed, states)
-        return report_result(found, by="part", everything=True, junit=junit)
+        report = _servo(own, path, servo, programme, motion, name, seed, states)
+        return report_result(report, by="part", everything=True, junit=junit)
     if programme is not None:
         return _programme(own, programme, motion, tolerance, path, name, progress, junit)
-    found = _c(own, stand, path, ways, states, seed, real, progress)
+    report = _c(own, stand, path, ways, states, seed, real, progress)
     by = "target" if targets else ""
-    if targets and not found.passed and not any(row.verdict == "FAILED" for row in found.rows):
+    if targets and not report.passed and not any(row.verdict == "FAILED" for row in report.rows):
         from mahovik.errors import ToolchainError
         from mahovik.proof.verify.check import conclusion
 
-        raise ToolchainError(f"{own.name}: {conclusion(found)}")
-    return report_result(found, by=by, everything=all or judges or bool(targets), junit=junit, worst=worst)
+        raise ToolchainError(f"{own.name}: {conclusion(report)}")
+    return report_result(report, by=by, everything=all or judges or bool(targets), junit=junit, worst=worst)
 
 
 def _c(
@@ -199,7 +199,7 @@ def _c(
 
 
 def _servo(
-    own: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
+    stand: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
 ) -> Report:
     """The report on the C of servos in a folder."""
     from mahovik.proof.verify.functions.table import verify_servo
@@ -208,16 +208,16 @@ def _servo(
     if programme is not None and motion is None:
         raise UsageError("programme: needs --motion M.json, which is missing")
     course = None if programme is None else programme_of(programme)
-    required = None if motion is None else motion_of(motion, own, course)
+    required = None if motion is None else motion_of(motion, stand, course)
     if required is not None and course is not None and (other := motion_check(required, course)).failed:
         raise UsageError(f"programme: {other.words}")
     return verify_servo(
-        own, servo_of(servo, own), folder, motion=required, programme=course, name=name, seed=seed, count=states
+        stand, servo_of(servo, stand), folder, motion=required, programme=course, name=name, seed=seed, count=states
     )
 
 
 def _programme(
-    own: Stand, programme: Any, motion: Any, tolerance: float | None, folder: Path | None, name: str,
+    stand: Stand, programme: Any, motion: Any, tolerance: float | None, folder: Path | None, name: str,
     progress: Progressing, junit: Any,
 ) -> Result:  # fmt: skip
     """The result on a programme, and with `folder` on its C there."""
@@ -229,19 +229,19 @@ def _programme(
     if tolerance is not None and not 1e-12 <= tolerance <= 0.1:
         raise UsageError(f"tolerance {tolerance:g}: expected 1e-12 to 0.1")
     course = programme_of(programme)
-    required = motion_of(motion, own, course)
+    required = motion_of(motion, stand, course)
     tell(progress, Progress("by the reference"))
-    checks = verify_programme(own, required, course, tolerance=tolerance)
+    checks = verify_programme(stand, required, course, tolerance=tolerance)
     if folder is not None and not any(item.failed for item in checks):
         from mahovik.proof.verify.functions.table import verify_compiled
 
-        checks += verify_compiled(own, ProgrammeCase.of(own, required, course, tolerance), folder, name)
+        checks += verify_compiled(stand, ProgrammeCase.of(stand, required, course, tolerance), folder, name)
     failed = [item.quantity for item in checks if item.failed]
     words = f"REFUSED: {', '.join(failed)}" if failed else "the programme is right"
     if junit is not None:
-        _write_junit(junit, report(own, "programme", 0, len(checks), tolerance or 0.0, checks))
+        _write_junit(junit, report(stand, "programme", 0, len(checks), tolerance or 0.0, checks))
     return Result(
-        f"programme of {required.name} on {own.name}",
+        f"programme of {required.name} on {stand.name}",
         (
             column("item", "", [item.quantity for item in checks]),
             column("value", "", [item.value for item in checks]),
@@ -250,38 +250,38 @@ def _programme(
             column("words", "", [item.words for item in checks]),
         ),
         rows="findings",
-        meta={"stand": own.name, "motion": required.name, "passed": not failed},
+        meta={"stand": stand.name, "motion": required.name, "passed": not failed},
         messages=[*(f"{item.quantity}: {item.words}" for item in checks if item.failed and item.words), words],
         ok=not failed,
         details=("stand", "motion", "passed", "words"),
     )
 
 
-def _log(own: Stand, path: Path, only: tuple[str, ...]) -> Result:
+def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
     """The result on the output of the self-test of a board. Raises CheckError with every problem."""
     from mahovik.core.stand.content import TABLE, content
     from mahovik.proof.verify.selftest import judge_log
 
-    found = judge_log(content(path, TABLE).decode("utf-8", "replace"), str(path), own, only)
-    if found.problems:
-        raise CheckError("\n".join(f"{path}: {line}" for line in found.problems))
+    log_verdict = judge_log(content(path, TABLE).decode("utf-8", "replace"), str(path), stand, only)
+    if log_verdict.problems:
+        raise CheckError("\n".join(f"{path}: {line}" for line in log_verdict.problems))
     return Result(
-        f"{'PASS' if not found.unchecked else 'not all of it was checked'}   {path}",
+        f"{'PASS' if not log_verdict.unchecked else 'not all of it was checked'}   {path}",
         (
-            *columns_of(found.runs, dict.fromkeys(("stand", "real", "structure", "physics"), "")),
-            column("functions", "", [len(run.functions) for run in found.runs]),
-            column("sweep", "", [run.sweep for run in found.runs]),
+            *columns_of(log_verdict.runs, dict.fromkeys(("stand", "real", "structure", "physics"), "")),
+            column("functions", "", [len(run.functions) for run in log_verdict.runs]),
+            column("sweep", "", [run.sweep for run in log_verdict.runs]),
         ),
         rows="runs",
-        meta={"checked": found.checked, "unchecked": found.unchecked},
-        messages=[f"not checked: {line}" for line in found.unchecked],
-        ok=not found.unchecked,
+        meta={"checked": log_verdict.checked, "unchecked": log_verdict.unchecked},
+        messages=[f"not checked: {line}" for line in log_verdict.unchecked],
+        ok=not log_verdict.unchecked,
         details=("unchecked",),
     )
 
 
 def _cost(
-    own: Stand, folder: Path | None, targets: str | None, real: str | None, accept: bool, progress: Progressing
+    stand: Stand, folder: Path | None, targets: str | None, real: str | None, accept: bool, progress: Progressing
 ) -> Result:
     """What calls cost on processors, compared with accepted figures; written into a folder of the stand's C."""
     from mahovik.proof import cost
@@ -297,31 +297,31 @@ def _cost(
         warn(f"left out: {line}")
     before = None
     if folder is not None:
-        own = stand_in(folder, own, UsageError)
-        cost.require_place(folder, own)
-        accepted = cost.read_accepted_costs(folder, own)
+        stand = stand_in(folder, stand, UsageError)
+        cost.require_place(folder, stand)
+        accepted = cost.read_accepted_costs(folder, stand)
         before = None if accepted is None else accepted["targets"]
-    tell(progress, Progress(f"cost of {own.name}"))
-    found = cost.measure(own, pairs, lambda *_: None, options.only, "recorder" in options.additions)
+    tell(progress, Progress(f"cost of {stand.name}"))
+    costs = cost.measure(stand, pairs, lambda *_: None, options.only, "recorder" in options.additions)
     usual = targets is None and real is None and not absent
     compared: Sequence[str] = ()
     if before is not None and not accept:
-        result = cost.compare(found, before, () if in_float or not usual else cost.USUAL)
+        result = cost.compare(costs, before, () if in_float or not usual else cost.USUAL)
         compared = result.compared
         if result.rises or result.missing:
             what = "the cost has risen" if result.rises else "not all figures are accepted"
             lines = [*(f"rise: {x}" for x in result.rises), *(f"not accepted: {x}" for x in result.missing)]
-            raise CheckError("\n".join([*lines, f"{own.name}: {what}; nothing was written; --accept accepts it"]))
+            raise CheckError("\n".join([*lines, f"{stand.name}: {what}; nothing was written; --accept accepts it"]))
     if folder is not None:
-        files = {COST_PAGE: cost.page(found)} if usual else {}
+        files = {COST_PAGE: cost.page(costs)} if usual else {}
         if accept or (before is None and usual):
-            files[FIGURES] = cost.as_json(found, before or ())
+            files[FIGURES] = cost.as_json(costs, before or ())
         write_all(folder, files)
-    figures = json.loads(cost.as_json(found))
+    figures = json.loads(cost.as_json(costs))
     rows = [(target, function) for target in figures["targets"] for function in target["functions"]]
     names = [key for key in (rows[0][1] if rows else {}) if key != "function"]
     return Result(
-        f"cost of {own.name}: instructions and bytes",
+        f"cost of {stand.name}: instructions and bytes",
         (
             *columns_of([target for target, _ in rows], {"target": "", "real": ""}),
             column("function", "", [function["function"] for _, function in rows]),
@@ -340,7 +340,7 @@ def _figure(figure: Any) -> Any:
 
 
 def report_result(
-    found: Report, *, by: str = "", more: Mapping[str, Any] | None = None, words: Sequence[str] = (),
+    report: Report, *, by: str = "", more: Mapping[str, Any] | None = None, words: Sequence[str] = (),
     everything: bool = False, junit: Any = None, worst: Any = None,
 ) -> Result:  # fmt: skip
     """The result of a report: a line for each function in text, `rows` with every check in JSON.
@@ -352,41 +352,42 @@ def report_result(
     from mahovik.proof.verify.check import as_json, conclusion, worst_lines
     from mahovik.writing import write
 
-    about = json.loads(as_json(found))
+    about = json.loads(as_json(report))
     about.pop("rows")
-    named = {row.judged for row in found.rows if row.judged}
+    named = {row.judged for row in report.rows if row.judged}
     by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
     if junit is not None:
-        _write_junit(junit, found)
-    messages = [f"error: {found.error}"] if found.error else []
-    if found.left_out:
-        messages.append(f"the stand without: {', '.join(found.left_out)}")
-    messages += [*words, "FAILED" if found.error else conclusion(found)]
-    if worst is not None and (lines := worst_lines(found)):
+        _write_junit(junit, report)
+    messages = [f"error: {report.error}"] if report.error else []
+    if report.left_out:
+        messages.append(f"the stand without: {', '.join(report.left_out)}")
+    messages += [*words, "FAILED" if report.error else conclusion(report)]
+    if worst is not None and (lines := worst_lines(report)):
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
-    checks = Result("", columns_of(found.rows, dict.fromkeys(CHECK_COLUMNS, "")))
-    short, absent = _shortest(found.rows)
+    checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")))
+    short, absent = _shortest(report.rows)
     if not everything and absent:
         text = f"not compared, --all says why: {', '.join(dict.fromkeys(absent))}"
         messages.insert(0, shorten(text, 100, placeholder=" ..."))
     return Result(
-        f"{found.judged} of {found.stand}   structure {found.structure}, physics {found.physics}   seed {found.seed}",
+        f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}   "
+        f"seed {report.seed}",
         () if everything else _short_columns(short, by),
         rows="nearest",
         meta=about | {"rows": checks} | dict(more or {}),
         messages=messages,
-        ok=found.passed,
+        ok=report.passed,
         details=(*about, *(() if everything else ("rows",)), *(more or {})),
         drawings=(_draw_shares,),
     )
 
 
-def _write_junit(path: Any, found: Report) -> None:
+def _write_junit(path: Any, report: Report) -> None:
     from mahovik.proof.verify.check import as_junit
     from mahovik.writing import write
 
-    write(Path(path), as_junit(found))
+    write(Path(path), as_junit(report))
 
 
 def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
@@ -422,11 +423,11 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
     return tuple(column(head, "", values) for head, values in zip(heads, columns, strict=True))
 
 
-def _draw_shares(found: Result, ax: Any) -> None:
+def _draw_shares(result: Result, ax: Any) -> None:
     """Differences over their limits, a bar each."""
     import numpy as np
 
-    rows = [row for row in found.meta["rows"]._objects() if row["limit"]]
+    rows = [row for row in result.meta["rows"]._objects() if row["limit"]]
     shares = [max(row["value"] or 0.0, row["second"] or 0.0) / row["limit"] for row in rows]
     ax.barh(np.arange(len(rows)), np.maximum(shares, 1e-8))
     ax.set_yticks(np.arange(len(rows)), [f"{row['judged']} {row['quantity']}" for row in rows], fontsize=5)

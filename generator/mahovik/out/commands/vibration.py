@@ -120,20 +120,20 @@ def vibration(
     clock = _Clock(time, progress)
     phases = by_flywheel("phase", phase, own, ANGLE)
     bands = [within, *(each.band for each in limits)]
-    found = find(
+    result = find(
         own, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
     )  # fmt: skip
     warn_of_turn(own)
-    verdicts = [found.judge(each) for each in limits]
-    meta: dict[str, Any] = {"requirements": [_verdict(found, each) for each in verdicts]} if limits else {}
-    messages = [*map(found.verdict_words, verdicts), *found.remarks()]
+    verdicts = [result.judge(each) for each in limits]
+    meta: dict[str, Any] = {"requirements": [_verdict(result, each) for each in verdicts]} if limits else {}
+    messages = [*map(result.verdict_words, verdicts), *result.remarks()]
     ok = all(each.met for each in verdicts)
     if improve:
-        better, words = _improve(own, found, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
+        better, words = _improve(own, result, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
         meta["improved"] = better
         messages += words
         ok = ok and better["after"] < better["before"]
-    return _result(found, within, meta, messages, ok)
+    return _result(result, within, meta, messages, ok)
 
 
 def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
@@ -157,12 +157,12 @@ def _by_wheel(
     if tables is not None and not isinstance(tables, Mapping):
         raise UsageError(f"{name} {tables}: expected NAME=FILE.csv")
     names = [s.name for s in stand.flywheels]
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for wheel, path in sorted((tables or {}).items(), key=lambda each: each[0] != ALL):
         if wheel != ALL and wheel not in names:
             raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
-        found |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
-    return found
+        result |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
+    return result
 
 
 def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
@@ -195,22 +195,22 @@ class _Clock:
         return done == 0 or self.end is None or self._now() < self.end
 
 
-def _verdict(found: Study, verdict: Verdict) -> dict[str, Any]:
+def _verdict(vibration: Study, verdict: Verdict) -> dict[str, Any]:
     """A requirement and how it is met, in SI."""
     wanted = verdict.requirement
     return {
         "text": wanted.text,
         "value": verdict.value,
         "limit": wanted.limit,
-        "unit": found.seen.measure.unit,
+        "unit": vibration.seen.measure.unit,
         "met": verdict.met,
-        "speed": float(found.value[verdict.step]),
-        "axis": found.seen.axes[min(verdict.axis, len(found.seen.axes) - 1)],
+        "speed": float(vibration.value[verdict.step]),
+        "axis": vibration.seen.axes[min(verdict.axis, len(vibration.seen.axes) - 1)],
     }
 
 
 def _improve(
-    stand: Stand, found: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
+    stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
 ) -> tuple[dict[str, Any], list[str]]:
     """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
     from mahovik.contract.quantities import RPM
@@ -222,45 +222,52 @@ def _improve(
     most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
     wanted = None if momentum is None else vector("momentum", momentum, 'in N m s, as "0 0 14"')
     whole_number("seed", seed, 0)
-    freedom = Freedom.of(stand, found.speeds[0], wanted, most, avoided_bands(found, avoid))
-    better = improve_vibration(found, freedom, band, seed=seed, go_on=clock.go_on)
+    freedom = Freedom.of(stand, vibration.speeds[0], wanted, most, avoided_bands(vibration, avoid))
+    better = improve_vibration(vibration, freedom, band, seed=seed, go_on=clock.go_on)
     before, after = better.before, better.after
     words = f"{before / after:.4g} times quieter" if 0.0 < after < before else "no allowed speeds are quieter"
-    said = [f"{words}: RMS {before:.4g} before, {after:.4g} {found.seen.measure.unit} after, of the whole equations"]
-    for wheel, turning, angle in zip(found.plan.names, better.speeds, better.phases, strict=True):
+    said = [
+        f"{words}: RMS {before:.4g} before, {after:.4g} {vibration.seen.measure.unit} after, of the whole equations"
+    ]
+    for wheel, turning, angle in zip(vibration.plan.names, better.speeds, better.phases, strict=True):
         said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
     return better._asdict(), said
 
 
-def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:
+def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:
     """Lines of one set of speeds, or a row a speed."""
-    seen, unit, stand = found.seen, found.seen.measure.unit, found.scene.stand
-    axes, swept = seen.axes, found.plan.sweep is not None
-    sums = {name: each[:, : len(axes)] for name, each in found.sums(band)._asdict().items()}
+    seen, unit, stand = vibration.seen, vibration.seen.measure.unit, vibration.scene.stand
+    axes, swept = seen.axes, vibration.plan.sweep is not None
+    sums = {name: each[:, : len(axes)] for name, each in vibration.sums(band)._asdict().items()}
     words = f" in {band[0]:g}..{band[1]:g} Hz" if band else ""
-    about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(found.plan.names)}
+    about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
     units = dict.fromkeys(("rms", "peak", "worst", "before", "after"), unit) | {"speeds": "rad/s", "phases": "rad"}
     if not swept:
         return Result(
             f"{stand.name}: {seen.quantity} of {seen.name}{words}; amplitudes 0 to peak",
-            _orders(found, band),
+            _orders(vibration, band),
             rows="orders",
             meta=about | {name: each[0] for name, each in sums.items()} | meta,
             units=units,
             messages=messages,
             ok=ok,
             details=[*details, "phase"],
-            drawings=_picture(found, sums, swept=False),
+            drawings=_picture(vibration, sums, swept=False),
         )
-    largest, listed = found.largest(band), _line_columns(found, band)
-    wheel = found.plan.names[found.plan.swept or 0]
-    peak = {"value": largest.value, "unit": unit, "speed": float(found.value[largest.step]), "quantity": seen.quantity}
-    line = f"largest amplitude {largest.value:.6g} {unit} at {found.rpm(largest.step)}, {largest.frequency:.6g} Hz"
+    largest, listed = vibration.largest(band), _line_columns(vibration, band)
+    wheel = vibration.plan.names[vibration.plan.swept or 0]
+    peak = {
+        "value": largest.value,
+        "unit": unit,
+        "speed": float(vibration.value[largest.step]),
+        "quantity": seen.quantity,
+    }
+    line = f"largest amplitude {largest.value:.6g} {unit} at {vibration.rpm(largest.step)}, {largest.frequency:.6g} Hz"
     return Result(
         f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
         (
-            column("speeds", "rad/s", found.value, shown="rpm"),
+            column("speeds", "rad/s", vibration.value, shown="rpm"),
             *(column(name, unit, each, axes) for name, each in sums.items()),
             *listed,
         ),
@@ -270,16 +277,16 @@ def _result(found: Study, band: Interval | None, meta: dict[str, Any], messages:
         messages=[line, *messages],
         ok=ok,
         details=[*details, "swept", "peak", *(each.name for each in listed)],
-        drawings=_picture(found, sums, swept=True),
+        drawings=_picture(vibration, sums, swept=True),
     )
 
 
-def _orders(found: Study, band: Interval | None) -> tuple[Column, ...]:
+def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
     """The lines of one set of speeds, largest first; amplitudes along the axes."""
     from mahovik.use.vibration.band import in_band
     from mahovik.use.vibration.lines import MAKER
 
-    lines, axes = found.lines, found.seen.axes
+    lines, axes = vibration.lines, vibration.seen.axes
     frequency, a = lines.frequency[0], lines.amplitude[0, :, : len(axes)]
     size = np.where(in_band(frequency, band or (0.0, np.inf)), np.linalg.norm(a, axis=1), 0.0)
     listed = [i for i in np.argsort(-size, kind="stable") if size[i] > NO_LINE * size.max(initial=0.0)]
@@ -290,41 +297,44 @@ def _orders(found: Study, band: Interval | None) -> tuple[Column, ...]:
         column("wheel", "", [name.wheel for name in names]),
         column("order", "", [name.order for name in names]),
         column("frequency", "Hz", frequency[listed]),
-        column("amplitude", found.seen.measure.unit, np.abs(a[listed]), axes),
+        column("amplitude", vibration.seen.measure.unit, np.abs(a[listed]), axes),
         column("phase", "rad", np.array(phase) if listed else empty, axes, "deg"),
         column("source", "", [f"{name.source} {name.part}".strip() for name in names]),
     )
 
 
-def _line_columns(found: Study, band: Interval | None) -> list[Column]:
+def _line_columns(vibration: Study, band: Interval | None) -> list[Column]:
     """The largest lines of a sweep: magnitude of the amplitude over the axes."""
     from mahovik.use.vibration.band import in_band
 
-    lines = found.lines
+    lines = vibration.lines
     inside = in_band(lines.frequency, band or (0.0, np.inf)) & (lines.frequency > 0.0)
     size = np.where(inside, np.linalg.norm(lines.amplitude, axis=2), 0.0)
     largest = np.nanmax(np.nan_to_num(size), axis=0, initial=0.0)
     listed = [i for i in np.argsort(-largest, kind="stable")[:SHOWN] if largest[i] > NO_LINE * largest.max()]
-    return [column(lines.names[i].text, found.seen.measure.unit, size[:, i]) for i in listed]
+    return [column(lines.names[i].text, vibration.seen.measure.unit, size[:, i]) for i in listed]
 
 
-def _picture(found: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
+def _picture(vibration: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
     """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
     from mahovik.contract.quantities import RPM
     from mahovik.out.plots import ARCSEC, Line, Panel, stems
 
-    seen, unit, scale = found.seen, found.seen.measure.unit, 1.0
+    seen, unit, scale = vibration.seen, vibration.seen.measure.unit, 1.0
     if unit.startswith("rad"):
         unit, scale = f"arcsec{unit[3:]}", ARCSEC
     title = f"{seen.quantity} of {seen.name}, {unit}"
     if not swept:
-        size = scale * np.linalg.norm(found.lines.amplitude[0], axis=1)
-        lines, end = stems("", found.lines.frequency[0], size), 1.1 * float(found.lines.frequency.max(initial=1.0))
+        size = scale * np.linalg.norm(vibration.lines.amplitude[0], axis=1)
+        lines, end = (
+            stems("", vibration.lines.frequency[0], size),
+            1.1 * float(vibration.lines.frequency.max(initial=1.0)),
+        )
         return [Panel(f"{title}, 0 to peak", (lines,), abscissa="frequency, Hz", height=1.6, span=(0.0, end))]
-    x, order = RPM * found.value, np.argsort(found.value)
+    x, order = RPM * vibration.value, np.argsort(vibration.value)
     names = {"worst": "worst case over phases", "rms": "RMS"}
     size = scale * np.linalg.norm(np.stack([sums[name] for name in names]), axis=2)[:, order]
     drawn = tuple(Line(words, x[order], y, k) for k, (words, y) in enumerate(zip(names.values(), size, strict=True)))
     steep = bool(np.nanmax(size[0]) > 50.0 * np.nanmedian(size[0]) > 0.0)
-    words, span = f"speed of {found.plan.names[found.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))
+    words, span = f"speed of {vibration.plan.names[vibration.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))
     return [Panel(title, drawn, log=steep, abscissa=words, height=2.6, span=span)]

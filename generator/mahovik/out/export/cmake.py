@@ -23,7 +23,7 @@ def cmake_project(
     """
     generated = generate_all(stand, real, only)
     additions = (*(name for name in dict.fromkeys(additions) if name != "selftest"), "selftest")
-    name, found, example = stand.name, identities(stand), any(f.name == "forward" for f in generated.program.functions)
+    name, hashes, example = stand.name, identities(stand), any(f.name == "forward" for f in generated.program.functions)
     files = {
         **generated.files,
         **cpp_header(stand, generated),
@@ -42,8 +42,8 @@ def cmake_project(
         "example": example,
         "bodies": describe_bodies(stand),
         "command": f"mahovik generate STAND.toml --project cmake{options}",
-        "structure": found.structure,
-        "physics": found.physics,
+        "structure": hashes.structure,
+        "physics": hashes.physics,
         "headers": [file for file in files if file.endswith((".h", ".hpp")) and "/" not in file],
     }
     files |= {

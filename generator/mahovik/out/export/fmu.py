@@ -84,8 +84,8 @@ def export_block(
     """A plant block of the simulator "simulink" or "basilisk", text by file name. Options, errors: as `export_fmu`."""
     stand = with_wrench(stand)
     generated = generated or generate_all(stand)
-    found = form(stand, generated.layout, generated.values, "cs", "torque", dt, start_of(stand, start, generated))
-    return with_manifest(stand, generated, block_sources(stand, generated, found, tool), tool)
+    block = form(stand, generated.layout, generated.values, "cs", "torque", dt, start_of(stand, start, generated))
+    return with_manifest(stand, generated, block_sources(stand, generated, block, tool), tool)
 
 
 _DECIMALS = 12
@@ -97,11 +97,11 @@ def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
     if state is not None:
         return Start(state.position, _unit(state, generated), state.V, state.phi, state.phi_dot)
     try:
-        found = rest(stand).state
+        start = rest(stand).state
     except CheckError as error:
         raise CheckError(f"{error}; give an initial state by --fmu start=STATE.json") from None
-    position, attitude = _round(found.position), _round(_unit(found, generated))
-    return Start(position, attitude, found.V, found.phi, found.phi_dot)
+    position, attitude = _round(start.position), _round(_unit(start, generated))
+    return Start(position, attitude, start.V, start.phi, start.phi_dot)
 
 
 def _unit(state: State, generated: Generated) -> list[float]:
@@ -124,12 +124,12 @@ _BEGINNING = (1980, 1, 1, 0, 0, 0)
 
 def archive(files: Mapping[str, str | bytes]) -> bytes:
     """The files by path, in that order, compressed; without dates."""
-    found = io.BytesIO()
-    with zipfile.ZipFile(found, "w", zipfile.ZIP_DEFLATED) as target:
+    bytes_i_o = io.BytesIO()
+    with zipfile.ZipFile(bytes_i_o, "w", zipfile.ZIP_DEFLATED) as target:
         for name, content in files.items():
             entry = zipfile.ZipInfo(name, _BEGINNING)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3
             entry.external_attr = (0o755 if name.startswith("binaries/") else 0o644) << 16
             target.writestr(entry, content)
-    return found.getvalue()
+    return bytes_i_o.getvalue()

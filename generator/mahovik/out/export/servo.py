@@ -72,10 +72,10 @@ def export_servo(
             f"{sources[1]}: {what}: needs the motion of the programme: give --motion MOTION.json, or {what} = false"
         )
     check_belongs(stand, programme, motion, sources[0])
-    found = check_margins(stand, servo, sources[1])
+    margins = check_margins(stand, servo, sources[1])
     ticks, periods = samples(servo, programme.span, sources[1])
     layout = Layout(structure(stand), PRECISIONS[real])
-    trim, design, lines = None, None, servo_messages(stand, servo, found, ticks, periods)
+    trim, design, lines = None, None, servo_messages(stand, servo, margins, ticks, periods)
     if servo.trim is not None and motion is not None:
         made = design_trim(stand, motion, programme, servo.trim)
         trim = TrimForm(servo.trim.coordinates, servo.trim.harmonics, stand.hold is not None)
@@ -90,23 +90,23 @@ def export_servo(
     )
     answers = golden(program, form, values, design)
     files = servo_files(stand, program, form, tables, answers, servo.name, called)
-    return ExportedServo(files, tabled, lines, program, form, tables, found, tables.loop)
+    return ExportedServo(files, tabled, lines, program, form, tables, margins, tables.loop)
 
 
-def servo_messages(stand: Stand, servo: Servo, found: Margins, ticks: int, periods: int) -> tuple[str, ...]:
+def servo_messages(stand: Stand, servo: Servo, margins: Margins, ticks: int, periods: int) -> tuple[str, ...]:
     """Messages about the computed servo, one line each."""
     J, late = rotor_inertia(stand), delay(stand, servo)
     parts = [f"bandwidth {_hertz(servo.bandwidth)}, damping ratio {servo.damping_ratio:g}"]
     parts += [] if servo.integral is None else [f"integral {_hertz(servo.integral)}"]
     parts += [] if servo.speed_filter is None else [f"speed filter {_hertz(servo.speed_filter)}"]
-    less = "" if math.isinf(found.less) else f" up, {found.less:.1f} down"
+    less = "" if math.isinf(margins.less) else f" up, {margins.less:.1f} down"
     lines = [
         f"servo: {', '.join(parts)}; rotors of {J.min():.4g} to {J.max():.4g} kg m2",
         f"servo: {servo.period * 1e3:g} ms per sample, {late * 1e3:g} ms of delay; {ticks} samples are {periods} "
         f"period{'s' if periods > 1 else ''}",
-        f"servo: stable, largest pole {found.radius:.4f}; gain margin {found.gain:.1f}{less}, phase margin "
-        f"{found.phase:.0f} deg, {found.delay * 1e3:.2f} ms of further delay; on this carrier rotors are up to "
-        f"{found.lightness:.3f} times as light",
+        f"servo: stable, largest pole {margins.radius:.4f}; gain margin {margins.gain:.1f}{less}, phase margin "
+        f"{margins.phase:.0f} deg, {margins.delay * 1e3:.2f} ms of further delay; on this carrier rotors are up to "
+        f"{margins.lightness:.3f} times as light",
     ]
     return tuple(lines)
 

@@ -195,14 +195,14 @@ def numbers(text: str | None, count: int) -> list[float]:
     """Exactly `count` finite numbers, separated by blanks. Raises ValueError, whose text says what was expected."""
     expected = "a number" if count == 1 else f"{count} numbers separated by blanks"
     try:
-        found = [float(word) for word in (text or "").split()]
+        result = [float(word) for word in (text or "").split()]
     except ValueError:
-        found = []
-    if len(found) != count:
+        result = []
+    if len(result) != count:
         raise ValueError(f"expected {expected}, found {show(text or '')}")
-    if not all(map(math.isfinite, found)):
+    if not all(map(math.isfinite, result)):
         raise ValueError(f"{show(text)} is not finite")
-    return found
+    return result
 
 
 def combined(parts: list[RigidMass]) -> RigidMass:

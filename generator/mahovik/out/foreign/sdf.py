@@ -100,7 +100,7 @@ class Sdf(Reader):
 
     def _models(self, element: ET.Element, path: Path) -> list[tuple[ET.Element, Path, ET.Element | None]]:
         """Models in an element, those of other files among them: the model, its file, the pose that counts."""
-        found = [(model, path, model.find("pose")) for model in element.findall("model")]
+        models = [(model, path, model.find("pose")) for model in element.findall("model")]
         for include in element.findall("include"):
             uri = _text(include, "uri")
             name = uri.removeprefix("model://").removeprefix("file://").strip("/")
@@ -119,10 +119,10 @@ class Sdf(Reader):
             self.notes += left_out(model, _READ, _HARMLESS)
             model.attrib |= {"merge": include.get("merge", ""), "name": _text(include, "name") or model.get("name", "")}
             pose = include.find("pose")
-            found.append((model, files[0], model.find("pose") if pose is None else pose))
-        for model, *_ in found:
+            models.append((model, files[0], model.find("pose") if pose is None else pose))
+        for model, *_ in models:
             model.set("static", "yes" if _text(model, "static") in _TRUE else "")
-        return found
+        return models
 
     def _add(self, model: ET.Element, scope: str, path: Path, pose: tuple[str, Place]) -> None:
         """Frames, links and joints of a model at a pose; `scope` stands before its names."""
@@ -200,10 +200,10 @@ class Sdf(Reader):
         pose = None if inertial is None else inertial.find("pose")
         base, at = self._pose(pose, link, f"{scope}::" if scope else "")
         at = (self._place(link).inverse @ self._place(base) @ at) if base != link else at
-        own = at.mass(RigidMass(mass, np.zeros(3), np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])))
+        rigid_mass = at.mass(RigidMass(mass, np.zeros(3), np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])))
         body = parent.add_body(name=link, pos=place.origin, quat=_quaternion(place))
-        body.explicitinertial, body.mass, body.ipos = True, mass, own.center
-        body.fullinertia = own.inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+        body.explicitinertial, body.mass, body.ipos = True, mass, rigid_mass.center
+        body.fullinertia = rigid_mass.inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
 
     def _add_joint(self, body: Any, name: str, place: Place) -> None:
         """The joint of a body whose link is at a place in the world."""

@@ -384,9 +384,9 @@ class _Maker:
         axis, across = joint.axis, np.eye(3)[(int(np.argmax(np.abs(joint.axis))) + 1) % 3]
         second = across - (across @ axis) * axis
         second = second / np.linalg.norm(second)
-        own = Place(joint.anchor, np.column_stack([axis, second, np.cross(axis, second)]))
+        place = Place(joint.anchor, np.column_stack([axis, second, np.cross(axis, second)]))
         members = [name for name, head in self._heads.items() if head == body.name]
-        mass = self._mass(members, own.inverse, self._at)
+        mass = self._mass(members, place.inverse, self._at)
         mass = replace(mass, inertia=mass.inertia + _disc(joint.armature, np.eye(3)[0]))
         zero = (at @ joint.moved(-joint.zero)).axes @ second
         motor, sources = None, {"viscous": joint.damping, "coulomb": joint.friction, "torque": joint.effort}
@@ -414,12 +414,12 @@ class _Maker:
         given += [(name, self._places[on] @ at) for name, on, at in self._model.points if on in self._members]
         if turning := [name for name, on, _ in self._model.points if on not in self._members]:
             self._notes.append(f"left out, since they are not on the carrier: {', '.join(turning)}")
-        found = []
+        points = []
         for theirs, at in given:
             name = self._own_name(theirs, "point")
             self._comments[name] = [f"{theirs}, fixed on the carrier, without mass."]
-            found.append(Point(name, "carrier", _vec3(at.origin), angles_of(at.axes)))
-        return tuple(found)
+            points.append(Point(name, "carrier", _vec3(at.origin), angles_of(at.axes)))
+        return tuple(points)
 
     def _sources(self, bodies: Sequence[str]) -> str:
         """Comment that names the bodies that mass properties are of."""
@@ -455,8 +455,10 @@ def _text(stand: Stand, tables: dict[str, Any], comments: Any, head: Sequence[st
 
 def _diagonal_or_rows(matrix: Array) -> list[Any]:
     """A 6x6 as its diagonal, where it is one."""
-    found: list[Any] = (np.diag(matrix) if np.array_equal(matrix, np.diag(np.diag(matrix))) else matrix).tolist()
-    return found
+    diagonal_or_rows: list[Any] = (
+        np.diag(matrix) if np.array_equal(matrix, np.diag(np.diag(matrix))) else matrix
+    ).tolist()
+    return diagonal_or_rows
 
 
 def _one_line(text: str) -> str:
@@ -482,8 +484,8 @@ def _freedoms_of(joint: Joint) -> list[tuple[FreedomKind, Array]]:
     """What a joint leaves free: kind and direction of each freedom."""
     slides: list[tuple[FreedomKind, Array]] = [("slide", axis) for axis in np.eye(3)]
     turns: list[tuple[FreedomKind, Array]] = [("turn", axis) for axis in np.eye(3)]
-    own: FreedomKind = "slide" if joint.kind == "slide" else "turn"
-    return {"free": [*slides, *turns], "ball": turns}.get(joint.kind, [(own, joint.axis)])
+    literal: FreedomKind = "slide" if joint.kind == "slide" else "turn"
+    return {"free": [*slides, *turns], "ball": turns}.get(joint.kind, [(literal, joint.axis)])
 
 
 def _hold_of(ways: Sequence[tuple[FreedomKind, Array, Array]], home: Place) -> tuple[Hold, Array]:

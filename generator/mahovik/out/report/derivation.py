@@ -117,16 +117,16 @@ def document(stand: Stand) -> list[Section]:
     for wheel, row in zip(stand.flywheels, rows, strict=True):
         caption = f"{wheel.name} on {wheel.mount}: mass {wheel.mass:.6g} kg, about its axis {row['spin']:.6g} kg m2"
         tables.append(Table(caption, ("", *HEAD), tuple(_harmonics(row, size[0] * size[5], size[5] ** 2))))
-    found = [*general, matrices, *([Section("Numbers: flywheels", "(2), (9)", tuple(tables))] if rows else [])]
+    result = [*general, matrices, *([Section("Numbers: flywheels", "(2), (9)", tuple(tables))] if rows else [])]
     if stand.hold is not None:
         S = twists(stand.hold)
         projected = Formula(f"S^T K S = {numbers(S.T @ K @ S, np.abs(S).T @ noise @ np.abs(S))}")
         shown = (*held(), Formula(f"S = {numbers(S, 0.0 * S)}"), projected) if S.shape[1] else ()
-        found.append(Section("Hold", "(8)", (f"{words(stand.hold)}.", *shown)))
+        result.append(Section("Hold", "(8)", (f"{words(stand.hold)}.", *shown)))
     sequence = (
         f"Attitude sequence {stand.angles}: $C = {turns(stand.angles)}$. Mass of the whole {made['mass']:.6g} kg."
     )
-    return [Section(found[0].title, found[0].equations, (sequence, *found[0].blocks)), *found[1:]]
+    return [Section(result[0].title, result[0].equations, (sequence, *result[0].blocks)), *result[1:]]
 
 
 def _mass_matrix(sums: Mapping[str, Any]) -> Any:

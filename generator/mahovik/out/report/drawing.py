@@ -159,8 +159,8 @@ class _View:
             name = "carrier" if k == 0 else stand.instruments[k - 1].name
             self.axes.fill(*outline, facecolor="#8881" if k == 0 else "#8882", edgecolor=GREY, label=name,
                            linestyle="-" if k == 0 else (0, (6, 2, 1, 2)), zorder=1)  # fmt: skip
-        for k, each in enumerate(discs):
-            self._disc(each, COLOURS[k % len(COLOURS)])
+        for k, disc in enumerate(discs):
+            self._disc(disc, COLOURS[k % len(COLOURS)])
         self._unbalance(discs)
         self._ties(stand)
         for point in stand.points:
@@ -203,15 +203,15 @@ class _View:
 
     def _unbalance(self, discs: list[Disc]) -> None:
         """Arrows along the unbalance, the largest of each kind as long as the largest disc is wide."""
-        wide = max((1.2 * each.radius for each in discs), default=0.0)
+        wide = max((1.2 * disc.radius for disc in discs), default=0.0)
         for kind, colour, dashed in (("static", STATIC, False), ("dynamic", DYNAMIC, True)):
-            vectors = [getattr(each, kind) for each in discs]
-            largest = max((float(np.linalg.norm(each)) for each in vectors), default=0.0)
+            vectors = [getattr(disc, kind) for disc in discs]
+            largest = max((float(np.linalg.norm(disc)) for disc in vectors), default=0.0)
             if largest > 0.0:
                 self.axes.plot([], [], color=colour, linestyle="--" if dashed else "-", label=f"{kind} unbalance")
-            for each, vector in zip(discs, vectors, strict=True):
+            for disc, vector in zip(discs, vectors, strict=True):
                 if np.linalg.norm(vector) > 0.02 * largest:
-                    self._arrow(each.center, each.center + wide / largest * vector, colour, dashed=dashed)
+                    self._arrow(disc.center, disc.center + wide / largest * vector, colour, dashed=dashed)
 
     def _ties(self, stand: Stand) -> None:
         """Springs to the ground, cut off where they are long; signs of what holds the carrier."""

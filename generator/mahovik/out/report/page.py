@@ -100,12 +100,12 @@ def paragraph(text: str) -> Markup:
     return Markup("<p>{}</p>\n").format(Markup("").join(pieces))
 
 
-def table(found: Result) -> Markup:
+def table(result: Result) -> Markup:
     """The columns of a result as its text has them; numbers stand at the right, and what failed is red."""
-    heads, rows, numbers = found.cells()
+    heads, rows, numbers = result.cells()
     red = Markup('<span class="bad">{}</span>')
     cells = [[red.format(cell) if "red" in STYLES.get(cell, "") else cell for cell in row] for row in rows]
-    return table_of(heads, cells, numbers, found.title)
+    return table_of(heads, cells, numbers, result.title)
 
 
 def table_of(heads: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[bool], caption: str) -> Markup:

@@ -154,7 +154,7 @@ class AnswerVector:
 
         Where a rank is another one, rounding decides what the numbers are: they count as right.
         """
-        found = np.full(self.expected.size, np.nan)
+        result = np.full(self.expected.size, np.nan)
         for request, parts, rank in zip(self.requests, self.parts, self.ranks, strict=True):
             if among is not None and request.id not in among:
                 continue
@@ -163,10 +163,10 @@ class AnswerVector:
             for path, shape, start in parts:
                 place, numbers = slice(start, start + int(np.prod(shape))), numbers_at(values, path)
                 if other_rank:
-                    found[place] = self.expected[place]
+                    result[place] = self.expected[place]
                 elif numbers is not None and numbers.shape == shape:
-                    found[place] = numbers.ravel()
-        return found
+                    result[place] = numbers.ravel()
+        return result
 
     def of_model(self, model: Model, among: Collection[str] | None = None) -> Array:
         """The numbers that other equations answer; NaN where they have none, and of other requests than these ids."""
@@ -233,7 +233,7 @@ def separating_states(stand: Stand, seed: int = 1, program: Program | None = Non
     """
     rng = np.random.default_rng(seed)
     alone = {f"{k.name} turns": k.name for k in stand.flywheels[:ALONE]}
-    found = []
+    result = []
     for number, name in enumerate((*STILL, *alone)):
         state = random_state(stand, rng)
         if name in BY_QUATERNION:
@@ -256,8 +256,8 @@ def separating_states(stand: Stand, seed: int = 1, program: Program | None = Non
         if program is not None:
             state = with_drawn_actuators(stand, state, rng) if program.actuators else state
             state = program.state(stand, state)
-        found.append((name, state))
-    return found
+        result.append((name, state))
+    return result
 
 
 def spread_rows(states: Sequence[tuple[str, State]], count: int) -> list[tuple[str, State]]:

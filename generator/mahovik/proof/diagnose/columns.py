@@ -342,7 +342,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
     laws, of_carrier = list[_Law](), cast(tuple[Any, ...], stand.laws)
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
     between, of_bodies = parts("reference", CarrierReference), parts("reference", BodyReference, BODY_LAWS)
-    coarse = {each.law: each.terms for each in parts("faults", LawParts, BODY_LAWS)}
+    coarse = {part.law: part.terms for part in parts("faults", LawParts, BODY_LAWS)}
 
     def on_carrier(i: int, law: Any) -> Array:
         alone = replace(stand, laws=(law,))

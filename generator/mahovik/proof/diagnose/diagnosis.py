@@ -187,7 +187,7 @@ class Diagnoser:
     def _following(self, answers: Answers) -> Model:
         """Quantities by other answers of the program: q_ddot by V_dot, Z0 by Z."""
         right = Reference(self._stand)
-        requests = {(id(each.state), each.want[0]): each for each in self.requests}
+        requests = {(id(request.state), request.want[0]): request for request in self.requests}
 
         def implied(state: State, want: str) -> Mapping[str, Any]:
             source = requests.get((id(state), "forward" if want == "generalized" else want))
@@ -229,15 +229,15 @@ class Diagnoser:
         near: _Near = 1.0, ()
         for count in (1, 2):
             exact = []
-            for each in search.solutions(count):
-                left, wants = evidence.compare(search.model(each.values))
+            for solved in search.solutions(count):
+                left, wants = evidence.compare(search.model(solved.values))
                 if wants == ():
-                    exact.append(search.rounded(each))
+                    exact.append(search.rounded(solved))
                 elif left < near[0]:
-                    near = left, _causes(each)
+                    near = left, _causes(solved)
             if exact:
-                first, *others = sorted(exact, key=lambda each: _digits(each) > SIMPLE)
-                like = tuple(" and ".join(x.path for x in each.values) for each in others)
+                first, *others = sorted(exact, key=lambda solved: _digits(solved) > SIMPLE)
+                like = tuple(" and ".join(x.path for x in solved.values) for solved in others)
                 return tuple(replace(cause, like=like) for cause in _causes(first)), near
         return (), near
 

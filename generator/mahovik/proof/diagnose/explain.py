@@ -48,18 +48,18 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
 
     Raises CheckError, UsageError.
     """
-    found, states, program = judged.found, judged.states, judged.program
-    if found.passed:
+    report, states, program = judged.found, judged.states, judged.program
+    if report.passed:
         return Diagnosis("none")
-    offered = tuple(dict.fromkeys(row.judged for row in found.rows if row.verdict in ("ok", "FAILED")))
+    offered = tuple(dict.fromkeys(row.judged for row in report.rows if row.verdict in ("ok", "FAILED")))
     if not offered:
-        return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(found))
+        return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(report))
     rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
     diagnoser = Diagnoser(
         stand, document, seed=seed, wants=offered, states=rows, tolerance=judged.tolerance, program=program
     )
     diagnosed = diagnoser.diagnose(judged.answers(diagnoser.requests))
-    diagnosed = replace(diagnosed, failed=_failure_words(found, diagnosed.wrong))
+    diagnosed = replace(diagnosed, failed=_failure_words(report, diagnosed.wrong))
     precision = diagnosed.precision
     if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
         if diagnosed.verdict == "none" and diagnosed.failed:
@@ -78,10 +78,10 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
         return diagnosed if diagnosed.verdict == "named" else replace(diagnosed, hindrance=str(error))
 
 
-def _failure_words(found: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
+def _failure_words(report: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
     """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
     return tuple(
         f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
-        for row in found.failures
+        for row in report.failures
         if not any(f"{each}.".startswith(f"{row.judged}: {row.quantity}.") for each in compared)
     )

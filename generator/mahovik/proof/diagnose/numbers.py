@@ -127,12 +127,12 @@ class NumberSearch:
     def _slopes(self) -> Array:
         """Derivatives (n, m) of the answers over rounding; zero where there is none."""
         columns = []
-        for each in self._numbers:
-            size = max((abs(x) for x in (each.value, *np.ravel(each.whole or 0.0))), default=0.0) or SMALL
+        for number in self._numbers:
+            size = max((abs(x) for x in (number.value, *np.ravel(number.whole or 0.0))), default=0.0) or SMALL
             columns.append(np.zeros(self._error.size))
             for step in (STEP * size, -STEP * size):
                 try:
-                    moved = self._vector.of_model(self.model({each: each.value + step}), self._among)
+                    moved = self._vector.of_model(self.model({number: number.value + step}), self._among)
                 except StandError:
                     continue
                 change = np.nan_to_num((moved - self._vector.expected) / step, nan=0.0)
@@ -151,7 +151,7 @@ class NumberSearch:
     def _solve(self, numbers: Sequence[StandNumber], columns: Sequence[int]) -> SolvedNumbers | None:
         """Gauss-Newton with derivatives that are brought up to date by what each step changed (Broyden)."""
         jacobian, rest = self._slopes[:, columns], self._error
-        at = np.array([each.value for each in numbers])
+        at = np.array([number.value for number in numbers])
         size, best = 1.0, (1.0, at)
         whole = float(np.linalg.norm(rest)) or 1.0
         for k in range(MOST_STEPS):

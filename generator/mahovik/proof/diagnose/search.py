@@ -439,7 +439,7 @@ class TermSearch:
         by a likely factor. The part is what changes with the number in the right equations.
         """
         file, g = StandNumbers(self._stand, exact(document_of(self._stand))), float(np.linalg.norm(self._stand.gravity))
-        found = expected + error, expected, ""
+        result = expected + error, expected, ""
         for number in file:
             sizes = [abs(multiple * number.value) for multiple in (1.0, 2.0, 0.5, g, 2.0 * g)]
             alike = any(abs(x - abs(y)) <= SAME * abs(y) for x in sizes for y in (expected, error))
@@ -453,8 +453,8 @@ class TermSearch:
             if abs(part - expected) <= SAME * abs(expected):
                 return expected + error, expected, number.path
             if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
-                found = part + error, part, number.path
-        return found
+                result = part + error, part, number.path
+        return result
 
 
 def _is_same(one: WrongTerm, other: WrongTerm) -> bool:

@@ -22,8 +22,8 @@ Values = dict[str, Any]
 
 def vector(numbers: Sequence[Any]) -> Array:
     """Numbers of a stand or state, nested as they are, as an array."""
-    found = np.array(numbers)
-    return found if found.dtype.kind in "fO" else found.astype(np.float64)
+    result = np.array(numbers)
+    return result if result.dtype.kind in "fO" else result.astype(np.float64)
 
 
 def stack(vectors: Sequence[Array], *shape: int) -> Array:
@@ -95,5 +95,5 @@ def solve_symmetric(S: Array, b: Array) -> Array:
 def _solve_exactly(S: Array, b: Array) -> Array:
     """x of S x = b, by the solver of the number type (balls)."""
     kind = next(type(x) for x in (*S.flat, *b.flat) if not isinstance(x, float | int))
-    found: Array = kind.solve(S, b)
-    return found
+    result: Array = kind.solve(S, b)
+    return result

@@ -209,16 +209,16 @@ def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
     Torque of the motor, which gives tau_s and bears the friction, over what it has; without a motor, or of one without
     limits, |phi_s''| over `inverse_most`.
     """
-    found = np.zeros(len(stand.flywheels))
+    shares = np.zeros(len(stand.flywheels))
     for k, wheel in enumerate(stand.flywheels):
         motor = wheel.motor
         if motor is None or (motor.torque is None and motor.speed is None and not motor.torque_speed):
-            found[k] = abs(phi_ddot[k]) / stand.inverse_most
+            shares[k] = abs(phi_ddot[k]) / stand.inverse_most
             continue
         own = tau[k] - friction(motor, at.phi_dot[k])
         most = available(motor, own, at.phi_dot[k])
-        found[k] = abs(own) / most if most else (np.inf if own else 0.0)
-    return found
+        shares[k] = abs(own) / most if most else (np.inf if own else 0.0)
+    return shares
 
 
 def with_excess(answer: Inverse, at: Pieces, stand: Stand, V_dot: Array) -> dict[str, str]:

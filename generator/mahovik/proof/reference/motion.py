@@ -97,12 +97,12 @@ def rates(at: Pieces, tau: Array, phi_ddot: Array, free: Array) -> tuple[Array, 
     moved = at.S.T @ d
     d = d - at.S @ moved
     right = at.S.T @ (at.F - bias(at) - at.K @ d - at.I @ np.where(free, 0.0, phi_ddot))
-    found, mass = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype), at.S.T @ at.K @ at.S
+    result, mass = np.concatenate([np.zeros(m), phi_ddot]).astype(right.dtype), at.S.T @ at.K @ at.S
     if np.any(free):
         mass, right = full_mass_matrix(at), np.concatenate([right, spin_up_torque(at, tau) - at.I.T @ d])
     unknown = np.flatnonzero(np.concatenate([np.full(m, True), free]))
-    found[unknown] = solve_symmetric(mass[np.ix_(unknown, unknown)], right[unknown])
-    return found[:m] - moved, found[m:]
+    result[unknown] = solve_symmetric(mass[np.ix_(unknown, unknown)], right[unknown])
+    return result[:m] - moved, result[m:]
 
 
 def coupled(at: Pieces, tau: Array, locked: Array | None = None) -> tuple[Array, Array]:

@@ -61,9 +61,9 @@ def _nested(numbers: Array) -> Any:
 
 def _unit(i: int, j: int, size: int) -> Array:
     """Symmetric matrix with 1 at i, j."""
-    found = np.zeros((size, size))
-    found[i, j] = found[j, i] = 1.0
-    return found
+    unit = np.zeros((size, size))
+    unit[i, j] = unit[j, i] = 1.0
+    return unit
 
 
 def body_columns(stand: Stand, state: State, name: str) -> Array:

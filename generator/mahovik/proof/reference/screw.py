@@ -20,16 +20,16 @@ f = np.concatenate([zero[0], e1])  # every flywheel spins about its own first ax
 
 def blocks(A: Array, B: Array, C: Array, D: Array) -> Array:
     """[[A, B], [C, D]] (6x6) of four 3x3. As np.block, which takes ten times as long."""
-    found: Array = np.empty((6, 6), np.result_type(A, B, C, D))
-    found[:3, :3], found[:3, 3:], found[3:, :3], found[3:, 3:] = A, B, C, D
-    return found
+    statements: Array = np.empty((6, 6), np.result_type(A, B, C, D))
+    statements[:3, :3], statements[:3, 3:], statements[3:, :3], statements[3:, 3:] = A, B, C, D
+    return statements
 
 
 def block_diagonal(C: Array) -> Array:
     """[C] = diag(C, C) (6x6) of C (3x3), or of each of many."""
-    found: Array = np.zeros((*C.shape[:-2], 6, 6), C.dtype)
-    found[..., :3, :3] = found[..., 3:, 3:] = C
-    return found
+    result: Array = np.zeros((*C.shape[:-2], 6, 6), C.dtype)
+    result[..., :3, :3] = result[..., 3:, 3:] = C
+    return result
 
 
 def _linear(matrix: Callable[[Array], Array], n: int) -> Array:

@@ -190,18 +190,18 @@ def differences(stand: Stand, document: Table) -> dict[str, float]:
     if [*file.places] != [*dict.fromkeys((*file.bodies, *at))] or [*file.bodies] != [b.name for b in stand.bodies]:
         return {"bodies": math.inf}
     reach = max(float(np.abs(origin).max()) for origin, _ in at.values())
-    found = {}
+    result = {}
     for name, (origin, axes) in at.items():
-        found[f"{name} position"] = _relative(origin, file.places[name][0], reach)
-        found[f"{name} axes"] = _relative(axes, file.places[name][1], 1.0)
+        result[f"{name} position"] = _relative(origin, file.places[name][0], reach)
+        result[f"{name} axes"] = _relative(axes, file.places[name][1], 1.0)
     for (name, body), column in zip(file.bodies.items(), columns(stand).T, strict=True):
         mass, c, J = column[12], column[13:16], column[16:].reshape(3, 3)
-        found[f"{name} mass"] = _relative(mass, body.mass, mass)
-        found[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
-        found[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
+        result[f"{name} mass"] = _relative(mass, body.mass, mass)
+        result[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
+        result[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
     Lambda = np.zeros((6, 6)) if fluid is None else fluid
-    found["added mass"] = _relative(Lambda, file.added_mass, np.abs(Lambda).max())
-    return found | (_isolators(stand, document, file) if "isolator" in document else {})
+    result["added mass"] = _relative(Lambda, file.added_mass, np.abs(Lambda).max())
+    return result | (_isolators(stand, document, file) if "isolator" in document else {})
 
 
 def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]:
@@ -226,7 +226,7 @@ def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]
     weight = np.zeros(6)
     for body in stand.bodies:
         origin, axes = file.places[body.name]
-        spins = np.diag([1.0, 0.0, 0.0]) if body.name in {each.name for each in stand.flywheels} else np.eye(3)
+        spins = np.diag([1.0, 0.0, 0.0]) if body.name in {flywheel.name for flywheel in stand.flywheels} else np.eye(3)
         numbers = file.bodies[body.name]
         for mass, c in [(numbers.mass, numbers.center_of_mass), *((-m, np.array(c)) for m, c in body.displaced)]:
             weight += mass * np.concatenate([g, np.cross(origin + axes @ spins @ c, g)])
@@ -237,13 +237,14 @@ def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]
     borne = np.repeat(lift.reshape(-1, 3).sum(axis=1), 3) / max(float(g @ g), 1e-300)
     c = np.array(given) + 2 * np.array(ratios) * np.sqrt(springs * np.maximum(borne, 0.0))
     D = R.T @ (c[:, None] * R)
-    found = {"stiffness": (law.stiffness, K), "damping": (law.damping, D)}
+    isolators = {"stiffness": (law.stiffness, K), "damping": (law.damping, D)}
     if "preload" in document.get("suspension", {}):
         turned = rotation_vector(_attitude(stand, law.angles).T @ C)
         off = np.concatenate([C.T @ (at - np.array(law.position)), turned])
-        found["equilibrium"] = (S.T @ K @ off, S.T @ weight)
+        isolators["equilibrium"] = (S.T @ K @ off, S.T @ weight)
     return {
-        f"suspension {name}": _relative(np.array(a), b, np.abs(b).max(initial=0.0)) for name, (a, b) in found.items()
+        f"suspension {name}": _relative(np.array(a), b, np.abs(b).max(initial=0.0))
+        for name, (a, b) in isolators.items()
     }
 
 

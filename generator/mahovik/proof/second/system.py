@@ -30,14 +30,14 @@ Place = tuple[Array, Array]
 
 def places(stand: Stand) -> dict[str, Place]:
     """Place of the carrier, every instrument, flywheel and point, by name."""
-    found: dict[str, Place] = {stand.carrier.name: (np.zeros(3), np.eye(3))}
+    result: dict[str, Place] = {stand.carrier.name: (np.zeros(3), np.eye(3))}
     for p in stand.instruments:
-        found[p.name] = (np.array(p.position), fixed_rotation(p.angles))
+        result[p.name] = (np.array(p.position), fixed_rotation(p.angles))
     for s in stand.flywheels:
-        found[s.name] = place_in_E1(found[s.mount], (np.array(s.position), mounting(s.mounting)))
+        result[s.name] = place_in_E1(result[s.mount], (np.array(s.position), mounting(s.mounting)))
     for point in stand.points:
-        found[point.name] = place_in_E1(found[point.mount], (np.array(point.position), fixed_rotation(point.angles)))
-    return found
+        result[point.name] = place_in_E1(result[point.mount], (np.array(point.position), fixed_rotation(point.angles)))
+    return result
 
 
 def place_in_E1(mount: Place, place: Place) -> Place:

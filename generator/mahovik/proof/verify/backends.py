@@ -288,10 +288,10 @@ class KeptBackend(FunctionBackend):
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The table with other deflections and speeds, by name."""
         table = self.made.tables["table"].copy()
-        for each in run_time_inputs(self.layout.structure):
-            for k, name in enumerate(each.names):
+        for item in run_time_inputs(self.layout.structure):
+            for k, name in enumerate(item.names):
                 if name in actuators:
-                    table[each.array][each.member][0, k] = actuators[name]
+                    table[item.array][item.member][0, k] = actuators[name]
         return table
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
@@ -310,16 +310,16 @@ class KeptBackend(FunctionBackend):
 
 def _memory(a: ArgumentLayout, element: np.dtype[Any], value: Any) -> NDArray[Any]:
     """Memory of an argument of one state, with its value."""
-    found = np.zeros(1, dtype=record(a.members, element))
+    memory = np.zeros(1, dtype=record(a.members, element))
     for m in a.members:
-        found[m.name] = value[m.name] if isinstance(value, Mapping) else value
-    return found
+        memory[m.name] = value[m.name] if isinstance(value, Mapping) else value
+    return memory
 
 
 def _plain(a: ArgumentLayout, memory: NDArray[Any], element: np.dtype[Any]) -> Any:
     """A result of one state as plain data: numbers, lists, dicts by member."""
     row = memory.reshape(-1).view(record(a.members, element))[0]
-    found = {
+    result = {
         m.name: (
             [{inner.name: each[inner.name].tolist() for inner in m.members} for each in row[m.name]]
             if m.kind == "record"
@@ -327,7 +327,7 @@ def _plain(a: ArgumentLayout, memory: NDArray[Any], element: np.dtype[Any]) -> A
         )
         for m in a.members
     }
-    return found[a.name] if [*found] == [a.name] and len(found) == 1 else found
+    return result[a.name] if [*result] == [a.name] and len(result) == 1 else result
 
 
 def turns(state: State) -> dict[str, Any]:

@@ -112,13 +112,13 @@ class CBackend(ProgramBackend):
         """Calls the C, or the interpreter for a function that the C lacks: with its own table for the compiled one."""
         if function not in self.left_out:
             return super().call(function, inputs)
-        own = self.interpreter
+        interpreter = self.interpreter
         given = dict(inputs)
         if isinstance(given.get("table"), self.library.ffi.CData):
-            given["table"] = own._table
+            given["table"] = interpreter._table
         if given.get("mounting") is None:
-            given["mounting"] = own.mounting
-        return own.call(function, given)
+            given["mounting"] = interpreter.mounting
+        return interpreter.call(function, given)
 
     @cached_property
     def full(self) -> CBackend:
@@ -129,9 +129,9 @@ class CBackend(ProgramBackend):
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The default table with other deflections and speeds, by name."""
         table = dict(self._plain_table)
-        for each in run_time_inputs(self.generated.layout.structure):
-            pairs = zip(table[each.array], each.names, strict=True)
-            table[each.array] = [{**of, each.member: actuators.get(name, of[each.member])} for of, name in pairs]
+        for item in run_time_inputs(self.generated.layout.structure):
+            pairs = zip(table[item.array], item.names, strict=True)
+            table[item.array] = [{**of, item.member: actuators.get(name, of[item.member])} for of, name in pairs]
         return table
 
     @cached_property

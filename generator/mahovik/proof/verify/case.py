@@ -91,8 +91,8 @@ class Case:
         status, outputs = self.backend.call(function, inputs)
         if status < 0:
             raise StateError(f"{function} refused with status {status_words(status)}")
-        found: dict[str, Any] = outputs.get("out", outputs)
-        return status, found
+        result: dict[str, Any] = outputs.get("out", outputs)
+        return status, result
 
     def lock_pattern(self, number: int) -> Array:
         """Locked flywheels (N, bool): every second, the others, all but one, all, in turn."""

@@ -145,17 +145,17 @@ def _share(value: float, limit: float) -> float:
     return value / limit if limit else math.inf
 
 
-def difference(found: Any, expected: Any, scale: Any, floor: float = FLOOR) -> tuple[float, str]:
+def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> tuple[float, str]:
     """Largest |found - expected| / scale over the components, and a reason if the values cannot be compared."""
-    if found is None:
+    if result is None:
         return math.inf, "missing"
     if isinstance(expected, dict):
-        return _of_parts(found, expected, scale, floor)
+        return _of_parts(result, expected, scale, floor)
     if scale is None:
-        same = np.asarray(found).tolist() == np.asarray(expected).tolist()
-        return (0.0, "") if same else (math.inf, f"{found} where the reference has {expected}")
+        same = np.asarray(result).tolist() == np.asarray(expected).tolist()
+        return (0.0, "") if same else (math.inf, f"{result} where the reference has {expected}")
     try:
-        numbers = np.array(found, dtype=np.float64)
+        numbers = np.array(result, dtype=np.float64)
     except (ValueError, TypeError, OverflowError):
         return math.inf, "no array of numbers"
     wanted = np.asarray(expected, dtype=np.float64)
@@ -255,8 +255,8 @@ def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
     """
     rows = [{key: _finite(getattr(row, key)) for key in ROW_KEYS} for row in report.rows]
     about = {key: getattr(report, key) for key in REPORT_KEYS}
-    found = {**about, "conclusion": conclusion(report), "rows": rows, **(more or {})}
-    return json.dumps(found, indent=1, allow_nan=False)
+    result = {**about, "conclusion": conclusion(report), "rows": rows, **(more or {})}
+    return json.dumps(result, indent=1, allow_nan=False)
 
 
 def _finite(value: Any) -> Any:

@@ -27,17 +27,17 @@ LAST_PLACES, NEIGHBOURS = 2.0**-51, 3
 """Relative distance of states by which rounding is measured, and how many there are."""
 
 
-def _half_turns_as(name: str, expected: Any, found: Any, near: float) -> Any:
+def _half_turns_as(name: str, expected: Any, result: Any, near: float) -> Any:
     """`q` or `orientation` with the sign of the expected where both are half a turn, as far as `near` tells: rounding
     decides between pi and -pi, and between a quaternion and its negative.
     """
-    if np.shape(found) != np.shape(expected):
-        return found
+    if np.shape(result) != np.shape(expected):
+        return result
     if name == "orientation":
-        is_half = max(abs(expected[0]), abs(found[0])) < near
-        return np.copysign(1.0, np.dot(expected, found)) * np.asarray(found) if is_half else found
-    half = (np.abs(np.abs(expected) - np.pi) < near) & (np.abs(np.abs(found) - np.pi) < near)
-    return np.where(half, np.copysign(found, expected), found)
+        is_half = max(abs(expected[0]), abs(result[0])) < near
+        return np.copysign(1.0, np.dot(expected, result)) * np.asarray(result) if is_half else result
+    half = (np.abs(np.abs(expected) - np.pi) < near) & (np.abs(np.abs(result) - np.pi) < near)
+    return np.where(half, np.copysign(result, expected), result)
 
 
 def odd_one(judged: float, second: float, between: float, words: str) -> str:

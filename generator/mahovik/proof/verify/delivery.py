@@ -67,13 +67,13 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
     if not path.is_file():
         return None
     try:
-        found = json.loads(content(path).decode("utf-8"))
-        known = str(found["generator"]).startswith("mahovik ") and found["format"] == FORMAT
-        known = known and isinstance(found["stand"], str) and found["real"] in PRECISIONS
-        only = found.get("only", list(ALL))
+        document = json.loads(content(path).decode("utf-8"))
+        known = str(document["generator"]).startswith("mahovik ") and document["format"] == FORMAT
+        known = known and isinstance(document["stand"], str) and document["real"] in PRECISIONS
+        only = document.get("only", list(ALL))
         known = known and isinstance(only, list) and all(isinstance(name, str) for name in only)
-        if known and isinstance(found["files"], dict):
-            return dict(found)
+        if known and isinstance(document["files"], dict):
+            return dict(document)
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         pass
     raise UsageError(f"{path}: is not a manifest of mahovik: choose another folder, {_NOTHING}")
@@ -198,10 +198,10 @@ def deliver(
 
 def require_own(folder: Path, stand: Stand) -> dict[str, Any] | None:
     """The manifest of a folder, None where there is none. Raises UsageError if it is of another stand, or not ours."""
-    found = read_manifest(folder)
-    if found is not None and found["stand"] != stand.name:
-        raise UsageError(f'{folder}: holds the C of stand "{found["stand"]}": choose another folder, {_NOTHING}')
-    return found
+    manifest = read_manifest(folder)
+    if manifest is not None and manifest["stand"] != stand.name:
+        raise UsageError(f'{folder}: holds the C of stand "{manifest["stand"]}": choose another folder, {_NOTHING}')
+    return manifest
 
 
 def is_cost_page(folder: Path, stand: Stand) -> bool:
@@ -228,13 +228,13 @@ def provenance(stand_file: bytes | None) -> str:
     in, `+` where files differ from it.
     """
     package = Path(mahovik.__file__).resolve().parent
-    found = hashlib.sha256()
+    result = hashlib.sha256()
     for path in sorted(package.rglob("*.py")):
-        found.update(path.relative_to(package).as_posix().encode() + b"\0" + path.read_bytes())
+        result.update(path.relative_to(package).as_posix().encode() + b"\0" + path.read_bytes())
     return as_text(
         {
             "generator": f"mahovik {__version__}",
-            "package": found.hexdigest(),
+            "package": result.hexdigest(),
             "commit": _commit(package),
             "python": platform.python_version(),
             "numpy": version("numpy"),
@@ -269,14 +269,14 @@ def differences(
     if header is not None and header.real not in (None, real):
         there = header.real
         return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
-    found = []
+    result = []
     for name, text in files.items():
         path = folder / name
         if not path.is_file():
-            found.append(f"{path}: is missing")
+            result.append(f"{path}: is missing")
         elif path.read_bytes() != text.encode("utf-8"):
             other = "does not list these files" if name == NAME else "is not what the generator makes of the stand file"
-            found.append(f"{path}: {other}")
+            result.append(f"{path}: {other}")
     if is_cost_page(folder, stand) and not _is_measured_on(folder, files[f"{stand.name}.c"]):
-        found.append(f"{folder / COST_PAGE}: was measured on other C")
-    return found
+        result.append(f"{folder / COST_PAGE}: was measured on other C")
+    return result

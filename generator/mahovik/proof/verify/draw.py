@@ -68,7 +68,7 @@ def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str 
 
     One where rounding decides a word of `inverse` is drawn anew, up to REDRAWN times.
     """
-    rng, found = np.random.default_rng((seed, 1)), []
+    rng, result = np.random.default_rng((seed, 1)), []
     for name, state in draw(stand, seed, count, real, wrenches=False):
         chosen = state
         for _ in range(REDRAWN):
@@ -76,8 +76,8 @@ def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str 
             if measured is None or not measured.undecided:
                 break
             chosen = _draw_one(stand, rng, "random", real, False)
-        found.append((name, chosen))
-    return found
+        result.append((name, chosen))
+    return result
 
 
 def _state_kinds() -> Iterator[str]:

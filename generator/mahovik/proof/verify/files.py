@@ -114,7 +114,7 @@ def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there
     A function that uses a changed macro is one whose text differs.
     """
     lines = {line for file, text in there.items() for line in {*expected[file].splitlines()} ^ {*text.splitlines()}}
-    macros = {found[1] for line in lines if (found := re.match(r"#define (\w+)", line))}
+    macros = {match[1] for line in lines if (match := re.match(r"#define (\w+)", line))}
     functions, outside, calls = dict[str, None](), [], dict[str, set[str]]()
     for file, text in there.items():
         ours, theirs = _functions(expected[file], name), _functions(text, name)

@@ -232,7 +232,7 @@ def torque_requests(stand: Stand, states: Sequence[tuple[str, State]], seed: int
     A demand is what random torques reach, SHARES of those of the motors, or of 1000 rad/s2 where these have no limit.
     """
     scales, options = Scales(stand), motor_options(stand)
-    inputs, found = [body.name for body in stand.bodies if body.wrench_input], []
+    inputs, result = [body.name for body in stand.bodies if body.wrench_input], []
     for task in stand.tasks:
         for number, (name, state) in enumerate(ordinary(states, inputs, STATES)):
             at, (_, most) = scales.at(state), motor_bounds(state, options)
@@ -240,8 +240,8 @@ def torque_requests(stand: Stand, states: Sequence[tuple[str, State]], seed: int
             tau = drawn * SHARES[number % len(SHARES)] * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))
             demand = tuple(task_rows(at, stand, task).acceleration(coupled(at, tau)[0]).tolist())
             asked = replace(state, V_dot=(0.0,) * 6, task=task.name, demand=demand)
-            found.append(Request(f"{name}, {TORQUE_FOR} {task.name}", asked, (TORQUE_FOR,)))
-    return found
+            result.append(Request(f"{name}, {TORQUE_FOR} {task.name}", asked, (TORQUE_FOR,)))
+    return result
 
 
 def torque_checks(case: TorqueCase, answered: Answered) -> list[Check]:

@@ -46,8 +46,8 @@ def worst(off: Array) -> str:
 
 def freedoms(hold: Hold) -> str:
     """The freedoms in words, within a sentence."""
-    found = words(hold).partition(";")[0].partition(", ")[2]
-    return f"the freedoms ({found})" if hold.freedoms else "no freedom, as it is clamped,"
+    result = words(hold).partition(";")[0].partition(", ")[2]
+    return f"the freedoms ({result})" if hold.freedoms else "no freedom, as it is clamped,"
 
 
 def home_attitude(stand: Stand) -> Quaternion:
@@ -106,9 +106,9 @@ def at_coordinates(stand: Stand, state: State, q: Array, orientation: Array | No
     hold = stand.hold
     assert hold is not None
     still = np.zeros(len(hold.freedoms))
-    found = pose_of(hold, stand.angles, q, orientation, still, still)
-    place = cast(Vec3, tuple(found.position.tolist()))
-    return replace(state, position=place, angles=None, quaternion=quaternion_of(found.C))
+    held_pose = pose_of(hold, stand.angles, q, orientation, still, still)
+    place = cast(Vec3, tuple(held_pose.position.tolist()))
+    return replace(state, position=place, angles=None, quaternion=quaternion_of(held_pose.C))
 
 
 def onto_hold(stand: Stand, state: State) -> State:

@@ -181,8 +181,8 @@ def _coordinates(program: Program) -> dict[str, Any]:
     """Good coordinates and rates: as many as the program takes."""
     values = {"q": 0.3, "q_dot": 0.1, "q_ddot": 0.2}
     taken = (a for f in program.functions if f.name == "state_from_coordinates" for a in f.arguments)
-    found: dict[str, Any] = {"orientation": (0.6, 0.0, 0.0, 0.8)}
-    return found | {a.name: (values[a.name],) * int(a.shape[0]) for a in taken if a.name in values}
+    coordinates: dict[str, Any] = {"orientation": (0.6, 0.0, 0.0, 0.8)}
+    return coordinates | {a.name: (values[a.name],) * int(a.shape[0]) for a in taken if a.name in values}
 
 
 def raw_call(backend: CBackend) -> Call:

@@ -99,4 +99,4 @@ def _is_narrow(balls: Any, size: Array) -> bool:
 
 
 def _flat(balls: Any) -> list[arb]:
-    return [balls] if isinstance(balls, arb) else [x for each in balls for x in _flat(each)]
+    return [balls] if isinstance(balls, arb) else [x for ball in balls for x in _flat(ball)]

@@ -84,16 +84,16 @@ class Scales:
 
     def _try_want(self, state: State, want: str) -> Measured | None:
         try:
-            found = self.measure(state, self.equation(want), want == "inverse")
+            measured = self.measure(state, self.equation(want), want == "inverse")
         except (StateError, np.linalg.LinAlgError, ArithmeticError):
             return None
         if state.task:
-            return found
+            return measured
         if want == "inverse":
-            found = replace(found, undecided=found.undecided or self._rounding_decides_reach(state, found))
+            measured = replace(measured, undecided=measured.undecided or self._rounding_decides_reach(state, measured))
         if want not in self._ordinary:
             self._ordinary[want] = self._ordinary_scales(want)
-        return replace(found, scales=_raised(found.scales, self._ordinary[want]))
+        return replace(measured, scales=_raised(measured.scales, self._ordinary[want]))
 
     def _rounding_decides_reach(self, state: State, inverse: Measured) -> bool:
         """Whether the residual's own rounding may reach over the bound of UNREACHABLE: of terms far above the demand.
@@ -145,11 +145,11 @@ class Scales:
         return Measured(values, scales, undecided)
 
     def _shaken_answers(self, equation: Equation, stand: Stand, state: State, at: Pieces) -> list[Values]:
-        found = []
+        result = []
         for shaken in self._shaken(at) if len(at.flywheels) else ():
             with suppress(StateError, np.linalg.LinAlgError, ArithmeticError):
-                found.append(equation(stand, state, shaken))
-        return found
+                result.append(equation(stand, state, shaken))
+        return result
 
     def at(self, state: State) -> Pieces:
         """Pieces of the reference at a state."""
@@ -280,20 +280,20 @@ def changed(data: Any, size: float, rng: np.random.Generator) -> Any:
 
 def scales_of(stand: Stand, state: State, want: str) -> Mapping[str, Any]:
     """Scales of what a want of `eval` gives. Raises what the reference raises at this state."""
-    found = Scales(stand)
-    return found.measure(state, found.equation(want)).scales
+    scales = Scales(stand)
+    return scales.measure(state, scales.equation(want)).scales
 
 
 def _raised(scales: Mapping[str, Any], ordinary: Mapping[str, Any]) -> dict[str, Any]:
     """Scales that are at least RESTING of those at an ordinary state: at rest nothing has a size of its own."""
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for name, scale in scales.items():
         other = ordinary.get(name)
         if isinstance(scale, Mapping):
-            found[name] = _raised(scale, other or {})
+            result[name] = _raised(scale, other or {})
         else:
-            found[name] = scale if scale is None or other is None else np.maximum(scale, RESTING * other)
-    return found
+            result[name] = scale if scale is None or other is None else np.maximum(scale, RESTING * other)
+    return result
 
 
 def turning(at: Pieces) -> Array:

@@ -46,15 +46,15 @@ class Request:
 def read_object(line: str) -> dict[str, Any]:
     """The JSON object of a line. StateError where the line holds anything else: it has no id."""
     try:
-        found = json.loads(line, object_pairs_hook=_without_duplicates, parse_int=_integer)
+        document = json.loads(line, object_pairs_hook=_without_duplicates, parse_int=_integer)
     except json.JSONDecodeError as error:
         where = f"line {error.lineno}, column {error.colno}" if "\n" in line.strip() else f"column {error.colno}"
         raise StateError(f"not JSON: {error.msg} at {where}") from None
     except RecursionError:
         raise StateError("not readable: nested too deeply") from None
-    if not isinstance(found, dict):
-        raise StateError(f"expected an object, found {excerpt(found)}")
-    return found
+    if not isinstance(document, dict):
+        raise StateError(f"expected an object, found {excerpt(document)}")
+    return document
 
 
 def identifier(found: dict[str, Any]) -> Any:
@@ -67,35 +67,35 @@ def identifier(found: dict[str, Any]) -> Any:
     return given
 
 
-def read_request(stand: Stand, found: dict[str, Any], real: str = "double") -> Request:
+def read_request(stand: Stand, request: dict[str, Any], real: str = "double") -> Request:
     """The request in a line's object. StateError names each wrong key, what was found and what was expected."""
-    refuse_duplicates(found)
-    faults = [f"unknown key {show(key)}{suggestion(key, STATE)}" for key in found if key not in STATE]
-    faults += [f'{k}: key "{x.key}" appears twice' for k, x in found.items() if isinstance(x, _RepeatedKeys)]
-    if "angles" in found and "quaternion" in found:
+    refuse_duplicates(request)
+    faults = [f"unknown key {show(key)}{suggestion(key, STATE)}" for key in request if key not in STATE]
+    faults += [f'{k}: key "{x.key}" appears twice' for k, x in request.items() if isinstance(x, _RepeatedKeys)]
+    if "angles" in request and "quaternion" in request:
         faults.append("angles, quaternion: both given, expected one of them")
     want, given = tuple[str, ...](), dict[str, Any]()
     try:
-        want = _want(found)
+        want = _want(request)
     except StateError as error:
         faults.append(str(error))
-    if "generalized" in want and "quaternion" in found and stand.hold is None:
+    if "generalized" in want and "quaternion" in request and stand.hold is None:
         faults.append("quaternion: `generalized` needs `angles`")
     for key, n in INPUTS.items():
         count = len(stand.flywheels) if n == "N" else int(n)
         try:
-            given[key] = _list_of(found.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
+            given[key] = _list_of(request.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
         except StateError as error:
             faults.append(str(error))
     if faults:
         raise StateError("; ".join(faults))
-    given["angles"] = given["angles"] if "angles" in found else None
-    quaternion = _quaternion(found) if "quaternion" in found else None
-    task, demand = _task(stand, found, want, real)
-    given |= freedoms_of(stand, found, want, real)
-    given["actuators"] = _actuators(stand, found, real)
-    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, found, real), task=task, demand=demand)
-    return Request(identifier(found), state, want)
+    given["angles"] = given["angles"] if "angles" in request else None
+    quaternion = _quaternion(request) if "quaternion" in request else None
+    task, demand = _task(stand, request, want, real)
+    given |= freedoms_of(stand, request, want, real)
+    given["actuators"] = _actuators(stand, request, real)
+    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, request, real), task=task, demand=demand)
+    return Request(identifier(request), state, want)
 
 
 def read_line(stand: Stand, line: str, real: str = "double") -> Request:
@@ -121,10 +121,10 @@ class _RepeatedKeys(dict[str, Any]):
 
 
 def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) == len(pairs):
-        return found
-    marked = _RepeatedKeys(found)
+    result = dict(pairs)
+    if len(result) == len(pairs):
+        return result
+    marked = _RepeatedKeys(result)
     marked.key = Counter(key for key, _ in pairs).most_common(1)[0][0]
     return marked
 
@@ -224,25 +224,25 @@ def _quaternion(found: dict[str, Any]) -> Quaternion:
     return cast(Quaternion, tuple(x / length for x in q))
 
 
-def _task(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> tuple[str, tuple[float, ...]]:
+def _task(stand: Stand, result: dict[str, Any], want: Sequence[str], real: str) -> tuple[str, tuple[float, ...]]:
     """The task of a state and what it demands; "" and nothing without one."""
-    if "task" not in found:
-        if "demand" in found:
+    if "task" not in result:
+        if "demand" in result:
             raise StateError('demand: needs a task, {"task": NAME, "demand": [...]}')
         return "", ()
-    name, rows = found["task"], {task.name: len(task.rows) for task in stand.tasks}
+    name, rows = result["task"], {task.name: len(task.rows) for task in stand.tasks}
     if not isinstance(name, str):
         raise StateError(f"task: expected the name of a task, found {excerpt(name)}")
     if name not in rows:
         raise StateError(f'task: unknown "{name}"{suggestion(name, rows, "the stand has none, [task.NAME]")}')
-    if "V_dot" in found:
+    if "V_dot" in result:
         raise StateError("V_dot, task: both given, expected one of them")
-    if "demand" not in found:
+    if "demand" not in result:
         raise StateError(f"demand: missing, expected {count_numbers(rows[name])}")
     for other in TASK_CONFLICTS:
         if other in want:
             raise StateError(f'want: "{other}" and the task both give V_dot, ask for them in two states')
-    return name, _list_of(found["demand"], "demand", rows[name], QUANTITIES["V_dot"].limits(real))
+    return name, _list_of(result["demand"], "demand", rows[name], QUANTITIES["V_dot"].limits(real))
 
 
 def _by_name(found: dict[str, Any], key: str, known: Collection[str], what: str) -> dict[str, Any]:
@@ -278,11 +278,11 @@ def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyTy
 
 def actuators_of(stand: Stand) -> dict[str, Actuator]:
     """Fins and propellers of a stand by name."""
-    found: dict[str, Actuator] = {}
+    actuators: dict[str, Actuator] = {}
     for kind in body_laws():
         for _, _, law in kind.of(stand):
-            found |= law.actuators
-    return found
+            actuators |= law.actuators
+    return actuators
 
 
 def stand_at(stand: Stand, state: State) -> Stand:

@@ -177,8 +177,8 @@ def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, b
     values = raw if isinstance(raw, list | tuple) else [raw]
     form = 'expected a list of "amplitude@degrees"'
     if raw is None or not values:
-        raise QuantityError(f"{key}: {form}, {'missing' if raw is None else 'found none'}")
-    found = []
+        raise QuantityError(f"{key}: {form}, {'missing' if raw is None else 'numbers none'}")
+    numbers = []
     for i, value in enumerate(values):
         text = value if isinstance(value, str) else "" if isinstance(value, bool | list | dict) else str(value)
         match = _POLAR.fullmatch(text)
@@ -188,8 +188,8 @@ def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, b
         if read is None or has_phase != phases:
             expected = '"amplitude@degrees", as "1.15@90"' if phases else "an amplitude, as the others"
             raise QuantityError(f"{key}[{i}]: expected {expected}, found {json.dumps(value, default=str)[:60]}")
-        found.append(read)
-    return np.array(found, dtype=np.complex128), bool(phases)
+        numbers.append(read)
+    return np.array(numbers, dtype=np.complex128), bool(phases)
 
 
 def _matrix(key: str, raw: Any, rows: int, phases: bool) -> Complex:

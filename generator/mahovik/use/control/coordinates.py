@@ -45,15 +45,15 @@ def near_angles(angles: Array, near: Array) -> Array:
 
 def _freedom_coordinates(mechanics: Mechanics, position: Array, rotations: Rotation, near: Array) -> Array:
     """Ways of the pivot along what slides, the angle about one axis or three; of a basis by Newton's method."""
-    stand, found = mechanics.stand, coordinates_of(mechanics.stand)
+    stand, coordinates = mechanics.stand, coordinates_of(mechanics.stand)
     hold = stand.hold
     assert hold is not None
-    if any(each.kind == "twist" for each in hold.freedoms):
+    if any(freedom.kind == "twist" for freedom in hold.freedoms):
         q = held_coordinates(stand, position, rotations.as_matrix(), near)
         if np.isnan(q).any():
             raise StateError(f"{stand.name}: hold: found a pose far from the required one, which it does not allow")
         return q
-    turns = [k for k in found.order if found.dimensions[k] == ANGLE]
+    turns = [k for k in coordinates.order if coordinates.dimensions[k] == ANGLE]
     home, S, pivot = attitude_of(stand.angles, np.array(hold.angles)), mechanics.freedoms, np.array(hold.pivot)
     C = rotations.as_matrix()
     way = (position + C @ pivot - np.array(hold.position)) @ home - pivot  # of the pivot, on the axes of the home pose

@@ -73,7 +73,7 @@ class Errors:
         about = f"about its mean, over the last {self.periods} of {case.periods} periods"
         if self.end is not None:
             about = f"{100 * (self.share_end or 0.0):.3g} % at the end"
-        found = [
+        result = [
             f"error of the carrier {100 * self.share:.3g} % of its amplitude (rms {100 * self.share_rms:.3g} %), "
             f"{about}; {of}",
             f"flywheels: at most {1e3 * self.apart[furthest]:.3g} mrad from the programme ({names[furthest]}); torque "
@@ -82,13 +82,13 @@ class Errors:
         ]
         if self.slew is not None:
             angle, rate = (math.degrees(self.slew[key]) * 3600 for key in ("angle", "rate"))
-            found.append(f"the slew ends {angle:.3g} arcsec from its end, with rates up to {rate:.3g} arcsec/s")
+            result.append(f"the slew ends {angle:.3g} arcsec from its end, with rates up to {rate:.3g} arcsec/s")
         if case.design is not None:
-            found.append(
+            result.append(
                 f"trim: {record.rounds} rounds; an error falls to {case.design.radius:.3g} per round; the settled "
                 f"trim converges while its model is less than {100 * case.design.margin:.3g} % wrong"
             )
-        return found
+        return result
 
 
 def errors_of(record: Record, periods: int = MEASURED) -> Errors:
@@ -99,8 +99,8 @@ def errors_of(record: Record, periods: int = MEASURED) -> Errors:
         shares = _shares(record, record.required, error)
         slew = None if motion.slew is None else _slew_end(record, motion.slew)
         amplitude = np.abs(record.required - record.required[0]).max(axis=0)
-        found = _errors(record, error, amplitude, shares, record.apart)
-        return Errors(**found, end=error[-1], share_end=float(shares[-1]), slew=slew)
+        errors = _errors(record, error, amplitude, shares, record.apart)
+        return Errors(**errors, end=error[-1], share_end=float(shares[-1]), slew=slew)
     span, step = motion.span, float(record.t[1] - record.t[0]) if len(record.t) > 1 else np.inf
     rows = round(periods * span / step)
     if rows >= len(record.t):
@@ -112,8 +112,8 @@ def errors_of(record: Record, periods: int = MEASURED) -> Errors:
     waves = np.linalg.lstsq(terms, error, rcond=None)[0]  # samples need not divide a period
     error, mean = error - waves[0], waves[0]
     amplitude = np.abs(required - np.linalg.lstsq(terms, required, rcond=None)[0][0]).max(axis=0)
-    found = _errors(record, error, amplitude, _shares(record, required, error), record.apart[last])
-    return Errors(**found, periods=periods, mean=mean, harmonics=np.hypot(waves[1::2], waves[2::2]))
+    errors = _errors(record, error, amplitude, _shares(record, required, error), record.apart[last])
+    return Errors(**errors, periods=periods, mean=mean, harmonics=np.hypot(waves[1::2], waves[2::2]))
 
 
 def _errors(record: Record, error: Array, amplitude: Array, shares: Array, apart: Array) -> dict[str, Any]:
@@ -139,9 +139,9 @@ def _shares(record: Record, required: Array, error: Array) -> Array:
 def _waves(turns: Array, K: int) -> Array:
     """1, cos, sin, cos 2, ... (M, 2 K + 1) of the programme's phase in turns (M)."""
     a = 2.0 * np.pi * np.outer(turns % 1.0, np.arange(1, K + 1))
-    found = np.ones((len(turns), 2 * K + 1))
-    found[:, 1::2], found[:, 2::2] = np.cos(a), np.sin(a)
-    return found
+    waves = np.ones((len(turns), 2 * K + 1))
+    waves[:, 1::2], waves[:, 2::2] = np.cos(a), np.sin(a)
+    return waves
 
 
 def _slew_end(record: Record, slew: Slew) -> Mapping[str, float] | None:

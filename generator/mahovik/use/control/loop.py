@@ -353,10 +353,10 @@ class _History:
         last, phi, _ = self._rows[-1]
         if np.all(t >= last):
             return phi.copy()
-        found = phi.copy()
+        result = phi.copy()
         for s, moment in enumerate(t):
-            found[s] = self._one(s, float(moment))
-        return found
+            result[s] = self._one(s, float(moment))
+        return result
 
     def _one(self, s: int, t: float) -> float:
         late, phi1, rate1 = self._rows[-1]

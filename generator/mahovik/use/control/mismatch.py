@@ -45,7 +45,7 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
     whole_number("seed", seed, 0)
     draw = _Bodies(np.random.default_rng(seed), share)
     carrier = draw.body(stand.carrier)
-    found = replace(
+    mismatch = replace(
         stand,
         carrier=replace(carrier, added_mass=draw.matrix(carrier.added_mass)),
         laws=tuple(law.with_errors(draw) for law in stand.laws if isinstance(law, Law)),
@@ -53,13 +53,13 @@ def with_mismatch(stand: Stand, share: float, seed: int) -> Stand:
         flywheels=tuple(draw.flywheel(s) for s in stand.flywheels),
     )
     problems = Problems(f"{stand.name} with {100 * share:g} % mismatch, seed {seed}")
-    for body in found.bodies:
+    for body in mismatch.bodies:
         check_body(body, body.name, problems)
     if not problems.lines:
-        check_stand(found, problems)
+        check_stand(mismatch, problems)
     if problems.lines:
         raise UsageError(f"{problems.lines[0]}; use another seed or a smaller mismatch")
-    return found
+    return mismatch
 
 
 class _Bodies(Errors):

@@ -63,22 +63,22 @@ class ReferenceMotion:
 
         Before and after a finite programme the flywheels turn evenly.
         """
-        found = self.programme.at(t)
+        result = self.programme.at(t)
         if not self.programme.periodic:
             beyond = t - np.clip(t, 0.0, self.programme.span)
             even = beyond != 0.0
-            found.phi[even] += beyond[even, None] * found.phi_dot[even]
-            found.phi_ddot[even] = 0.0
-            return found
+            result.phi[even] += beyond[even, None] * result.phi_dot[even]
+            result.phi_ddot[even] = 0.0
+            return result
         table, up = self.programme.runup, t < 0.0
         if table is None or not up.any():
-            return found
+            return result
         early = table.at(t[up] + table.duration)
-        for all_, own in zip(found, early, strict=True):
+        for all_, own in zip(result, early, strict=True):
             all_[up] = own
-        for derivative in found[1:]:
+        for derivative in result[1:]:
             derivative[t < -table.duration] = 0.0
-        return found
+        return result
 
     def required_course(self, t: Array) -> Array:
         """Required q (M, 6; m, rad; held M, m) of the carrier at times t (M, s); before t = 0 its mean pose.
@@ -95,15 +95,15 @@ class ReferenceMotion:
         """Drive torques (M, N; N m) of the nominal stand at times t (M, s), at the required motion or on the run-up."""
         if not self.programme.periodic:
             inside = np.clip(t, 0.0, self.motion.span)
-            own = Mechanics.of(self.programme.planned_for(self.stand))
-            at = prescribe(own, self.motion.at(inside), self.programme.bias)
+            mechanics = Mechanics.of(self.programme.planned_for(self.stand))
+            at = prescribe(mechanics, self.motion.at(inside), self.programme.bias)
             return torques(at, *self.programme.at(inside))
         coefficients, k = self._coefficients
         turns = np.outer((t / self.motion.span) % 1.0, k)
-        found = np.real(np.exp(2j * np.pi * turns) @ coefficients)
+        result = np.real(np.exp(2j * np.pi * turns) @ coefficients)
         if np.any(t < 0.0):
-            found[t < 0.0] = self._on_runup(t[t < 0.0])
-        return np.asarray(found)
+            result[t < 0.0] = self._on_runup(t[t < 0.0])
+        return np.asarray(result)
 
     @cached_property
     def _on_runup(self) -> Any:
@@ -126,11 +126,11 @@ class ReferenceMotion:
         """Harmonics of the drive torques, complex (H, N): mean first; and their numbers (H)."""
         t = self.motion.span * np.arange(TORQUES) / TORQUES
         at = prescribe(Mechanics.of(self.stand), self.motion.at(t), self.programme.bias)
-        found = np.fft.rfft(torques(at, *self.programme.at(t)), axis=0) / TORQUES
-        found[1:] *= 2.0
-        size = np.abs(found).max(axis=1)
+        coefficients = np.fft.rfft(torques(at, *self.programme.at(t)), axis=0) / TORQUES
+        coefficients[1:] *= 2.0
+        size = np.abs(coefficients).max(axis=1)
         last = int(np.flatnonzero(size > _TAIL * size.max(initial=1e-300)).max(initial=0))
-        return found[: last + 1], np.arange(0.0, last + 1.0)
+        return coefficients[: last + 1], np.arange(0.0, last + 1.0)
 
 
 def tabulate(programme: Programme, rows: int) -> Programme:
@@ -194,8 +194,8 @@ class Orbit:
         """
         N, P, n = self.phi_ddot.shape[1], basis.shape[2], self.y.shape[1]
         rates = np.zeros((len(self.y), n, N, P))
-        found = linearise_along(self.chart, self.drive, self.y, self.phi_ddot)
-        for B, function in zip(acceleration_rates(self.drive, found), basis, strict=True):
+        linear = linearise_along(self.chart, self.drive, self.y, self.phi_ddot)
+        for B, function in zip(acceleration_rates(self.drive, linear), basis, strict=True):
             rates[:, n // 2 :] += B[:, :, :, None] * function[:, None, None, :]
         spacing = self.span / (len(self.y) - 1)
         defects = integrate(rates.reshape(-1, n, N * P), spacing)
@@ -224,11 +224,11 @@ def required_orbit(mechanics: Mechanics, motion: RequiredMotion, programme: Prog
     """The orbit of a stand that matches its programme: the required motion itself, at `count` intervals per period."""
     t = np.linspace(0.0, motion.span, count + 1)
     required = motion.at(t, programme.bias)
-    chart, given, phi_ddot = _chart_and_sums(mechanics, motion, programme, t)
+    chart, drive, phi_ddot = _chart_and_sums(mechanics, motion, programme, t)
     y = chart.of(required)
-    near = linearise(chart, given, motion.span / count, y)
+    near = linearise(chart, drive, motion.span / count, y)
     free = _propagate(chart, near, count)
-    return Orbit(chart, motion.span, given, phi_ddot, y, near, free, required.q)
+    return Orbit(chart, motion.span, drive, phi_ddot, y, near, free, required.q)
 
 
 def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Programme, count: int) -> Array:
@@ -240,16 +240,16 @@ def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Progr
     spacing, start, guess = orbit.span / count, orbit.y[0], orbit.y
     for _ in range(_MOST):
         try:
-            found = course(orbit.chart, orbit.drive, spacing, start, guess, None)
+            carrier_course = course(orbit.chart, orbit.drive, spacing, start, guess, None)
         except StateError:
             break
-        ends = found.y[-1] - found.y[0]
+        ends = carrier_course.y[-1] - carrier_course.y[0]
         if np.abs(ends).max() < 1e-10:
             return np.asarray(start)
-        change = np.eye(2 * orbit.chart.count) - _propagate(orbit.chart, found.near, count)[-1]
+        change = np.eye(2 * orbit.chart.count) - _propagate(orbit.chart, carrier_course.near, count)[-1]
         step = np.linalg.lstsq(change, ends, rcond=_SINGULAR)[0]
         left = ends - change @ step
-        start, guess = start + step, found.y + step
+        start, guess = start + step, carrier_course.y + step
         if np.abs(step).max() < 1e-9 or np.abs(left).max() > 0.5 * np.abs(ends).max():
             return np.asarray(start)  # the remainder is drift along free directions
     raise CheckError(

@@ -189,7 +189,7 @@ def delay(stand: Stand, servo: Servo) -> float:
     return servo.latency + max((s.encoder.latency for s in stand.flywheels if s.encoder is not None), default=0.0)
 
 
-def rotor_loop(each: LoopGains, period: float, late: float, light: float, difference: bool) -> Loop:
+def rotor_loop(loop_gains: LoopGains, period: float, late: float, light: float, difference: bool) -> Loop:
     """Loop of a rotor of inertia 1 / `light` with gains per unit of inertia, delayed by `late` s.
 
     `difference`: the speed is the difference of angles over a sample.
@@ -217,13 +217,13 @@ def rotor_loop(each: LoopGains, period: float, late: float, light: float, differ
         A[n - 1, 0] = 1.0
     else:
         slip[1] = -1.0
-    filtered = each.filter * slip
-    filtered[3] += 1.0 - each.filter
+    filtered = loop_gains.filter * slip
+    filtered[3] += 1.0 - loop_gains.filter
     A[3] = filtered
-    A[2, 2] = 1.0 if each.integral else 0.0  # without an integral there is no integral state
-    A[2, 0] = -each.integral * period
-    C += each.speed * filtered
-    C[0] -= each.angle
+    A[2, 2] = 1.0 if loop_gains.integral else 0.0  # without an integral there is no integral state
+    A[2, 0] = -loop_gains.integral * period
+    C += loop_gains.speed * filtered
+    C[0] -= loop_gains.angle
     C[2] = 1.0
     return Loop(A, B, C, period)
 
@@ -245,16 +245,16 @@ def _loops(stand: Stand, servo: Servo, bandwidth: float | None, most: float) -> 
 
 def check_margins(stand: Stand, servo: Servo, source: str) -> Margins:
     """The margins if they are sufficient. Otherwise raises CheckError with the highest sufficient bandwidth."""
-    found = margins(stand, servo)
-    if found.are_sufficient:
-        return found
+    result = margins(stand, servo)
+    if result.are_sufficient:
+        return result
     hertz, late = servo.bandwidth / (2 * math.pi), delay(stand, servo)
     what = (
-        f"unstable, its poles reach {found.radius:.3f}"
-        if found.radius >= 1.0
-        else f"gain margin {min(found.gain, found.less):.2f}, phase margin {found.phase:.0f} deg"
+        f"unstable, its poles reach {result.radius:.3f}"
+        if result.radius >= 1.0
+        else f"gain margin {min(result.gain, result.less):.2f}, phase margin {result.phase:.0f} deg"
     )
-    highest = highest_bandwidth(stand, servo, found.lightness)
+    highest = highest_bandwidth(stand, servo, result.lightness)
     remedy = (
         f"give at most {_round_down(highest / (2 * math.pi))} Hz"
         if highest is not None

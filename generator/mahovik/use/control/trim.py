@@ -121,16 +121,19 @@ def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     matrix = np.zeros((len(weight), len(unit)))
     matrix[:, moving] = trim.gain * (basis / sigma[kept]) @ U[:, kept].T / unit[moving]
     window = _window(orbit, trim, matrix, G, basis)
-    found = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window, basis.shape[1])
-    if not found.radius < 1.0:
+    trim_design = TrimDesign(trim, orbit.span, G, matrix, unit, mechanics.tables.Theta_ff, window, basis.shape[1])
+    if not trim_design.radius < 1.0:
         more = (
-            "; nothing damps the carrier: add friction or damping" if stand.hold is not None and found.undamped else ""
+            "; nothing damps the carrier: add friction or damping"
+            if stand.hold is not None and trim_design.undamped
+            else ""
         )
         raise UsageError(
-            f"trim: does not converge, errors grow by {found.radius:.3g} per window; use a `gain` below {trim.gain:g} "
+            f"trim: does not converge, errors grow by {trim_design.radius:.3g} per window; "
+            f"use a `gain` below {trim.gain:g} "
             f"or a `settling` above {trim.settling} periods{more}"
         )
-    return found
+    return trim_design
 
 
 def trim_members(design: TrimDesign, motion: RequiredMotion, programme: Programme, period: float) -> dict[str, Any]:
@@ -163,9 +166,9 @@ def _basis(orbit: Orbit, H: int) -> Array:
 def _averages(H: int, M: int) -> Array:
     """(T, M): mean, cos, sin, cos 2, ... of M even samples of a period."""
     a = 2.0 * np.pi * np.outer(np.arange(1, H + 1), np.arange(M)) / M
-    found: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
-    found[1::2], found[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
-    return found
+    averages: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
+    averages[1::2], averages[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
+    return averages
 
 
 def _correction_terms(orbit: Orbit, trim: Trim) -> Array:

@@ -37,34 +37,34 @@ def with_phases(
     `frame`: channels by label over the time; `turns`: counts a turn by flywheel, where a header or a file of names
     says them; those of the stand file have a sign.
     """
-    found, counted = frame.copy(), set[str]()
+    phases, counted = frame.copy(), set[str]()
     for wheel in flywheels:
         phase, encoder, tacho, speed = (f"{wheel.name}.{key}" for key in ("phase", "count", "tacho", "speed"))
-        counts, pulses = found.pop(encoder) if encoder in found else None, None
-        if tacho in found:
-            pulses = find_pulses(found.index.to_numpy(), found.pop(tacho).to_numpy())
+        counts, pulses = phases.pop(encoder) if encoder in phases else None, None
+        if tacho in phases:
+            pulses = find_pulses(phases.index.to_numpy(), phases.pop(tacho).to_numpy())
             if pulses is None:
                 notes.append(f"{tacho}: fewer than two pulses: left out")
-        omega = found[speed].to_numpy() if speed in found else None
+        omega = phases[speed].to_numpy() if speed in phases else None
         expected = None
         if omega is not None:
-            expected = 0.5 * (omega[1:] + omega[:-1]) * np.diff(found.index.to_numpy())
-        if phase in found:
-            found[phase] = _whole_turns(phase, found[phase].to_numpy(), expected, notes)
+            expected = 0.5 * (omega[1:] + omega[:-1]) * np.diff(phases.index.to_numpy())
+        if phase in phases:
+            phases[phase] = _whole_turns(phase, phases[phase].to_numpy(), expected, notes)
         elif counts is not None:
             values = _of_counts(wheel, counts.to_numpy(), turns.get(wheel.name), expected, notes)
             if values is not None:
-                found[phase] = values
+                phases[phase] = values
                 counted.add(wheel.name)
-        if phase not in found and pulses is not None:
+        if phase not in phases and pulses is not None:
             direction = 1.0 if omega is None or np.nanmean(omega) >= 0.0 else -1.0
-            found[phase] = phase_of(pulses, found.index.to_numpy(), direction)
+            phases[phase] = phase_of(pulses, phases.index.to_numpy(), direction)
             sense = "turning forwards" if omega is None else "direction of its speed"
             lost = f", {count(pulses.lost, 'lost pulse')} counted" if pulses.lost else ""
             double = f", {count(pulses.double, 'double pulse')} left out" if pulses.double else ""
             many = count(len(pulses.times), "pulse")
             notes.append(f"{tacho}: {many} as phase, zero at a pulse, {sense}{lost}{double}; missing outside them")
-    return found, frozenset(counted)
+    return phases, frozenset(counted)
 
 
 def _of_counts(

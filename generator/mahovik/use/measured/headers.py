@@ -98,12 +98,12 @@ def read_names(path: Path, raw: bytes) -> Names:
     """The names of a file. Raises DataError."""
     problems = Problems(str(path))
     try:
-        found = problems.valid(Names, toml.parse(raw.decode("utf-8")))
+        names = problems.valid(Names, toml.parse(raw.decode("utf-8")))
     except ValueError as error:
         raise DataError([f"{path}: not TOML: {error}"]) from None
-    if found is None:
+    if names is None:
         raise DataError(problems.lines)
-    return found
+    return names
 
 
 def sensors(stand: Stand) -> tuple[str, ...]:

@@ -191,7 +191,7 @@ class _Log:
         Coordinates are left out where position and attitude are there, as far as the freedoms change them. Raises
         DataError: V is none that the hold allows, or not that of the u beside it.
         """
-        S, values, kinds = twists(hold), self.values, {each.kind for each in hold.freedoms}
+        S, values, kinds = twists(hold), self.values, {freedom.kind for freedom in hold.freedoms}
         attitude = "turn" not in kinds or bool({"quaternion", "angles"} & values.keys())
         if attitude and ("slide" not in kinds or "position" in values):
             for key in COORDINATES:

@@ -87,52 +87,52 @@ class Chart:
         twist = J @ moved[:, : self.count]
         return np.concatenate([C0.T @ C @ twist[:, :3], twist[:, 3:]], axis=1)
 
-    def speed_rates(self, given: Drive, y: Array) -> Array:
+    def speed_rates(self, drive: Drive, y: Array) -> Array:
         """u* (M, m; m/s2, rad/s2) at states y (M, 2 m), with the flywheels' motion at the same M times."""
         at = self.twists(y)
-        push = wrench(self.mechanics, given, at)
-        push -= ((given.Theta + self.mechanics.base.K) @ at.V_r_dot[:, :, None])[:, :, 0]
-        return np.asarray((given.mobility @ push[:, :, None])[:, :, 0])
+        push = wrench(self.mechanics, drive, at)
+        push -= ((drive.Theta + self.mechanics.base.K) @ at.V_r_dot[:, :, None])[:, :, 0]
+        return np.asarray((drive.mobility @ push[:, :, None])[:, :, 0])
 
-    def acceleration(self, given: Drive, y: Array) -> Array:
+    def acceleration(self, drive: Drive, y: Array) -> Array:
         """V* (M, 6; m/s2, rad/s2)."""
-        return np.asarray(self.speed_rates(given, y) @ self.frame.S.T)
+        return np.asarray(self.speed_rates(drive, y) @ self.frame.S.T)
 
-    def rate(self, given: Drive, y: Array) -> Array:
+    def rate(self, drive: Drive, y: Array) -> Array:
         """y' (M, 2 m)."""
         x, u = np.hsplit(y, 2)
         moved = np.linalg.solve(self.to_speeds @ self.frame.slopes(x)[2], u[:, :, None])[:, :, 0]
-        return np.hstack([moved, self.speed_rates(given, y)])
+        return np.hstack([moved, self.speed_rates(drive, y)])
 
-    def jacobian(self, given: Drive, y: Array) -> Array:
+    def jacobian(self, drive: Drive, y: Array) -> Array:
         """dy'/dy (M, 2 m, 2 m), exact; where a law has a kink, the mean of its two sides."""
         m, (x, u) = self.count, np.hsplit(y, 2)
         J = self.frame.slopes(x)[2]
         back = np.linalg.inv(self.to_speeds @ J)
         at = self.twists(y)
-        at = at._replace(V_r_dot=at.V_r_dot + self.acceleration(given, y))
-        by = slopes_of_residual(self.mechanics, at, given)
-        found = np.zeros((len(y), 2 * m, 2 * m))
-        found[:, :m, :m] = -back @ (self.to_speeds @ self.frame.turning(J, (back @ u[:, :, None])[:, :, 0]))
-        found[:, :m, m:] = back
-        found[:, m:, :m] = given.mobility @ by.by_pose @ J
-        found[:, m:, m:] = given.mobility @ by.by_twist @ self.frame.S
-        return found
+        at = at._replace(V_r_dot=at.V_r_dot + self.acceleration(drive, y))
+        by = slopes_of_residual(self.mechanics, at, drive)
+        result = np.zeros((len(y), 2 * m, 2 * m))
+        result[:, :m, :m] = -back @ (self.to_speeds @ self.frame.turning(J, (back @ u[:, :, None])[:, :, 0]))
+        result[:, :m, m:] = back
+        result[:, m:, :m] = drive.mobility @ by.by_pose @ J
+        result[:, m:, m:] = drive.mobility @ by.by_twist @ self.frame.S
+        return result
 
 
-def wrench(mechanics: Mechanics, given: Drive, at: Twists) -> Array:
+def wrench(mechanics: Mechanics, drive: Drive, at: Twists) -> Array:
     """F - M V_r - I phi'' - J phi' (M, 6), which is K V_r* of a free carrier. StateError: a law is undefined."""
-    found = mechanics.base.balance(at._replace(V_r_dot=np.zeros_like(at.V)))
+    balance = mechanics.base.balance(at._replace(V_r_dot=np.zeros_like(at.V)))
     column = at.V_r[:, :, None]
-    momentum = given.Theta @ column + given.h[:, :, None]
-    found -= (motor_cross(at.V_r) @ momentum + given.Theta_dot @ column)[:, :, 0] + given.push
+    momentum = drive.Theta @ column + drive.h[:, :, None]
+    balance -= (motor_cross(at.V_r) @ momentum + drive.Theta_dot @ column)[:, :, 0] + drive.push
     if any(mechanics.stand.gravity):
-        found += (given.weight @ in_E1(at.C, mechanics.stand.gravity)[:, :, None])[:, :, 0]
+        balance += (drive.weight @ in_E1(at.C, mechanics.stand.gravity)[:, :, None])[:, :, 0]
     for s in range(mechanics.N):
-        damped = flywheel_damping(mechanics, s, at.V_r, given.phi[:, s], given.phi_dot[:, s])
+        damped = flywheel_damping(mechanics, s, at.V_r, drive.phi[:, s], drive.phi_dot[:, s])
         if damped is not None:
-            found += damped[0][:6].T
-    return found
+            balance += damped[0][:6].T
+    return balance
 
 
 INTERVALS = 4
@@ -189,10 +189,10 @@ class BlockElimination:
         """x (4 B + 1, n, P) from `start` (n, P); `defects` (B, 4, n, P) are the right sides of the block equations."""
         B, n, P = len(self.inverse), *start.shape
         particular = self.inverse @ defects.reshape(B, INTERVALS * n, P)
-        found = [start[None]]
+        result = [start[None]]
         for carried, own in zip(self.transition, particular, strict=True):
-            found.append((carried @ found[-1][-1] + own).reshape(INTERVALS, n, P))
-        return np.concatenate(found)
+            result.append((carried @ result[-1][-1] + own).reshape(INTERVALS, n, P))
+        return np.concatenate(result)
 
 
 _MOST = 24
@@ -210,7 +210,7 @@ class CarrierCourse:
 
 
 def course(
-    chart: Chart, given: Drive, spacing: float, start: Array, guess: Array, near: BlockElimination | None
+    chart: Chart, drive: Drive, spacing: float, start: Array, guess: Array, near: BlockElimination | None
 ) -> CarrierCourse:
     """The course from `start` (2 m) under the flywheels' motion at 4 B + 1 nodes `spacing` (s) apart.
 
@@ -223,9 +223,9 @@ def course(
         if not np.all(np.isfinite(y)) or chart.frame.is_lost(y[:, : chart.count]):
             break
         if near is None:
-            near = linearise(chart, given, spacing, y)
+            near = linearise(chart, drive, spacing, y)
         at = split_blocks(y)
-        defects = at[:, :1] - at[:, 1:] + integrate(chart.rate(given, y), spacing)
+        defects = at[:, :1] - at[:, 1:] + integrate(chart.rate(drive, y), spacing)
         step = near.solve(defects[..., None], (start - y[0])[:, None])[:, :, 0]
         y = y + step
         size = float(np.abs(step).max() / max(np.abs(y).max(), 1e-300))
@@ -238,21 +238,21 @@ def course(
     raise StateError("the carrier moves too violently: its course cannot be computed")
 
 
-def linearise(chart: Chart, given: Drive, spacing: float, y: Array) -> BlockElimination:
+def linearise(chart: Chart, drive: Drive, spacing: float, y: Array) -> BlockElimination:
     """Linear equations near a course y (M, 2 m)."""
-    return BlockElimination.of(chart.jacobian(given, y), spacing)
+    return BlockElimination.of(chart.jacobian(drive, y), spacing)
 
 
-def linearise_along(chart: Chart, given: Drive, y: Array, phi_ddot: Array) -> Linear:
+def linearise_along(chart: Chart, drive: Drive, y: Array, phi_ddot: Array) -> Linear:
     """R = 0, tau and their exact derivatives by phi, phi', phi'' along states y (M, 2 m); phi'' (M, N)."""
     at = chart.twists(y)
-    moving = prescribed_at(chart.mechanics, at._replace(V_r_dot=at.V_r_dot + chart.acceleration(given, y)))
-    return linear(moving, given.phi, given.phi_dot, phi_ddot)
+    moving = prescribed_at(chart.mechanics, at._replace(V_r_dot=at.V_r_dot + chart.acceleration(drive, y)))
+    return linear(moving, drive.phi, drive.phi_dot, phi_ddot)
 
 
-def acceleration_rates(given: Drive, found: Linear) -> tuple[Array, Array, Array]:
+def acceleration_rates(drive: Drive, linear: Linear) -> tuple[Array, Array, Array]:
     """Change of the speeds' rates by phi, phi', phi'' of each flywheel (M, m, N each), state fixed."""
-    return given.mobility @ found.by_phi, given.mobility @ found.by_phi_dot, given.mobility @ found.by_phi_ddot
+    return drive.mobility @ linear.by_phi, drive.mobility @ linear.by_phi_dot, drive.mobility @ linear.by_phi_ddot
 
 
 FREE_AT_REST = 1e-6

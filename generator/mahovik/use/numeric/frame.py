@@ -111,15 +111,15 @@ class Frame:
 
     def turning(self, J: Array, x_dot: Array) -> Array:
         """[V_before, J_k] of each coordinate k (M, 6, m): derivative by x_k of the twist J x', x' (M, m) constant."""
-        found, V, turned = np.zeros_like(J), np.zeros(J.shape[:2]), False
+        result, V, turned = np.zeros_like(J), np.zeros(J.shape[:2]), False
         for k in self.order:
             turned |= bool(self.screws[3:, k].any())
             if turned:  # before, all slide
                 v, omega = J[:, :3, k], J[:, 3:, k]
-                found[:, :3, k] = np.cross(V[:, 3:], v) + np.cross(V[:, :3], omega)
-                found[:, 3:, k] = np.cross(V[:, 3:], omega)
+                result[:, :3, k] = np.cross(V[:, 3:], v) + np.cross(V[:, :3], omega)
+                result[:, 3:, k] = np.cross(V[:, 3:], omega)
             V += J[:, :, k] * x_dot[:, k, None]
-        return found
+        return result
 
     def twists(self, course: Course) -> Twists:
         """Pose and twists (M) of a motion x, x', x'' (M, m each)."""

@@ -97,7 +97,7 @@ class Linear:
 
     def where(self, rows: Array, other: Linear) -> Linear:
         """Values of `other` at the moments `rows` (M, bool), these elsewhere."""
-        pairs = ((getattr(other, each.name), getattr(self, each.name)) for each in fields(self))
+        pairs = ((getattr(other, field.name), getattr(self, field.name)) for field in fields(self))
         return Linear(*(np.where(rows.reshape(-1, *(1,) * (a.ndim - 1)), a, b) for a, b in pairs))
 
 
@@ -125,14 +125,14 @@ def flywheel_wrenches(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot
 def linear(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) -> Linear:
     """R and tau with all their derivatives, exact; angles (M, N each; rad, s)."""
     h, slopes = waves(phi)
-    own = at.mechanics
+    mechanics = at.mechanics
     coefficients = _coefficients(at, phi_dot, phi_ddot)
     W = np.einsum("himn,hmn->imn", coefficients, h)
     by_phi = np.einsum("himn,hmn->imn", coefficients, slopes)
-    by_phi_dot = np.einsum("himn,hmn->imn", at.moving + (2.0 * phi_dot) * own.coupling_slope, h)
-    by_phi_ddot = np.einsum("hin,hmn->imn", own.coupling[:, :, 0], h)
-    for s in range(own.N):
-        damped = flywheel_damping(own, s, at.V_r, phi[:, s], phi_dot[:, s])
+    by_phi_dot = np.einsum("himn,hmn->imn", at.moving + (2.0 * phi_dot) * mechanics.coupling_slope, h)
+    by_phi_ddot = np.einsum("hin,hmn->imn", mechanics.coupling[:, :, 0], h)
+    for s in range(mechanics.N):
+        damped = flywheel_damping(mechanics, s, at.V_r, phi[:, s], phi_dot[:, s])
         if damped is not None:
             for target, value in zip((W, by_phi, by_phi_dot), damped, strict=True):
                 target[:, :, s] -= value
@@ -143,27 +143,27 @@ def linear(at: PrescribedMotion, phi: Array, phi_dot: Array, phi_ddot: Array) ->
 
 def _coefficients(at: PrescribedMotion, phi_dot: Array, phi_ddot: Array) -> Array:
     """(5, 7, M, N): what multiplies each harmonic of the angle."""
-    own = at.mechanics
+    mechanics = at.mechanics
     return np.asarray(
-        at.fixed + at.moving * phi_dot + own.coupling * phi_ddot + own.coupling_slope * (phi_dot * phi_dot)
+        at.fixed + at.moving * phi_dot + mechanics.coupling * phi_ddot + mechanics.coupling_slope * (phi_dot * phi_dot)
     )
 
 
 def flywheel_damping(
-    own: Mechanics, s: int, V_r: Array, phi: Array, phi_dot: Array
+    mechanics: Mechanics, s: int, V_r: Array, phi: Array, phi_dot: Array
 ) -> tuple[Array, Array, Array] | None:
     """Damping wrench on flywheel s in E1 with its part about the axis (7, M), and its derivatives by phi, phi'.
 
     None: it has no damping. V_r (M, 6): twist of the carrier relative to the fluid; phi, phi' (M) of the flywheel.
     """
-    found = own.tables.damped(s, V_r, phi, phi_dot)
-    if found is None:
+    twist_lawses = mechanics.tables.damped(s, V_r, phi, phi_dot)
+    if twist_lawses is None:
         return None
-    damping, L, v = found
+    damping, L, v = twist_lawses
     P, rate = damping.wrench(v), damping.rate(v)
     by_phi = P @ _SPIN.T - (rate @ (v @ _SPIN.T)[:, :, None])[:, :, 0]  # L' = L [<e>]
     in_frame = ((L @ x[:, :, None])[:, :, 0].T for x in (P, by_phi, rate @ f))
-    wrench, first, second = (np.vstack([x, own.tables.spin[s] @ x]) for x in in_frame)
+    wrench, first, second = (np.vstack([x, mechanics.tables.spin[s] @ x]) for x in in_frame)
     return wrench, first, second
 
 
@@ -228,23 +228,23 @@ class Slopes:
     by_twist_dot: Array
 
 
-def slopes_of_residual(mechanics: Mechanics, at: Twists, given: Drive) -> Slopes:
+def slopes_of_residual(mechanics: Mechanics, at: Twists, drive: Drive) -> Slopes:
     """Slopes of the residual R of (12) by pose, twist and its rate, from the sums of the flywheels.
 
     Where a damping law with magnitudes has a kink, the slope is the mean of its two sides. StateError: a law is
     undefined.
     """
     base = mechanics.base
-    by_V_r, by_rate, by_g = _by_motion(at, given.Theta + base.K, given.Theta_dot, given.h, given.weight + base.heavy)
+    by_V_r, by_rate, by_g = _by_motion(at, drive.Theta + base.K, drive.Theta_dot, drive.h, drive.weight + base.heavy)
     for L, damping in base.damped:
         by_V_r += L @ damping.rate(at.V_r @ L) @ L.T
     for s in range(mechanics.N):
-        by_V_r += _damping_slopes(mechanics, s, at, given.phi, given.phi_dot)
-    found = _through_stream(mechanics, at, by_V_r, by_rate, by_g)
+        by_V_r += _damping_slopes(mechanics, s, at, drive.phi, drive.phi_dot)
+    slopes = _through_stream(mechanics, at, by_V_r, by_rate, by_g)
     if not base.laws.ties:
-        return found
+        return slopes
     tied = base.laws.tied_slopes(at.O1, at.C, at.V)
-    return Slopes(found.by_pose + tied[..., :6], found.by_twist + tied[..., 6:], by_rate)
+    return Slopes(slopes.by_pose + tied[..., :6], slopes.by_twist + tied[..., 6:], by_rate)
 
 
 def slopes_of_torques(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Array) -> Slopes:
@@ -254,14 +254,14 @@ def slopes_of_torques(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Arr
     Theta_dot = np.einsum("hms,hsij->msij", slopes * phi_dot, tables.Theta)
     spun = np.einsum("hms,hsi->msi", h * phi_dot, tables.coupling)
     weight = np.einsum("hms,hsij->msij", h, tables.weight)
-    found = []
+    result = []
     for s in range(mechanics.N):
         by_V_r, by_rate, by_g = _by_motion(at, Theta[:, s], Theta_dot[:, s], spun[:, s], weight[:, s])
         by_V_r += _damping_slopes(mechanics, s, at, phi, phi_dot)
         own = _through_stream(mechanics, at, by_V_r, by_rate, by_g)
-        found.append([-tables.spin[s] @ x for x in (own.by_pose, own.by_twist, own.by_twist_dot)])
+        result.append([-tables.spin[s] @ x for x in (own.by_pose, own.by_twist, own.by_twist_dot)])
     shape = (mechanics.N, 3, len(at.V), 6)
-    return Slopes(*np.moveaxis(np.array(found).reshape(shape), (0, 1), (2, 0)))
+    return Slopes(*np.moveaxis(np.array(result).reshape(shape), (0, 1), (2, 0)))
 
 
 def _by_motion(at: Twists, Theta: Array, Theta_dot: Array, h: Array, weight: Array) -> tuple[Array, Array, Array]:
@@ -271,12 +271,12 @@ def _by_motion(at: Twists, Theta: Array, Theta_dot: Array, h: Array, weight: Arr
     return by_V_r, -Theta, weight
 
 
-def _damping_slopes(own: Mechanics, s: int, at: Twists, phi: Array, phi_dot: Array) -> Array | float:
+def _damping_slopes(mechanics: Mechanics, s: int, at: Twists, phi: Array, phi_dot: Array) -> Array | float:
     """Derivative (M, 6, 6) of the damping wrench of flywheel s by V_r, in E1 about O1; 0 without damping."""
-    found = own.tables.damped(s, at.V_r, phi[:, s], phi_dot[:, s])
-    if found is None:
+    twist_lawses = mechanics.tables.damped(s, at.V_r, phi[:, s], phi_dot[:, s])
+    if twist_lawses is None:
         return 0.0
-    damping, L, twist = found
+    damping, L, twist = twist_lawses
     return np.asarray(L @ damping.rate(twist) @ np.swapaxes(L, 1, 2))
 
 

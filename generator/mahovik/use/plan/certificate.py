@@ -122,14 +122,16 @@ def sign_changes(values: Array | None, *, periodic: bool) -> int | None:
     return int(np.sum(values[1:] * values[:-1] < 0.0) + (periodic and values[0] * values[-1] < 0.0))
 
 
-def singular_values(own: Mechanics, phi: Array) -> tuple[Array, Array | None]:
+def singular_values(mechanics: Mechanics, phi: Array) -> tuple[Array, Array | None]:
     """min(6, N) singular values of K^-1/2 I Theta_ff^-1/2 (M, .) at angles (M, N), and its determinant where N = 6.
 
     The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I. Of a held carrier, rows along
     its m freedoms take the place of the six.
     """
-    K, I = own.mass_and_coupling(phi)
-    S = own.freedoms
-    scaled: Array = np.asarray(np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(own.tables.Theta_ff)))
-    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == own.N else None
+    K, I = mechanics.mass_and_coupling(phi)
+    S = mechanics.freedoms
+    scaled: Array = np.asarray(
+        np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(mechanics.tables.Theta_ff))
+    )
+    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == mechanics.N else None
     return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants

@@ -168,9 +168,11 @@ class FiniteProblem(Problem):
     _spaces: dict[tuple[int, int], SplineSpace] = field(default_factory=dict)
 
     @staticmethod
-    def from_problem(own: Problem) -> FiniteProblem:
+    def from_problem(problem: Problem) -> FiniteProblem:
         """The finite problem with the data of `own`."""
-        return FiniteProblem(own.stand, own.motion, own.mechanics, own.norm, own.free, own.tolerance)
+        return FiniteProblem(
+            problem.stand, problem.motion, problem.mechanics, problem.norm, problem.free, problem.tolerance
+        )
 
     def space(self, degree: int, parts: int = 1) -> SplineSpace:
         """Splines of a degree, with breaks at the samples of the motion and `parts` intervals between two of them."""
@@ -324,7 +326,7 @@ def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> 
     None: the budget ends before the splines are near enough to the table.
     """
     winding = table.phi_dot[0] * problem.motion.span / (2.0 * np.pi)
-    found: FiniteSolution | None = None
+    solution: FiniteSolution | None = None
     for degree, parts in (*((each, 1) for each in DEGREES), (DEGREES[-1], 2), (DEGREES[-1], 4)):
         space = problem.space(degree, parts)
         if (space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]) or budget.exhausted:
@@ -335,17 +337,17 @@ def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> 
         goal = 1e-3 * problem.tolerance
         reached = refine(problem, problem.collocation(space), motion, 8, goal, budget, 1e-6).point.motion
         residual = problem.residual_between(space, reached)
-        if found is None or residual < found.residual:
-            found = FiniteSolution(reached, space, residual)
+        if solution is None or residual < solution.residual:
+            solution = FiniteSolution(reached, space, residual)
         if residual < 0.5 * problem.tolerance:
             break
-    return found
+    return solution
 
 
 def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> FiniteSolution:
     """Collocation at Gauss points in every interval, degree by degree, from modes of the lowest degree."""
     motion, damping, before, below = start, 1e-2, np.inf, problem.space(DEGREES[0])
-    found = FiniteSolution(start, below, np.inf)
+    solution = FiniteSolution(start, below, np.inf)
     for degree in DEGREES:
         space = problem.space(degree)
         if space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]:
@@ -355,8 +357,8 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Finite
         run = refine(problem, grid, motion, 25 if first else 8, 1e-3 * problem.tolerance, budget, damping)
         motion, damping, below = run.point.motion, run.damping, space
         residual = problem.residual_between(space, motion)
-        if residual < found.residual:
-            found = FiniteSolution(motion, space, residual)
+        if residual < solution.residual:
+            solution = FiniteSolution(motion, space, residual)
         if (
             residual < 0.1 * problem.tolerance
             or residual > 0.5 * before
@@ -365,7 +367,7 @@ def collocate(problem: FiniteProblem, start: Periodic, budget: Budget) -> Finite
         ):
             break
         before = residual
-    return found
+    return solution
 
 
 def table_of(problem: FiniteProblem, solved: FiniteSolution) -> Samples:
@@ -436,12 +438,12 @@ def _tables(problem: Problem, bias: Array, phi: Array, phi_dot: Array, steps: in
         y = y + h / 6.0 * (a + 2.0 * b + 2.0 * c + d)
         kept = np.all(np.abs(y[1]) < fastest, axis=1)  # false where it is not finite
         if not kept.all():
-            y, left, rows = y[:, kept], left[kept], [each[:, kept] for each in rows]
+            y, left, rows = y[:, kept], left[kept], [row[:, kept] for row in rows]
         if not left.size:
             return []
         rows.append(np.stack([*y, _rate(problem, along, 2 * k + 2, y)[1]]))
-    found = np.array(rows)
-    return [Samples(t[::2], *(found[:, m, k] for m in range(3))) for k in range(len(left))]
+    tables = np.array(rows)
+    return [Samples(t[::2], *(tables[:, m, k] for m in range(3))) for k in range(len(left))]
 
 
 def _rate(problem: Problem, along: PrescribedMotion, k: int, y: Array) -> Array:

@@ -130,30 +130,30 @@ def _tied(numbers: StandNumbers, paths: Sequence[str]) -> list[tuple[StandNumber
     """Numbers that are equal: those of each path, and of each match of a pattern, element by element."""
     owners: dict[str, list[StandNumber]] = {}
     for path in paths:
-        for each in numbers.find(path):
+        for leaf in numbers.find(path):
             owners.setdefault(
-                re.sub(r"(\[\d+\])+$|\.J\d\d$", "", each.path) if "[" not in path else each.path, []
-            ).append(each)
-    if len({len(each) for each in owners.values()}) > 1:
+                re.sub(r"(\[\d+\])+$|\.J\d\d$", "", leaf.path) if "[" not in path else leaf.path, []
+            ).append(leaf)
+    if len({len(leaves) for leaves in owners.values()}) > 1:
         raise MotionError([f"same: {', '.join(paths)}: found different counts of numbers, expected as many in each"])
     return list(zip(*owners.values(), strict=True))
 
 
 def _unknown(group: list[StandNumber], free: list[str], given: Mapping[str, tuple[float, float]]) -> FreeNumber:
     low, high = -np.inf, np.inf
-    for each in group:
-        if each.path in given:
-            pair = given[each.path]
-        elif each.path not in free:
+    for leaf in group:
+        if leaf.path in given:
+            pair = given[leaf.path]
+        elif leaf.path not in free:
             continue
-        elif each.value == 0.0:
+        elif leaf.value == 0.0:
             words = "its value is 0, of which 10 % is nothing; expected its bounds, [low, high], in the motion file"
-            raise MotionError([f"free: {each.path}: {words}"])
+            raise MotionError([f"free: {leaf.path}: {words}"])
         else:
-            pair = (each.value - SHARE * abs(each.value), each.value + SHARE * abs(each.value))
+            pair = (leaf.value - SHARE * abs(leaf.value), leaf.value + SHARE * abs(leaf.value))
         low, high = max(low, pair[0]), min(high, pair[1])
     if low > high:
-        names = ", ".join(each.path for each in group)
+        names = ", ".join(leaf.path for leaf in group)
         raise MotionError([f"same: {names}: no value is within the bounds of all; expected intervals that overlap"])
     return FreeNumber(tuple(group), low, high)
 
@@ -206,7 +206,9 @@ class FreeProblem:
     @property
     def box(self) -> tuple[Array, Array]:
         """Bounds of the free numbers (P each)."""
-        return np.array([each.low for each in self.unknowns]), np.array([each.high for each in self.unknowns])
+        return np.array([unknown.low for unknown in self.unknowns]), np.array(
+            [unknown.high for unknown in self.unknowns]
+        )
 
     @property
     def size(self) -> Array:
@@ -217,7 +219,7 @@ class FreeProblem:
     def document(self, y: Array) -> dict[str, Any]:
         """Keys of the stand file with the free numbers y (P, SI)."""
         values = zip(self.unknowns, np.clip(y, *self.box).tolist(), strict=True)
-        return self.numbers.with_values({each: value for free, value in values for each in free.numbers})
+        return self.numbers.with_values({leaf: value for free, value in values for leaf in free.numbers})
 
     def problem(self, y: Array) -> Problem:
         """The problem of the stand with y (P, SI), in the norm of the given stand. Raises StandError, StateError."""
@@ -276,12 +278,12 @@ class FreeProblem:
 
         def rows(z: Array) -> Array:
             try:
-                found = self.rows(*parts(z), grid)
+                result = self.rows(*parts(z), grid)
             except (StandError, StateError):  # a body that cannot be: the step is taken back
                 return np.full_like(best[1], 1e3)
-            if found @ found < best[1] @ best[1]:
-                best[:] = z.copy(), found
-            return found
+            if result @ result < best[1] @ best[1]:
+                best[:] = z.copy(), result
+            return result
 
         def slopes(z: Array) -> Array:
             if not budget.step():
@@ -373,13 +375,13 @@ def _start(own: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
     """Start k of a seed: free numbers and constant speed."""
     rng, problem, motion = np.random.default_rng([seed, k]), own.start, own.start.motion
     low, high = own.box
-    y = rng.uniform(low, high) if k else np.clip([each.value for each in own.unknowns], low, high)
+    y = rng.uniform(low, high) if k else np.clip([unknown.value for unknown in own.unknowns], low, high)
     winding = motion.winding
     kind: Kind = "given" if isinstance(winding, tuple) else KINDS[k % len(KINDS)] if winding == "any" else winding
     turns, means = draw_windings(kind, motion, problem.N, DRAWN, rng), rng.uniform(-np.pi, np.pi, (DRAWN, problem.N, 1))
     bias, built = mean_pose(problem).bias, own.problem(y)
     starts = [Periodic(motion.span, n, waves, bias) for n, waves in zip(turns, means, strict=True)]
-    return y, min(starts, key=lambda each: built.relative(each, 4))
+    return y, min(starts, key=lambda unknown: built.relative(unknown, 4))
 
 
 def _planned(

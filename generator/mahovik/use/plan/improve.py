@@ -107,13 +107,13 @@ class Improver:
         near = refine(self.problem, grid, start.with_harmonics(H), 40, _NEARLY, budget).point
         if near.largest > _HOPELESS:
             return None
-        found = self.improve(near.motion, kind, budget)
-        if found.utilisation > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
-            return found
-        found = self.finish(found, budget)
-        if found.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
+        candidate = self.improve(near.motion, kind, budget)
+        if candidate.utilisation > 1.0 or budget.exhausted:  # finishing it pays only if nothing better comes
+            return candidate
+        candidate = self.finish(candidate, budget)
+        if candidate.residual > self.problem.tolerance and not has_bounds(self.problem.motion.bounds):
             return self.evaluate(refine_periodic(self.problem, near.motion, budget), kind, near.motion)
-        return found
+        return candidate
 
     def improve(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate:
         """Meet the bounds, then improve the objective; the finish corrects the remaining residual."""
@@ -145,42 +145,44 @@ class Improver:
             point = descend(stage.at(point.motion), Rules(3 * STEPS_A_ROUND), budget, _uses_less(0.999)).point
         return point
 
-    def finish(self, found: Candidate, budget: Budget) -> Candidate:
+    def finish(self, candidate: Candidate, budget: Budget) -> Candidate:
         """The same motion with an accepted residual, if possible, with bounds and objective kept.
 
         First by shortest steps with more harmonics. A motion whose coefficients fall too slowly for that is smoothed by
         the same steps as before, with a heavy tail.
         """
-        wider = _limit_factor(found.utilisation)
+        wider = _limit_factor(candidate.utilisation)
         for smooth, steps, H in FINISHES:
-            motion = found.motion
-            if found.residual < EXACT_ENOUGH * self.problem.tolerance or budget.exhausted:
+            motion = candidate.motion
+            if candidate.residual < EXACT_ENOUGH * self.problem.tolerance or budget.exhausted:
                 break
             if smooth:
                 stage = self.stage(self._harmonics(motion, smooth), TAIL_OF_FINISH, wider=wider)
                 motion = descend(stage.at(motion.with_harmonics(stage.H)), Rules(steps), budget).point.motion
             stage = self.stage(self._harmonics(motion, H))
             motion = restore(stage.at(motion.with_harmonics(stage.H)), RESTORING, budget).motion
-            again = self.evaluate(motion, found.kind, found.free)
-            if again.residual < found.residual:
-                found = again
-        return found
+            again = self.evaluate(motion, candidate.kind, candidate.free)
+            if again.residual < candidate.residual:
+                candidate = again
+        return candidate
 
     def choose(
         self, inside: Sequence[Candidate], beyond: Sequence[Candidate], seconds: float | None
     ) -> list[Candidate]:
         """Programmes inside the bounds, best by the objective first; else the one that exceeds the bounds least."""
-        ordered = sorted(inside, key=lambda each: each.objective)
+        ordered = sorted(inside, key=lambda candidate: candidate.objective)
         if ordered:
             return [x for k, x in enumerate(ordered) if not any(x.is_same(better) for better in ordered[:k])]
-        for each in beyond:
-            least = self.rescue(each, seconds)
+        for candidate in beyond:
+            least = self.rescue(candidate, seconds)
             if least is not None:
                 return [least]
         # bounds far below what the motion needs leave no exact motion near them: then from one that disregards them
-        free = [self.exact(each, each.free, seconds) for each in beyond if each.free is not None]
-        best = sorted((each for each in free if each.exact), key=lambda each: each.utilisation)[:1]
-        return [self._bring_nearer(each, Budget(_RESERVE, seconds)) for each in best]
+        free = [self.exact(candidate, candidate.free, seconds) for candidate in beyond if candidate.free is not None]
+        best = sorted(
+            (candidate for candidate in free if candidate.exact), key=lambda candidate: candidate.utilisation
+        )[:1]
+        return [self._bring_nearer(candidate, Budget(_RESERVE, seconds)) for candidate in best]
 
     def rescue(self, beyond: Candidate, seconds: float | None) -> Candidate | None:
         """The least bad candidate, finished on a reserve of steps; None: it does not become exact."""

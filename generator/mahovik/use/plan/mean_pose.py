@@ -58,9 +58,9 @@ def mean_pose(problem: Problem) -> MeanPose:
     def remaining_wrench(at: Array) -> Array:
         return mean_wrench(problem, course, at)
 
-    found = remaining_wrench(bias)
+    result = remaining_wrench(bias)
     for _ in range(_STEPS):
-        if not len(free) or np.linalg.norm(found) <= 1e-13 * _force_size(problem):
+        if not len(free) or np.linalg.norm(result) <= 1e-13 * _force_size(problem):
             break
         J = np.empty((len(bias), len(free)))
         for k, component in enumerate(free):
@@ -68,17 +68,17 @@ def mean_pose(problem: Problem) -> MeanPose:
             step[component] = _DIFFERENCE
             J[:, k] = root * (remaining_wrench(bias + step) - remaining_wrench(bias - step)) / (2 * _DIFFERENCE)
         step = np.zeros(len(bias))
-        step[free] = -np.linalg.lstsq(J, root * found, rcond=_FREE)[0]
+        step[free] = -np.linalg.lstsq(J, root * result, rcond=_FREE)[0]
         step *= min(1.0, float(np.min(longest / np.maximum(np.abs(step), 1e-300))))
         for _ in range(12):
             there = remaining_wrench(bias + step)
-            if np.linalg.norm(root * there) < np.linalg.norm(root * found):
+            if np.linalg.norm(root * there) < np.linalg.norm(root * result):
                 break
             step = step / 4
         else:
             break
-        bias, found = bias + step, there
-    return MeanPose(bias, found)
+        bias, result = bias + step, there
+    return MeanPose(bias, result)
 
 
 def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
@@ -86,11 +86,11 @@ def mean_wrench(problem: Problem, course: Course, bias: Array) -> Array:
 
     Of a held carrier: along its freedoms (m), at the home pose.
     """
-    own = problem.mechanics
-    at = own.frame.twists(course._replace(q=course.q + bias))
-    F = own.base.wrench(at)
+    mechanics = problem.mechanics
+    at = mechanics.frame.twists(course._replace(q=course.q + bias))
+    F = mechanics.base.wrench(at)
     gravity = in_E1(at.C, problem.stand.gravity)
-    F = F + gravity @ own.tables.weight[0].sum(axis=0).T
+    F = F + gravity @ mechanics.tables.weight[0].sum(axis=0).T
     if problem.stand.hold is not None:
         return mean_along_freedoms(problem.stand, at, F)
     parts = [(at.C @ F[:, k : k + 3, None])[:, :, 0].mean(axis=0) for k in (0, 3)]
@@ -127,10 +127,10 @@ def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:
     assert hold is not None
     S = freedom_twists(hold)
     C0, O0 = (each[0] for each in Frame.of(stand).pose(np.zeros((1, S.shape[1]))))
-    found = np.zeros(6)
+    result = np.zeros(6)
     for C, O1, wrench in zip(at.C, at.O1, F, strict=True):
-        found += transfer(C0.T @ (O1 - O0), C0.T @ C) @ wrench
-    return np.asarray(S.T @ found / len(F))
+        result += transfer(C0.T @ (O1 - O0), C0.T @ C) @ wrench
+    return np.asarray(S.T @ result / len(F))
 
 
 def wrench_of(stand: Stand, along: Array) -> Array:

@@ -16,11 +16,11 @@ def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:
     Peaks are compared with the motor's numbers, as they are in the file: its torque at speed is less, and its friction
     comes on top. A flywheel without a motor, or whose motor has no limit, has no line.
     """
-    found = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], ""))
+    result = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], ""))
     for key, where in _PARTS.items():
         if peak := report.get(key, {}).get("peak"):
-            found += _exceeding(stand, peak["torque"], peak["speed"], f" {where}")
-    return tuple(found)
+            result += _exceeding(stand, peak["torque"], peak["speed"], f" {where}")
+    return tuple(result)
 
 
 def _exceeding(stand: Stand, torques: Sequence[float], speeds: Sequence[float], where: str) -> Iterator[str]:

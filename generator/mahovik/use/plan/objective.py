@@ -174,12 +174,12 @@ class Cost:
 
     def rows(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, Rows]:
         """Weighted rows of every kind with a weight, at angles (M, N), mean speeds (N, rad/s) and torques."""
-        found = {}
+        result = {}
         for kind, weight in self.weights.items():
             if weight.any():
                 rows = getattr(self, f"_{kind}")(angles, mean_speed, torque)
-                found[kind] = rows.scale(np.sqrt(weight))
-        return found
+                result[kind] = rows.scale(np.sqrt(weight))
+        return result
 
     def value(self, angles: Angles, mean_speed: Array, torque: Rows) -> dict[str, float]:
         """Part of J of each weighted kind."""
@@ -195,16 +195,16 @@ class Cost:
         return torque.scale(1.0 / (self.spin_inertia * self.Omega**2))
 
     def _power(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
-        own, drives, speed = torque, self.drives, angles.phi_dot
+        rows, drives, speed = torque, self.drives, angles.phi_dot
         lost, slope = drives.friction(speed)
-        given = own.value + lost
+        given = rows.value + lost
         by_torque = 2.0 * drives.resistance * given / drives.constant**2 + speed
         power = Rows.of(
             drives.resistance * (given / drives.constant) ** 2 + given * speed,
-            by_torque * own.by_phi,
-            by_torque * (own.by_phi_dot + slope) + given,
-            by_torque * own.by_phi_ddot,
-            None if own.by_bias is None else by_torque[..., None] * own.by_bias,
+            by_torque * rows.by_phi,
+            by_torque * (rows.by_phi_dot + slope) + given,
+            by_torque * rows.by_phi_ddot,
+            None if rows.by_bias is None else by_torque[..., None] * rows.by_bias,
         )
         return power.scale(1.0 / (self.spin_inertia * self.Omega**3))
 
@@ -238,8 +238,8 @@ class ExceededBound(NamedTuple):
         """The bound in one line: kind, flywheel, value found, limit, excess."""
         when = "" if self.time is None else f" at {self.time:.6g} s"
         side = "least is" if self.kind == "speed_min" else "bound is"
-        found = f"{self.value:.6g} {self.unit}{when}"
-        return f"{self.kind} of {self.of}: {found}, {side} {self.limit:.6g}: {self._excess}"
+        result = f"{self.value:.6g} {self.unit}{when}"
+        return f"{self.kind} of {self.of}: {result}, {side} {self.limit:.6g}: {self._excess}"
 
     @property
     def _excess(self) -> str:
@@ -273,7 +273,7 @@ def bound_uses(
 
     |phi'| is counted along the winding there. Limits are `wider` times the bounds, least speeds divided by it.
     """
-    found = {}
+    result = {}
     for kind, rows in _quantities(angles, swing, torque).items():
         if getattr(bounds, kind) is None:
             continue
@@ -281,21 +281,21 @@ def bound_uses(
         if kind == "speed_min":
             along = np.where(winding < 0.0, -1.0, 1.0)
             used = rows.scale(np.where(limit > 0.0, -along * wider / np.where(limit > 0.0, limit, 1.0), 0.0))
-            found[kind] = replace(used, value=np.where(limit > 0.0, 2.0 + used.value, 0.0))
+            result[kind] = replace(used, value=np.where(limit > 0.0, 2.0 + used.value, 0.0))
         else:
-            found[kind] = rows.scale(np.sign(rows.value) / (wider * limit))
-    return found
+            result[kind] = rows.scale(np.sign(rows.value) / (wider * limit))
+    return result
 
 
 def hinge_rows(uses: dict[str, Rows]) -> list[Rows]:
     """RHO max(0, use - KNEE) of every use that is above KNEE somewhere."""
-    found = []
+    result = []
     for rows in uses.values():
         active = rows.value > KNEE
         if active.any():
             value = RHO * np.where(active, rows.value - KNEE, 0.0)
-            found.append(replace(rows.scale(np.where(active, RHO, 0.0)), value=value))
-    return found
+            result.append(replace(rows.scale(np.where(active, RHO, 0.0)), value=value))
+    return result
 
 
 def bias_hinges(bounds: Bounds, bias: Array) -> tuple[Array, Array]:
@@ -317,7 +317,7 @@ def exceeded_bounds(
 
     A flywheel below its least speed that turns back stops on the way: 0.
     """
-    found, coordinates, along = [], coordinates_of(stand), angles.phi_dot.mean(axis=0)
+    result, coordinates, along = [], coordinates_of(stand), angles.phi_dot.mean(axis=0)
     tau = Rows.of(torque)
     for kind, rows in bound_uses(bounds, angles, swing, tau, along).items():
         y = _quantities(angles, swing, tau)[kind].value
@@ -328,13 +328,13 @@ def exceeded_bounds(
                 value = 0.0 if least and rows.value[m, s] >= 2.0 else value
                 ratio = (limit / value if value else np.inf) if least else value / limit
                 name = stand.flywheels[s].name
-                found.append(ExceededBound(kind, name, value, limit, ratio, UNITS[kind], float(t[m])))
+                result.append(ExceededBound(kind, name, value, limit, ratio, UNITS[kind], float(t[m])))
     for i, most in enumerate(bounds.bias or ()):
         value = float(abs(bias[i]))
         if value > most * (1.0 + ROUNDING):
             name, unit = coordinates.in_words[i], coordinates.unit_names[i]
-            found.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
-    return tuple(sorted(found, key=lambda each: -each.ratio))
+            result.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
+    return tuple(sorted(result, key=lambda each: -each.ratio))
 
 
 def utilisation(bounds: Bounds, uses: dict[str, Rows], bias: Array) -> float:

@@ -86,23 +86,23 @@ class Mesh:
     def interpolate(self, x: Array, order: int = 0) -> Array:
         """(columns, len(x)): a state times this is its value, or derivative, at times x in [0, 1]."""
         knots, k = np.concatenate([[0.0], self.gauss[0]]), np.clip((x * self.K).astype(int), 0, self.K - 1)
-        found = np.zeros((self.K * (self.d + 1) + 1, len(x)))
+        result = np.zeros((self.K * (self.d + 1) + 1, len(x)))
         for j, knot in enumerate(knots):
             others = np.delete(knots, j)
             polynomial = np.polynomial.Polynomial.fromroots(others) / np.prod(knot - others)
             values = polynomial.deriv(order)(x * self.K - k) if order else polynomial(x * self.K - k)
-            found[k * (self.d + 1) + j, np.arange(len(x))] = values * self.K**order
-        return found
+            result[k * (self.d + 1) + j, np.arange(len(x))] = values * self.K**order
+        return result
 
     @cached_property
     def jumps(self) -> Array:
         """(columns, K): a state times this is the jump from the end of each interval to what follows."""
         ends = replace(self, K=1).interpolate(np.ones(1))[:-1, 0]
-        found = np.zeros((self.K * (self.d + 1) + 1, self.K))
+        result = np.zeros((self.K * (self.d + 1) + 1, self.K))
         for k in range(self.K):
-            found[k * (self.d + 1) : (k + 1) * (self.d + 1), k] = ends
-            found[(k + 1) * (self.d + 1), k] = -1.0
-        return found
+            result[k * (self.d + 1) : (k + 1) * (self.d + 1), k] = ends
+            result[(k + 1) * (self.d + 1), k] = -1.0
+        return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,13 +220,13 @@ def solve(
     options: Any = _OPTIONS | {"iteration_callback": watch}
     solver = ca.nlpsol("ocp", "ipopt", posed, options)
     with defer_interrupt(budget.interrupt, again=False):
-        found = solver(x0=np.concatenate(x0), lbx=lower, ubx=upper, lbg=-high, ubg=high)
+        solution = solver(x0=np.concatenate(x0), lbx=lower, ubx=upper, lbg=-high, ubg=high)
     stats = solver.stats()
     done = bool(stats["success"]) or watch.best is None
-    vector = np.asarray(found["x"]).ravel() if done else watch.best
+    vector = np.asarray(solution["x"]).ravel() if done else watch.best
     states = np.asarray(vector)[: 2 * N * len(mesh.times)].reshape(2 * N, -1, order="F")
     return Solution(
-        mesh, motion.span, states[:N], states[N:] * Omega, float(found["f"]) if done else watch.best_objective,
+        mesh, motion.span, states[:N], states[N:] * Omega, float(solution["f"]) if done else watch.best_objective,
         str(stats["return_status"]).replace("_", " ").lower(), int(stats["iter_count"]),
         bool(stats["success"]) or watch.best is not None, budget.interrupted,
     )  # fmt: skip
@@ -344,7 +344,9 @@ def plan_ocp(
         "objective_at_nodes": run.objective,
         "objective": _objective(best),
     }
-    told = tuple(replace(each, report={**each.report, "method": "ocp", "ocp": report}) for each in best.programmes)
+    told = tuple(
+        replace(programme, report={**programme.report, "method": "ocp", "ocp": report}) for programme in best.programmes
+    )
     return replace(best, programmes=told, interrupted=best.interrupted or run.interrupted)
 
 
@@ -359,8 +361,8 @@ def start_of(programme: Programme, motion: RequiredMotion, run: Solution | None 
         whole = np.linspace(0.0, motion.span, 1025)
         return Samples(whole, *at(whole))
     parts = round(motion.span / with_shortest_period(motion).span)
-    own = programme.course
-    H = len(own.cos) // parts if isinstance(own, Fourier) else 32
+    fourier = programme.course
+    H = len(fourier.cos) // parts if isinstance(fourier, Fourier) else 32
     t = np.asarray(np.arange(8 * H) * (motion.span / parts / (8 * H)))
     turned = at(t).phi - np.outer(t, 2.0 * np.pi / motion.span * np.array(programme.winding))
     spectrum = np.fft.rfft(turned, axis=0)[: H + 1].T / (8 * H)

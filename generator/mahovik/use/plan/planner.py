@@ -86,21 +86,21 @@ def _plan_periodic(
     """
     improver = Improver.of(problem)
     if isinstance(options.start, Periodic):
-        found = single(improver, options.start, budget)
+        result = single(improver, options.start, budget)
     else:
-        found = search(problem, improver, first.bias, options.seed, budget, options.enough, on_progress=tell)
+        result = search(problem, improver, first.bias, options.seed, budget, options.enough, on_progress=tell)
 
     def say(doing: str) -> None:
-        found.doing = doing
-        tell(found)
+        result.doing = doing
+        tell(result)
 
-    chosen = improver.choose(found.found, found.beyond, RESERVE)
-    effort = _effort(found, options, budget) | {"objective_spread": [each.objective for each in chosen]}
+    chosen = improver.choose(result.found, result.beyond, RESERVE)
+    effort = _effort(result, options, budget) | {"objective_spread": [candidate.objective for candidate in chosen]}
 
     def programmes() -> Iterator[Programme]:
-        for each in chosen:
+        for candidate in chosen:
             with defer_interrupt(whole.interrupt, again=True):
-                programme = _periodic_programme(problem, motion, each, {"search": effort})
+                programme = _periodic_programme(problem, motion, candidate, {"search": effort})
             programme = with_runup(problem.stand, motion, programme, options.seed, whole, say)
             if options.verify:
                 say("verifying")
@@ -108,8 +108,8 @@ def _plan_periodic(
                     programme = drop_refused_tables(certify(problem.stand, motion, programme))
             yield programme
 
-    words = () if chosen else (not_found_message(found),)
-    return _verified_plan(problem.stand, first, found, words, effort, programmes(), whole)
+    words = () if chosen else (not_found_message(result),)
+    return _verified_plan(problem.stand, first, result, words, effort, programmes(), whole)
 
 
 def _plan_finite(
@@ -124,18 +124,18 @@ def _plan_finite(
     cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
     if isinstance(options.start, Samples):
         made = fit(problem, first.bias, options.start, budget)
-        found = Search[FiniteSolution]([made] if made and made.residual < problem.tolerance else [], starts=1)
+        search = Search[FiniteSolution]([made] if made and made.residual < problem.tolerance else [], starts=1)
     else:
-        found = search_finite(problem, first.bias, options.seed, budget, options.enough, tell)
-    reports = [_finite_report(problem, cost, each) for each in found.found]
+        search = search_finite(problem, first.bias, options.seed, budget, options.enough, tell)
+    reports = [_finite_report(problem, cost, each) for each in search.found]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
-    effort = _effort(found, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
-    found.doing = "verifying"
-    tell(found)
+    effort = _effort(search, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
+    search.doing = "verifying"
+    tell(search)
 
     def programmes() -> Iterator[Programme]:
         for k in order:
-            solved, report = found.found[k], {**reports[k], "search": effort}
+            solved, report = search.found[k], {**reports[k], "search": effort}
             table, bias = table_of(problem, solved), solved.motion.bias
             programme = make_programme(own.stand, own.motion.name, own.motion.span, bias, None, table, report)
             if options.verify:
@@ -143,27 +143,27 @@ def _plan_finite(
                     programme = certify(own.stand, own.motion, programme)
             yield programme
 
-    words = () if found.found else (_finite_not_found_message(found, own.stand),)
-    return _verified_plan(own.stand, first, found, words, effort, programmes(), budget)
+    words = () if search.found else (_finite_not_found_message(search, own.stand),)
+    return _verified_plan(own.stand, first, search, words, effort, programmes(), budget)
 
 
-def _effort(found: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
+def _effort(search: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
     """Effort of a search, for the report."""
     return {
         "seed": options.seed,
-        "starts": found.starts,
+        "starts": search.starts,
         "steps": budget.steps_taken,
-        "windings_tried": dict(found.tried),
-        "found": len(found.found),
-        "best_residual": float(found.best),
-        "cut_by_time": found.cut,
+        "windings_tried": dict(search.tried),
+        "found": len(search.found),
+        "best_residual": float(search.best),
+        "cut_by_time": search.cut,
     }
 
 
 def _verified_plan(
     stand: Stand,
     first: Preflight,
-    found: Search[Any],
+    search: Search[Any],
     words: tuple[str, ...],
     effort: dict[str, Any],
     programmes: Iterable[Programme],
@@ -177,31 +177,31 @@ def _verified_plan(
             continue
         warnings = (*first.warnings, *motor_warnings(stand, programme.report))
         over = (*programme.report["exceeded"], *shortcomings(programme))
-        interrupted = found.interrupted or budget.interrupted
+        interrupted = search.interrupted or budget.interrupted
         return Plan("OK_LIMIT" if over else "OK", None, over, warnings, (programme,), effort, interrupted)
     warnings = (*first.warnings, *first.hint)
-    interrupted = found.interrupted or budget.interrupted
+    interrupted = search.interrupted or budget.interrupted
     return Plan("NO_PROGRAM", "SEARCH", tuple(refused), warnings, (), effort, interrupted)
 
 
-def not_found_message(found: Search[Candidate]) -> str:
+def not_found_message(search: Search[Candidate]) -> str:
     """Message of a search without success; it proves nothing."""
-    tried = ", ".join(f"{kind} {number}" for kind, number in found.tried.items()) or "none"
-    near = found.beyond[0].exceeded_bounds[:1] if found.beyond else ()
+    tried = ", ".join(f"{kind} {number}" for kind, number in search.tried.items()) or "none"
+    near = search.beyond[0].exceeded_bounds[:1] if search.beyond else ()
     bound = "".join(f"; the nearest attempt exceeds a bound, {each.words}" for each in near)
     return (
-        f"no programme was found (this does not prove that there is none): {found.starts} starts tried ({tried}), "
-        f"best relative residual {found.best:.3g}, {found.end_reason}{bound}; try {'wider bounds, ' if bound else ''}"
+        f"no programme was found (this does not prove that there is none): {search.starts} starts tried ({tried}), "
+        f"best relative residual {search.best:.3g}, {search.end_reason}{bound}; try {'wider bounds, ' if bound else ''}"
         "another seed, more time, another winding, a smaller motion or one more flywheel"
     )
 
 
-def _finite_not_found_message(found: Search[FiniteSolution], stand: Stand) -> str:
+def _finite_not_found_message(search: Search[FiniteSolution], stand: Stand) -> str:
     """Message that no programme was found for a finite motion. Two flywheels more than its rows keep I regular."""
     few = stand.hold is None and len(stand.flywheels) < 8
     return (
-        f"no programme was found (this does not prove that there is none): {found.starts} starts tried, best relative "
-        f"residual {found.best:.3g}, {found.end_reason}; try another seed, more time, a smaller or slower motion or "
+        f"no programme was found (this does not prove that there is none): {search.starts} starts tried, best relative "
+        f"residual {search.best:.3g}, {search.end_reason}; try another seed, more time, a smaller or slower motion or "
         f"{'eight flywheels' if few else 'one more flywheel'}"
     )
 
@@ -210,20 +210,20 @@ def _periodic_programme(
     problem: Problem, motion: RequiredMotion, chosen: Candidate, more: Mapping[str, Any]
 ) -> Programme:
     """The programme with its report."""
-    own = repeat_motion(chosen.motion, round(motion.span / problem.motion.span))
+    periodic = repeat_motion(chosen.motion, round(motion.span / problem.motion.span))
     report: dict[str, Any] = {
         "kind": chosen.kind,
         "objective": chosen.objective,
         "objective_parts": dict(chosen.parts),
         "bounds_used": chosen.utilisation if has_bounds(motion.bounds) else None,
-        "exceeded": [each.words for each in chosen.exceeded_bounds],
-        "harmonics": own.H,
+        "exceeded": [bound.words for bound in chosen.exceeded_bounds],
+        "harmonics": periodic.H,
         **figures(problem, chosen.motion),
         **more,
     }
-    course = Fourier(np.array(own.mean), np.array(own.cos), np.array(own.sin))
-    winding = tuple(int(n) for n in own.winding)
-    return make_programme(problem.stand, motion.name, motion.span, own.bias, winding, course, report)
+    course = Fourier(np.array(periodic.mean), np.array(periodic.cos), np.array(periodic.sin))
+    winding = tuple(int(n) for n in periodic.winding)
+    return make_programme(problem.stand, motion.name, motion.span, periodic.bias, winding, course, report)
 
 
 def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -> dict[str, Any]:

@@ -55,10 +55,10 @@ def harmonic_derivatives(
     below, above = (j - k) % M, (j + k) % M
     up = A[below] + 1j * rate * B[below] - rate**2 * C[below]
     down = A[above] - 1j * rate * B[above] - rate**2 * C[above]  # (last + 1, H + 1, 6, N)
-    found = np.empty((last + 1, R, N, 2 * H + 1), dtype=np.complex128)
-    found[..., : H + 1] = np.moveaxis((up + down) / 2.0, 1, 3)
-    found[..., H + 1 :] = np.moveaxis((up - down)[:, 1:] / 2j, 1, 3)
-    return found.reshape(last + 1, R, N * (2 * H + 1))
+    result = np.empty((last + 1, R, N, 2 * H + 1), dtype=np.complex128)
+    result[..., : H + 1] = np.moveaxis((up + down) / 2.0, 1, 3)
+    result[..., H + 1 :] = np.moveaxis((up - down)[:, 1:] / 2j, 1, 3)
+    return result.reshape(last + 1, R, N * (2 * H + 1))
 
 
 T = TypeVar("T")
@@ -137,9 +137,9 @@ class AtNodes:
 
 def jacobian(problem: Problem, grid: Grid, motion: Periodic, biased: Array) -> Array:
     """Derivatives (6 M, N (2H + 1) + F) of the scaled residual by all unknowns; `biased`: the last F columns."""
-    _, found = problem.linear(grid, motion)
+    _, linear = problem.linear(grid, motion)
     root = problem.norm.root / problem.norm.demand
-    waves = grid.basis.chain(root @ found.by_phi, root @ found.by_phi_dot, root @ found.by_phi_ddot)
+    waves = grid.basis.chain(root @ linear.by_phi, root @ linear.by_phi_dot, root @ linear.by_phi_ddot)
     return np.hstack([waves, biased])
 
 
@@ -278,15 +278,15 @@ class InHarmonics:
     def model(self) -> Model:
         """Derivatives at this point; those by the bias from differences around a nearby bias."""
         stage, H, problem = self.stage, self.stage.H, self.stage.problem
-        free, found = problem.free, self.linear
+        free, linear = problem.free, self.linear
         root = problem.norm.root / problem.norm.demand
-        a, b, c = (root @ x for x in (found.by_phi, found.by_phi_dot, found.by_phi_ddot))
+        a, b, c = (root @ x for x in (linear.by_phi, linear.by_phi_dot, linear.by_phi_ddot))
         spectrum = harmonic_derivatives(a, b, c, stage.Omega, H, 2 * H)
         R_by_bias, tau_by_bias = self.around(self.motion).rates(self.angles)
         own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.relative_residual)
         whole = np.concatenate([spectrum, own[..., free]], axis=2)
         A, T = harmonic_rows(whole[: H + 1], 0), stage.tail * harmonic_rows(whole[H + 1 :], H + 1)
-        total = gauss_newton_sums(self._kinds(Rows.torque(found, tau_by_bias)), stage.grid.basis, problem.N, free)
+        total = gauss_newton_sums(self._kinds(Rows.torque(linear, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
         gradient = total.gradient + T.T @ self.tail
         curvature = total.curvature + T.T @ T

@@ -83,9 +83,12 @@ def parts_of(problem: Problem) -> list[Part]:
     """The parts of the wrenches that count, whose numbers are together the rows of (12)."""
     if problem.stand.hold is None:
         return [Part("force", "N", np.eye(6)[:, :3]), Part("moment", "N m", np.eye(6)[:, 3:])]
-    own = coordinates_of(problem.stand)
-    columns = wrench_of(problem.stand, np.eye(own.count)).T
-    return [Part(*UNITS[own.unit_names[k]], columns[:, k, None], own.in_words[k]) for k in range(own.count)]
+    coordinates = coordinates_of(problem.stand)
+    columns = wrench_of(problem.stand, np.eye(coordinates.count)).T
+    return [
+        Part(*UNITS[coordinates.unit_names[k]], columns[:, k, None], coordinates.in_words[k])
+        for k in range(coordinates.count)
+    ]
 
 
 def split(parts: list[Part], numbers: Array) -> list[Array]:
@@ -99,13 +102,13 @@ def _uncarried(problem: Problem, pose: MeanPose) -> tuple[Part, Array] | None:
     A remainder counts if it alone would be a relative residual that is not accepted, and if the weights of unbalanced
     flywheels cannot give it.
     """
-    parts, worst, found = parts_of(problem), problem.tolerance, None
+    parts, worst, uncarried = parts_of(problem), problem.tolerance, None
     for part, x in zip(parts, split(parts, pose.wrench), strict=True):
         share = problem.norm.relative((part.basis @ x)[None])
         by_weights = part.kind != "force" and float(np.linalg.norm(x)) <= _largest_moment(problem)
         if share > worst and not by_weights:
-            worst, found = share, (part, x)
-    return found
+            worst, uncarried = share, (part, x)
+    return uncarried
 
 
 def _largest_moment(problem: Problem) -> float:
@@ -132,7 +135,7 @@ _TELLING = 1e-3
 """rad: angles larger than this are named in the warning."""
 
 
-def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> None:
+def check_mean_wrench(problem: Problem, pose: MeanPose, preflight: Preflight) -> None:
     """Refuses a mean wrench that nothing carries, and warns of a mean pose that is turned far.
 
     Flywheels with damping may have a mean wrench: then nothing is refused.
@@ -143,13 +146,13 @@ def check_mean_wrench(problem: Problem, pose: MeanPose, found: Preflight) -> Non
     if left is not None:
         part, x = left
         why = "has no support in the mean: flywheels give none over a period"
-        found.refusal = Refusal("MEAN_WRENCH", f"{part.words(x)} {why}; {_advice(problem)}")
-    own = coordinates_of(problem.stand)
-    pairs = zip(own.names, own.unit_names, pose.bias.tolist(), strict=True)
+        preflight.refusal = Refusal("MEAN_WRENCH", f"{part.words(x)} {why}; {_advice(problem)}")
+    coordinates = coordinates_of(problem.stand)
+    pairs = zip(coordinates.names, coordinates.unit_names, pose.bias.tolist(), strict=True)
     tilts = {name: value for name, unit, value in pairs if unit == "rad"}
     if max(map(abs, tilts.values()), default=0.0) > _TILT:
         words = ", ".join(f"{name} {x:.3g} rad" for name, x in tilts.items() if abs(x) > _TELLING)
-        found.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
+        preflight.warnings.append(f"the mean pose is tilted to carry the mean wrench: {words}")
 
 
 _RANK = 1e-7
@@ -163,19 +166,21 @@ _HELPS = {
 }
 
 
-def check_span(problem: Problem, P: Array, found: Preflight) -> None:
+def check_span(problem: Problem, P: Array, preflight: Preflight) -> None:
     """Refuses where more than 1e-3 of the required P (M, 6) is outside the span of I_s(phi), dI_s/dphi at all phi.
 
     All of these are sums of the harmonics of I_s; scaled by K0^-1/2 and to one length each.
     """
     rows = problem.rows_count
     if 0 < problem.N < rows:
-        found.warnings.append(f"{problem.N} flywheels: only special motions have a programme; {rows} or more give any")
+        preflight.warnings.append(
+            f"{problem.N} flywheels: only special motions have a programme; {rows} or more give any"
+        )
     root = problem.norm.root
     columns = problem.mechanics.tables.coupling.reshape(-1, 6) @ root.T
     outside = varying = (P - P.mean(axis=0)) @ root.T
     size = float(np.linalg.norm(varying, axis=1).max())
-    if size <= 1e-9 * problem.norm.demand or found.refusal is not None:
+    if size <= 1e-9 * problem.norm.demand or preflight.refusal is not None:
         return
     if columns.size:
         _, sigma, Vt = np.linalg.svd(columns, full_matrices=False)
@@ -191,7 +196,7 @@ def check_span(problem: Problem, P: Array, found: Preflight) -> None:
     part, x = parts[k := int(np.argmax(shares))], missing[k]
     way = np.linalg.svd(x, full_matrices=False)[2][0]
     what = part.words(way, float(np.linalg.norm(x, axis=1).max()))
-    found.refusal = Refusal(
+    preflight.refusal = Refusal(
         "SPAN",
         f"{what} is required, which these flywheels cannot give at any angles or speeds ({100 * share:.2g} % of the "
         f"required wrench is outside their span); {_HELPS[part.kind].format(part.direction_words(way))}",
@@ -205,7 +210,7 @@ _NEAR, _NEAR_OF_SIX = 0.5, 0.15
 """Shares of the limit beyond which a search often fails, for more flywheels than six and for six."""
 
 
-def check_first_moment(problem: Problem, force: Array, C: Array, found: Preflight) -> None:
+def check_first_moment(problem: Problem, force: Array, C: Array, preflight: Preflight) -> None:
     """Refuses where half the range of u . G exceeds sum mu_s sqrt(1 - (u . e_s)^2) in some direction u.
 
     force (M, 3; N) in E0 at uniform times: required from the flywheels with centres of mass on their axes; its second
@@ -220,19 +225,20 @@ def check_first_moment(problem: Problem, force: Array, C: Array, found: Prefligh
         return
     G = second_integral(force, problem.motion.span)
     need, have, way = reach(G, C @ tables.axis.T, tables.unbalance, ways)
-    found.reach = need / have if have > 0.0 else np.inf
+    preflight.reach = need / have if have > 0.0 else np.inf
     near = _NEAR if problem.N - problem.rows_count > 0 else _NEAR_OF_SIX
-    if found.reach > _SLACK:
+    if preflight.reach > _SLACK:
         where = direction(way)
-        found.refusal = found.refusal or Refusal(
+        preflight.refusal = preflight.refusal or Refusal(
             "FIRST_MOMENT",
             f"along {where} the motion needs a first moment of +-{need:.3g} kg m from the flywheels; "
             f"their total unbalance perpendicular to it is {have:.3g} kg m, at any speed; "
-            f"possible with {100 / found.reach:.2g} % of this amplitude, or with {found.reach:.3g} times the unbalance",
+            f"possible with {100 / preflight.reach:.2g} % of this amplitude, or with {preflight.reach:.3g} times "
+            "the unbalance",
         )
-    elif found.reach > near:
-        needed = f"{100 * found.reach:.0f} % of the unbalance is needed along {direction(way)}"
-        found.hint = (f"{needed}; a search often fails above {100 * near:.0f} % with {problem.N} flywheels",)
+    elif preflight.reach > near:
+        needed = f"{100 * preflight.reach:.0f} % of the unbalance is needed along {direction(way)}"
+        preflight.hint = (f"{needed}; a search often fails above {100 * near:.0f} % with {problem.N} flywheels",)
 
 
 def second_integral(force: Array, period: float) -> Array:
@@ -274,14 +280,14 @@ def _widest(G: Array) -> Array:
     return np.asarray(apart[np.argsort(sizes)[-20:]] + 1e-300)
 
 
-def check_bound_reach(problem: Problem, at: PrescribedMotion, found: Preflight) -> None:
+def check_bound_reach(problem: Problem, at: PrescribedMotion, preflight: Preflight) -> None:
     """Refuses where y . (P - mean P) exceeds what flywheels can give along a wrench direction y at their bounds.
 
     Along y a flywheel gives at most |y . I_s| a_s + |y . I'_s| w_s^2 + |y . C_s| w_s + |y . A_s| of (12), each the
     largest over its angle. The check needs bounds of both speed and acceleration.
     """
     bounds = problem.motion.bounds
-    if bounds.speed is None or bounds.acceleration is None or problem.N == 0 or found.refusal is not None:
+    if bounds.speed is None or bounds.acceleration is None or problem.N == 0 or preflight.refusal is not None:
         return
     w, a = np.array(bounds.speed), np.array(bounds.acceleration)
     P = at.locked_wrench()
@@ -295,7 +301,7 @@ def check_bound_reach(problem: Problem, at: PrescribedMotion, found: Preflight) 
             have = float((give + _largest(at.moving, y) * w + _largest(at.fixed[1:], y)).sum())
             if need > worst * have and need > 1e-9 * problem.norm.demand:
                 worst = need / max(have, 1e-300)
-                found.refusal = Refusal(
+                preflight.refusal = Refusal(
                     "BOUND_REACH",
                     f"{part.words(way, need)} is required, flywheels inside the bounds of speed and acceleration give "
                     f"at most {have:.3g} {part.unit}; that is {worst:.2g} times too little: raise these bounds, the "
@@ -317,18 +323,18 @@ def preflight(problem: Problem) -> Preflight:
     motion = problem.motion
     t = uniform(motion.span, max(128, 16 * problem.highest))
     course = motion.at(t)
-    found = Preflight(np.zeros(problem.rows_count))
+    result = Preflight(np.zeros(problem.rows_count))
     pose = mean_pose(problem)
-    found.bias = pose.bias
+    result.bias = pose.bias
     if problem.has_kinks:
-        found.warnings.append(f"damping by |V| has kinks: a relative residual up to {problem.tolerance:g} is accepted")
+        result.warnings.append(f"damping by |V| has kinks: a relative residual up to {problem.tolerance:g} is accepted")
     if motion.periodic:
-        check_mean_wrench(problem, pose, found)
-    at = prescribe(problem.mechanics, course, found.bias)
+        check_mean_wrench(problem, pose, result)
+    at = prescribe(problem.mechanics, course, result.bias)
     P = at.locked_wrench()
-    check_span(problem, P, found)
+    check_span(problem, P, result)
     if motion.periodic and not any(problem.mechanics.tables.damping):
-        C = problem.mechanics.frame.pose(course.q + found.bias)[0]
-        check_first_moment(problem, (C @ P[:, :3, None])[:, :, 0], C, found)
-    check_bound_reach(problem, at, found)
-    return found
+        C = problem.mechanics.frame.pose(course.q + result.bias)[0]
+        check_first_moment(problem, (C @ P[:, :3, None])[:, :, 0], C, result)
+    check_bound_reach(problem, at, result)
+    return result

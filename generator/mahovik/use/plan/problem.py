@@ -125,8 +125,8 @@ class Basis:
         """Derivatives by the waves (R M, N (2H + 1)) of R rows per time, from derivatives (M, R, N) by the angles."""
         M, R, N = by_phi.shape
         local = np.stack([by_phi, by_phi_dot, by_phi_ddot], axis=-1).reshape(M, R * N, 3)
-        found = local @ np.stack([self.value, self.first, self.second], axis=1)
-        return found.reshape(M * R, N * self.value.shape[1])
+        result = local @ np.stack([self.value, self.first, self.second], axis=1)
+        return result.reshape(M * R, N * self.value.shape[1])
 
 
 def uniform(period: float, M: int, shift: float = 0.0) -> Array:

@@ -100,10 +100,10 @@ def solve(
                         "run-up or run-down exists; a programme of rocking flywheels may have no momentum"
                     )
                 continue
-            found, error = _refine_nodes(problem, _keep_bounds(problem, flight, motion.bounds, budget))
+            result, error = _refine_nodes(problem, _keep_bounds(problem, flight, motion.bounds, budget))
         except StateError:
             continue
-        return RunUpSolution(found, error, steps, number + 1)
+        return RunUpSolution(result, error, steps, number + 1)
     ends = f"ends {best:.2g} amplitudes away" if np.isfinite(best) else "moves too violently on the way"
     raise CheckError(
         f"{which}: none of {duration:g} s {where} was found in {len(_ATTEMPTS)} attempts: the carrier {ends}; "
@@ -154,16 +154,16 @@ def _refine_nodes(problem: Problems, coarse: Flight) -> tuple[Flight, float]:
     Raises StateError if even the densest table does not.
     """
     flight, nodes, splines = coarse, 2 * NODES, coarse.problem.family.P - 1
-    own = problem(nodes, splines)
+    boundary = problem(nodes, splines)
     while nodes <= DENSEST:
-        flight = own.fly(flight.added, guess=flight.problem.interpolate(flight.course.y, own))
+        flight = boundary.fly(flight.added, guess=flight.problem.interpolate(flight.course.y, boundary))
         flight = shoot(flight, GOAL, Budget(6))[0]
         nodes *= 2
         denser = problem(nodes, splines)
-        error = denser.table_error(table_of(flight), own.interpolate(flight.course.y, denser))
+        error = denser.table_error(table_of(flight), boundary.interpolate(flight.course.y, denser))
         if error <= ACCEPTED_ERROR:
             return flight, error
-        own = denser
+        boundary = denser
     raise StateError("the motion is too rough for the densest nodes")
 
 
@@ -200,15 +200,15 @@ def with_runup(
         if say is not None:
             say("run-up" if up else "run-down")
         try:
-            found = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=own)
+            solution = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=own)
         except KeyboardInterrupt:
             whole.interrupted = True
             tables[key], report[key] = None, {"reason": f"{'run-up' if up else 'run-down'}: interrupted"}
         except CheckError as error:
             tables[key], report[key] = None, {"reason": str(error)}
         else:
-            table = RunUpTable(motion.runup, table_of(found.flight))
-            tables[key], report[key] = table, runup_figures(found, motion, stand)
+            table = RunUpTable(motion.runup, table_of(solution.flight))
+            tables[key], report[key] = table, runup_figures(solution, motion, stand)
     return replace(programme, runup=tables["runup"], rundown=tables["rundown"], report=report)
 
 
@@ -223,13 +223,13 @@ def shortcomings(programme: Programme) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def runup_figures(found: RunUpSolution, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
+def runup_figures(solution: RunUpSolution, motion: RequiredMotion, stand: Stand) -> dict[str, Any]:
     """Report of a run-up: terminal error, largest deviation and its time, peaks, exceeded bounds."""
-    values, t = found.flight.values, found.flight.problem.family.t
-    name = "run-up" if found.flight.problem.up else "run-down"
+    values, t = solution.flight.values, solution.flight.problem.family.t
+    name = "run-up" if solution.flight.problem.up else "run-down"
     at = np.argmax(values["deviation"], axis=0)
     exceeded = []
-    for bound, share in found.flight.shares(motion.bounds).items():
+    for bound, share in solution.flight.shares(motion.bounds).items():
         i, k = np.unravel_index(int(np.argmax(share)), share.shape)
         if share[i, k] > 1.0:
             value = abs(float(values[bound][i, k]))
@@ -240,9 +240,9 @@ def runup_figures(found: RunUpSolution, motion: RequiredMotion, stand: Stand) ->
                 f"{value / share[i, k]:.4g} {unit}"
             )
     return {
-        "terminal_error": found.error,
-        "steps": found.steps,
-        "attempts": found.attempts,
+        "terminal_error": solution.error,
+        "steps": solution.steps,
+        "attempts": solution.attempts,
         "deviation": {
             kind: {"largest": float(values["deviation"][i, k]), "t": float(t[i])}
             for k, (kind, i) in enumerate(zip(("linear", "angular"), at, strict=True))

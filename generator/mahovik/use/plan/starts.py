@@ -57,14 +57,14 @@ class StartBatch:
         """(12) with its derivatives, for all motions."""
         return linear(self.at, *self.angles(waves))
 
-    def rows(self, found: Linear) -> Array:
+    def rows(self, linear: Linear) -> Array:
         """Scaled residual (K, 6 M); the sum of its squares is the mean over the times."""
-        return np.asarray(self.problem.norm.dimensionless(found.R).reshape(self.K, -1) / np.sqrt(self.M))
+        return np.asarray(self.problem.norm.dimensionless(linear.R).reshape(self.K, -1) / np.sqrt(self.M))
 
-    def jacobian(self, found: Linear) -> Array:
+    def jacobian(self, linear: Linear) -> Array:
         """Derivatives (K, 6 M, N (2H + 1)) of the rows by the waves."""
         root = self.problem.norm.root / (self.problem.norm.demand * np.sqrt(self.M))
-        local = np.stack([root @ getattr(found, name) for name in _PARTS], axis=-1)
+        local = np.stack([root @ getattr(linear, name) for name in _PARTS], axis=-1)
         rows = self.problem.rows_count
         J = local.reshape(self.K, self.M, rows * self.N, 3) @ np.stack(self.grid.basis.of_each, axis=1)
         return np.asarray(J.reshape(self.K, rows * self.M, -1))

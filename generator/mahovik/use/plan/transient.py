@@ -185,9 +185,9 @@ class Boundary:
             near, guess, bounds = before.course.near, before.course.y, before.bounds
         if guess is None:
             guess = np.tile(start, (len(self.family.t), 1))
-        found = course(self.chart, given, self.spacing, start, guess, near)
-        error = self.amplitude.shares(rest.projection @ (found.y[-1] - end))
-        return Flight(self, added, angles, given, rest, found, error, bounds)
+        carrier_course = course(self.chart, given, self.spacing, start, guess, near)
+        error = self.amplitude.shares(rest.projection @ (carrier_course.y[-1] - end))
+        return Flight(self, added, angles, given, rest, carrier_course, error, bounds)
 
     def table_error(self, table: Samples, guess: Array) -> float:
         """Terminal error (see `Flight.size`) of a table as it is read, at these nodes; `guess`: states (M, 2 m)."""
@@ -285,22 +285,22 @@ class Flight:
 
     def _sensitivity(self) -> tuple[Array, Array]:
         """Derivatives by c: of the terminal error (2 m, N P), and of the states at all nodes (M, 2 m, N P)."""
-        own, (N, P), m = self.problem, self.added.shape, self.problem.chart.count
-        near = linearise(own.chart, self.drive, own.spacing, self.course.y)
-        rates = np.zeros((len(own.family.t), 2 * m, N, P))
-        for B, basis in zip(acceleration_rates(self.drive, self.linear), own.family.basis, strict=True):
+        boundary, (N, P), m = self.problem, self.added.shape, self.problem.chart.count
+        near = linearise(boundary.chart, self.drive, boundary.spacing, self.course.y)
+        rates = np.zeros((len(boundary.family.t), 2 * m, N, P))
+        for B, basis in zip(acceleration_rates(self.drive, self.linear), boundary.family.basis, strict=True):
             rates[:, m:] += B[:, :, :, None] * basis[:, None, None, :]
-        at_rest = own.family.basis[0, 0 if own.up else -1]
+        at_rest = boundary.family.basis[0, 0 if boundary.up else -1]
         rest = (self.rest.by_phi[:, :, None] * at_rest).reshape(2 * m, N * P)
-        defects = integrate(rates.reshape(-1, 2 * m, N * P), own.spacing)
-        states = near.solve(defects, rest if own.up else np.zeros_like(rest))
-        end = states[-1] if own.up else states[-1] - rest
-        return own.amplitude.shares(self.rest.projection @ end), states
+        defects = integrate(rates.reshape(-1, 2 * m, N * P), boundary.spacing)
+        states = near.solve(defects, rest if boundary.up else np.zeros_like(rest))
+        end = states[-1] if boundary.up else states[-1] - rest
+        return boundary.amplitude.shares(self.rest.projection @ end), states
 
     def _hinges(self, states: Array) -> tuple[Array, Array]:
         """RHO (share - KEEP) where that is above 0 (K), with derivatives (K, N P); torques by flywheels alone."""
-        own, (N, P) = self.problem, self.added.shape
-        basis, by = own.family.basis, self.linear
+        boundary, (N, P) = self.problem, self.added.shape
+        basis, by = boundary.family.basis, self.linear
         h, G = [np.zeros(0)], [np.zeros((0, N * P))]
         for name, share in self.shares(self.bounds).items():
             rows, columns = np.nonzero(share > KEEP)
@@ -310,8 +310,10 @@ class Flight:
             slopes = np.zeros((len(rows), N, P))
             k = np.arange(len(rows))
             if name == "deviation":
-                pose = own.chart.displacement(self.course.y).reshape(-1, 2, 3)[rows, columns]
-                moved = own.chart.displacement_change(self.course.y, states).reshape(-1, 2, 3, N * P)[rows, columns]
+                pose = boundary.chart.displacement(self.course.y).reshape(-1, 2, 3)[rows, columns]
+                moved = boundary.chart.displacement_change(self.course.y, states).reshape(-1, 2, 3, N * P)[
+                    rows, columns
+                ]
                 slopes += np.einsum("ki,kip->kp", pose / signed[:, None], moved).reshape(-1, N, P)
             elif name == "torque":
                 for slope, b in zip((by.tau_by_phi, by.tau_by_phi_dot, by.tau_by_phi_ddot), basis, strict=True):

@@ -49,15 +49,15 @@ class UnbalanceEffect:
     def figures(self, sight: Array | None) -> dict[str, dict[str, float]]:
         """`angle` (rad) of the attitude or of the line of `sight` (3, in E1), `shift` (m): largest, RMS, at the end."""
         turn = self.turn if sight is None else np.cross(self.turn, sight)
-        found = {}
+        result = {}
         for name, values in (("angle", turn), ("shift", self.shift)):
             sizes = np.linalg.norm(values, axis=1)
-            found[name] = {
+            result[name] = {
                 "largest": float(sizes.max()),
                 "rms": float(np.sqrt(np.mean(sizes**2))),
                 "end": float(sizes[-1]),
             }
-        return found
+        return result
 
 
 def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:

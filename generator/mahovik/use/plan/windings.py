@@ -74,7 +74,7 @@ def draw_windings(kind: Kind, motion: RequiredMotion, N: int, K: int, rng: np.ra
     if kind == "given":
         return np.tile(np.array(motion.winding, dtype=np.float64), (K, 1))
     choices = [np.array(allowed_windings(kind, motion, s), dtype=np.float64) for s in range(N)]
-    return np.stack([rng.choice(each, size=K) for each in choices], axis=1) if N else np.zeros((K, 0))
+    return np.stack([rng.choice(choice, size=K) for choice in choices], axis=1) if N else np.zeros((K, 0))
 
 
 def with_shortest_period(motion: RequiredMotion) -> RequiredMotion:

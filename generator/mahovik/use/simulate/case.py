@@ -86,8 +86,10 @@ class Case:
         """Speeds at t = 0: by the speed law, or the given ones for a torque law."""
         _, by_law, _ = self.regime.motion(np.zeros(1))
         given = zip(self.regime.flywheels, self.start.phi_dot, by_law[0], strict=True)
-        found = [(open_ if each.speed is None else each.speed) if each.by_torque else law for each, open_, law in given]
-        return np.array(found, dtype=np.float64)
+        result = [
+            (open_ if each.speed is None else each.speed) if each.by_torque else law for each, open_, law in given
+        ]
+        return np.array(result, dtype=np.float64)
 
     def motion(self, t: Array) -> tuple[Array, Array, Array]:
         """phi, phi', phi'' (times x N) of flywheels whose speed is given."""
@@ -164,19 +166,19 @@ def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hin
 def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint: str = HINT) -> State:
     """The state that a JSON text gives, as `load_start`. Raises UsageError."""
     try:
-        found = read_object(text)
-        refuse_duplicates(found)
-        if isinstance(found.get("rest"), dict):  # what `mahovik check --json` printed
-            found = found["rest"]
-        if "state" in found:
-            _refuse_unknown(found, REST_KEYS, "")
-            found = found["state"]
-            if not isinstance(found, dict):
+        start = read_object(text)
+        refuse_duplicates(start)
+        if isinstance(start.get("rest"), dict):  # what `mahovik check --json` printed
+            start = start["rest"]
+        if "state" in start:
+            _refuse_unknown(start, REST_KEYS, "")
+            start = start["state"]
+            if not isinstance(start, dict):
                 raise StateError("state: expected an object")
-            refuse_duplicates(found)
-        _refuse_unknown(found, keys if stand.hold else tuple(key for key in keys if key != "u"), hint)
-        state = read_request(stand, {**found, "want": ["forward"]}).state
-        return state if stand.hold is None else complete_start(stand, state, found.keys())
+            refuse_duplicates(start)
+        _refuse_unknown(start, keys if stand.hold else tuple(key for key in keys if key != "u"), hint)
+        state = read_request(stand, {**start, "want": ["forward"]}).state
+        return state if stand.hold is None else complete_start(stand, state, start.keys())
     except StateError as error:
         raise UsageError(str(error)) from None
 

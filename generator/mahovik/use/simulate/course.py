@@ -248,11 +248,11 @@ class Course:
     def memory(self, moments: int) -> dict[str, Array]:
         """Arrays (moments, components, n) for `run`, of NEEDS and the state; without components where not needed."""
         n = self.block.n
-        found = {name: np.zeros((moments, 0, n)) for name in NEEDS}
+        result = {name: np.zeros((moments, 0, n)) for name in NEEDS}
         for name, answer in zip(self._names, self._answer, strict=True):
             kind = np.dtype(np.float64) if name == "phi" else self.block.x.dtype
-            found[name] = np.zeros((moments, answer.bytes // (kind.itemsize * n), n), kind)
-        return found
+            result[name] = np.zeros((moments, answer.bytes // (kind.itemsize * n), n), kind)
+        return result
 
     def _call(self, function: str) -> Any:
         if not self.block.has(function):
@@ -358,19 +358,19 @@ def _rows(case: Case, inputs: tuple[str, ...], real: Any, first: int, of_moments
     middles = times[begin] + h / 2
     phi, speeds, _ = case.motion(times)
     mean = (speeds[begin + 1] - speeds[begin]) / h[:, None]
-    found = {"phi": wrap_phases(phi), "phi_dot": speeds, "mean": mean, "between": mean, "halfway": mean}
+    result = {"phi": wrap_phases(phi), "phi_dot": speeds, "mean": mean, "between": mean, "halfway": mean}
     if case.regime.by_torque:
         halfway, middle_speeds, _ = case.motion(middles)
-        found["halfway"] = wrap_phases(halfway)
+        result["halfway"] = wrap_phases(halfway)
         # not a difference of phases, which may be large
-        found["between"] = (speeds[begin] + 4 * middle_speeds + speeds[begin + 1]) / 6
-    found |= {"wrench": case.wrenches(middles, inputs), "end_wrench": case.wrenches(ends, inputs)}
-    found["end_phi_ddot"] = case.motion(ends)[2]
+        result["between"] = (speeds[begin] + 4 * middle_speeds + speeds[begin + 1]) / 6
+    result |= {"wrench": case.wrenches(middles, inputs), "end_wrench": case.wrenches(ends, inputs)}
+    result["end_phi_ddot"] = case.motion(ends)[2]
     double = {"begin": begins, "length": lengths}
     double |= {"command": case.regime.commands(middles), "end_command": case.regime.commands(ends)}
     return {
         "count": np.ascontiguousarray(counts, dtype=np.int32),
-        **{name: np.ascontiguousarray(array, dtype=real) for name, array in found.items()},
+        **{name: np.ascontiguousarray(array, dtype=real) for name, array in result.items()},
         **{name: np.ascontiguousarray(array, dtype=np.float64) for name, array in double.items()},
     }
 

@@ -105,15 +105,15 @@ def load(path: Path) -> tuple[bytes, list[str]]:
 
 
 def _from_hex(data: bytes, notes: list[str]) -> bytes:
-    found = bytearray()
+    content = bytearray()
     for number, line in enumerate(data.splitlines(), 1):
         if not line.startswith(b"@"):
             continue
         try:
-            found += bytes.fromhex(line[1:].decode("ascii").strip())
+            content += bytes.fromhex(line[1:].decode("ascii").strip())
         except ValueError:
             notes.append(f"line {number}: expected an even number of hexadecimal digits after @; the line is left out")
-    return bytes(found)
+    return bytes(content)
 
 
 def _no_log(data: bytes) -> str:
@@ -191,8 +191,8 @@ class _Reader:
         self._order = 0
 
     def next_start(self, at: int) -> int | None:
-        found = self._data.find(MAGIC, at)
-        return found if found >= 0 else None
+        result = self._data.find(MAGIC, at)
+        return result if result >= 0 else None
 
     def record(self, at: int) -> tuple[Start | Step | Damage, int]:
         """The record at a position, and where the next one begins."""
@@ -259,10 +259,10 @@ class _Reader:
         return self._start, read.at
 
     def _read_step(self, at: int) -> tuple[Step | Damage, int]:
-        found = self._parse_step(at)
-        if found is None:
+        steps = self._parse_step(at)
+        if steps is None:
             return self._damage_at(at), at
-        step, after = found
+        step, after = steps
         if step.count != self._next:
             return Damage(self._gap(step)), at
         self._next = (step.count + 1) % 2**32
@@ -316,5 +316,5 @@ class _Reader:
 
 def members(flywheels: int) -> dict[str, int]:
     """Members of a state and their lengths, in their order."""
-    found = {"position": 3, "attitude": 4, "V": 6}
-    return found | {"phi": flywheels, "phi_dot": flywheels} if flywheels else found
+    result = {"position": 3, "attitude": 4, "V": 6}
+    return result | {"phi": flywheels, "phi_dot": flywheels} if flywheels else result

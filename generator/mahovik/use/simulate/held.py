@@ -162,7 +162,7 @@ def long_steps(stand: Stand, dt: float, given: Sequence[bool] = ()) -> list[Long
         return []
     loose = [k for k in range(len(stand.flywheels)) if not (given and given[k])]
     inertias = _smallest_inertias(stand, loose)
-    bounds = [each for law in laws for each in law.longest_steps(inertias)]
+    bounds = [step for law in laws for step in law.longest_steps(inertias)]
     return [LongStep(name, dt, bound) for name, bound in bounds if dt >= bound]
 
 

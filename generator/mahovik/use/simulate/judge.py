@@ -31,12 +31,12 @@ def integrate(
     rate: Callable[[float, Array], Array], y: Array, begin: float, end: float, times: Sequence[float] = ()
 ) -> tuple[Array, Array]:
     """y at the end, and at times (rows). Raises StateError: the integration fails."""
-    found = solve_ivp(
+    solution = solve_ivp(
         rate, (begin, end), y, "DOP853", rtol=RTOL, atol=ATOL, max_step=(end - begin) / 4, dense_output=len(times) > 0
     )
-    if not found.success:
-        raise StateError(f"at t = {found.t[-1]:.6g} s the integration fails: {found.message}")
-    return found.y[:, -1], found.sol(np.array(times)).T if len(times) else np.zeros((0, len(y)))
+    if not solution.success:
+        raise StateError(f"at t = {solution.t[-1]:.6g} s the integration fails: {solution.message}")
+    return solution.y[:, -1], solution.sol(np.array(times)).T if len(times) else np.zeros((0, len(y)))
 
 
 def rate(state: State, V_dot: Array, phi_ddot: Array) -> Array:

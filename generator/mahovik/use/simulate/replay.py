@@ -152,7 +152,7 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
 def _hash(state: Members, carry: Reals, step: Step) -> int:
     """Hash of a state, with its carry if the step has one, as the log of a step has it."""
     numbers = [*state.values(), carry] if step.carried else list(state.values())
-    return state_hash([each.tobytes() for each in numbers], step.version)
+    return state_hash([number.tobytes() for number in numbers], step.version)
 
 
 def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
@@ -174,12 +174,12 @@ def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
 
 def check_stand(stand: Stand, start: Start, source: str) -> None:
     """Check that the log is of this stand. `source` is the stand file. Raises CheckError."""
-    found = identities(stand)
+    hashes = identities(stand)
     if start.stand != stand.name:
         raise CheckError(f'{source}: stand "{stand.name}", but the log is from "{start.stand}"')
     for kind, log, here in (
-        ("structure", start.structure, found.structure),
-        ("physics", start.physics, found.physics),
+        ("structure", start.structure, hashes.structure),
+        ("physics", start.physics, hashes.physics),
     ):
         if log != here:
             raise CheckError(f"{source}: {kind} {here}, but the log is from {log}: give the stand file that flew")
@@ -216,14 +216,14 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machi
 def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
     """The keys of that line; zeros are left out."""
     step, before = outcome.step, outcome.before
-    found: dict[str, Any] = {"id": f"step {step.count}", "quaternion": _plain(before["attitude"])}
+    result: dict[str, Any] = {"id": f"step {step.count}", "quaternion": _plain(before["attitude"])}
     drive = "phi_ddot" if step.driven else "tau"
     given = {name: before[name] for name in before if name != "attitude"} | {drive: step.drive}
-    found |= {name: _plain(values) for name, values in given.items() if np.any(values)}
+    result |= {name: _plain(values) for name, values in given.items() if np.any(values)}
     pushed = {body: _plain(step.wrench[6 * i : 6 * i + 6]) for i, body in enumerate(wrenches)}
     if any(any(six) for six in pushed.values()):
-        found["wrench"] = {body: six for body, six in pushed.items() if any(six)}
-    return found | {"want": ["forward" if step.driven or not len(step.drive) else "coupled"]}
+        result["wrench"] = {body: six for body, six in pushed.items() if any(six)}
+    return result | {"want": ["forward" if step.driven or not len(step.drive) else "coupled"]}
 
 
 def step_dump(outcome: Outcome, wrenches: Sequence[str]) -> Iterator[str]:

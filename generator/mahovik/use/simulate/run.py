@@ -37,11 +37,11 @@ class Run:
     @property
     def weak_motors(self) -> dict[str, tuple[float, float]]:
         """Flywheels with too weak a motor: time of the worst moment (s), missing torque (N m)."""
-        found = {}
+        result = {}
         for name, margin in self.columns.items():
             if name.startswith("margin ") and (missing := -float(margin.min())) > 1e-12:
-                found[name.split()[1]] = (float(self["t [s]"][np.argmin(margin)]), missing)
-        return found
+                result[name.split()[1]] = (float(self["t [s]"][np.argmin(margin)]), missing)
+        return result
 
 
 def simulate(
@@ -105,10 +105,10 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
     t, state, V_dot = np.concatenate([piece.t for piece in pieces]), whole("state"), whole("V_dot")
     N = len(stand.flywheels)
     state[:, 3:7] /= np.sqrt((state[:, 3:7] ** 2).sum(axis=1))[:, None]
-    found = {"t [s]": t}
+    columns = {"t [s]": t}
 
     def add(names: Sequence[str], values: Array) -> None:
-        found.update(zip(names, values.T, strict=True))
+        columns.update(zip(names, values.T, strict=True))
 
     add([*(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"], state[:, :7])
     add([*(f"v_{a} [m/s]" for a in _AXES), *(f"omega_{a} [rad/s]" for a in _AXES)], state[:, 7:13])
@@ -124,10 +124,10 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
         ]
         add(names, np.column_stack([phi[:, i], speed, phi_ddot[:, i], tau[:, i]]))
         if s.motor is not None:
-            torque = found[f"motor {s.name} [N m]"] = required_torque(s.motor, tau[:, i], speed)
+            torque = columns[f"motor {s.name} [N m]"] = required_torque(s.motor, tau[:, i], speed)
             if s.motor.limit:
                 margin = available_torque(s.motor, torque, speed) - np.abs(torque)
-                found[f"margin {s.name} [N m]"] = np.where(np.isfinite(margin), margin, 0.0)
+                columns[f"margin {s.name} [N m]"] = np.where(np.isfinite(margin), margin, 0.0)
     if stand.hold is not None:
         add([f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", _UNITS, strict=True)], whole("reaction"))
         names = coordinate_columns(stand)
@@ -141,7 +141,7 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
     for k, s in enumerate(stand.flywheels if loads.size else ()):
         names = [f"mount_{a} {s.name} [{u}]" for a, u in zip(WRENCH_LETTERS, _UNITS, strict=True)]
         add(names, loads[:, 6 * k : 6 * k + 6])
-    return found
+    return columns
 
 
 def coordinate_columns(stand: Stand) -> list[str]:

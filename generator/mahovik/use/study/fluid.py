@@ -95,23 +95,23 @@ class Fluid:
 
     def words(self) -> list[str]:
         """What is found, in sentences."""
-        found = [str(one) for one in self.powers] or ["fluid: no body has a law of its twist relative to the fluid"]
+        result = [str(one) for one in self.powers] or ["fluid: no body has a law of its twist relative to the fluid"]
         if self.engines:
-            found.append(f"propellers on {', '.join(self.engines)} are there to drive, and left out")
+            result.append(f"propellers on {', '.join(self.engines)} are there to drive, and left out")
         if (added := self.added_mass) is not None:
             kind = "definite" if added.least > 1e-9 else "semidefinite"
-            found.append(
+            result.append(
                 f"added mass: symmetric, {kind} in its {added.rows} rows (least eigenvalue at unit diagonal "
                 f"{added.least:.4g}); moment of Munk {added.sway:.5g} kg u v about z, {added.heave:.5g} kg u w about y"
             )
             if added.without:
                 bodies = ", ".join(added.without)
-                found.append(f"the published derivatives on {bodies} contain these products: they count once")
+                result.append(f"the published derivatives on {bodies} contain these products: they count once")
         neutral = abs(self.growth) <= NEUTRAL * self.velocity
         course = "neutral" if neutral else "the course is unstable" if self.growth > 0.0 else "small motions decay"
         growth = 0.0 if neutral else self.growth
-        found.append(f"at {self.velocity:g} m/s ahead, without weight: growth rate {growth:.4g} 1/s, {course}")
-        return found
+        result.append(f"at {self.velocity:g} m/s ahead, without weight: growth rate {growth:.4g} 1/s, {course}")
+        return result
 
 
 def fluid(stand: Stand, velocity: float) -> Fluid:

@@ -64,15 +64,15 @@ def lost_increments(stand: Stand, speeds: Sequence[float], dt: float) -> list[Lo
     """
     if stand.hold is not None:
         return []
-    found = []
+    result = []
     for flywheel, speed in zip(stand.flywheels, speeds, strict=True):
         J, motor = float(inertia_about_origin(flywheel)[0, 0]), flywheel.motor
         acceleration = motor.peak / J if motor and motor.peak else speed / RUN_UP
         rounding = 0.5 * float(np.spacing(np.float32(speed)))
         if speed > 0.0 and rounding > PART * acceleration * dt:
             lost = LostIncrement(flywheel.name, dt, speed, acceleration * dt, rounding, rounding / dt * J)
-            found.append(lost)
-    return found
+            result.append(lost)
+    return result
 
 
 def lost_increments_line(lost: Sequence[LostIncrement]) -> str:

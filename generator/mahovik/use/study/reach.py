@@ -146,8 +146,8 @@ def task_shortfalls(stand: Stand) -> list[Shortfall]:
     bodies, rng = bodies_of(stand), np.random.default_rng(_TASK_SEED)
     still, n = rest_state(stand), len(stand.flywheels)
     states = [replace(still, phi=tuple(rng.uniform(-np.pi, np.pi, n))) for _ in range(POSITIONS)]
-    found = (_shortfall(stand, task, states, bodies) for task in stand.tasks)
-    return [each for each in found if each is not None]
+    result = (_shortfall(stand, task, states, bodies) for task in stand.tasks)
+    return [each for each in result if each is not None]
 
 
 def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) -> Shortfall | None:
@@ -182,6 +182,6 @@ def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
     """Share (m x N) of what each flywheel has, for SMALL of each row, beyond what no demand needs."""
     m = len(rows.S)
     still = least_error(scaled_task(at, rows, rows.s)).phi_ddot
-    found = [least_error(scaled_task(at, rows, rows.s + SMALL * unit)).phi_ddot - still for unit in np.eye(m)]
+    needed_share = [least_error(scaled_task(at, rows, rows.s + SMALL * unit)).phi_ddot - still for unit in np.eye(m)]
     shares = shares_by(stand, at)
-    return np.array([shares(phi_ddot) for phi_ddot in found])
+    return np.array([shares(phi_ddot) for phi_ddot in needed_share])

@@ -104,7 +104,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
     """
     if stand.hold is not None or not stand.flywheels:
         return []
-    found: dict[tuple[int, str], Shortfall] = {}
+    result: dict[tuple[int, str], Shortfall] = {}
     scales = Scales(stand, "float")
     for motion in MOTIONS:
         best = {want: np.tile((0.0, np.inf), (len(speeds), 1)) for want in QUANTITIES}
@@ -116,8 +116,8 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
             for number, (effect, rounding) in enumerate(rows.tolist()):
                 if 0.0 < effect * PART < rounding:
                     name, words = stand.flywheels[number].name, QUANTITIES[want][1]
-                    found[number, want] = Shortfall(name, speeds[number], want, words, motion, effect, rounding)
-    return [found[key] for key in sorted(found)]
+                    result[number, want] = Shortfall(name, speeds[number], want, words, motion, effect, rounding)
+    return [result[key] for key in sorted(result)]
 
 
 def _effects(scales: Scales, state: State) -> dict[str, Array]:

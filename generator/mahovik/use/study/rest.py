@@ -65,16 +65,16 @@ class Rest:
         turn = 2.0 * math.degrees(math.atan2(math.hypot(*vector), w))
         place = ", ".join(f"{round(x, 9) + 0.0:.9g}" for x in self.state.position)
         left = f"V_dot {max(map(abs, self.V_dot)):.2g} remains"
-        found = [f"rest pose: O1 at ({place}) m in E0, turned by {turn:.6g} deg; {left}"]
+        result = [f"rest pose: O1 at ({place}) m in E0, turned by {turn:.6g} deg; {left}"]
         if self.free:
             directions = (twist_words(twist, 6) for twist in self.free)
-            found.append(f"free directions, m and rad in E1: {'; '.join(directions)}")
+            result.append(f"free directions, m and rad in E1: {'; '.join(directions)}")
         if self.unstable:
-            found.append("warning: unstable, the stand would leave this pose")
+            result.append("warning: unstable, the stand would leave this pose")
         elif any(self.frequencies):
             frequencies = "  ".join(f"{f:.5g}" for f in self.frequencies)
-            found.append(f"natural frequencies, flywheels locked, Hz: {frequencies}")
-        return found
+            result.append(f"natural frequencies, flywheels locked, Hz: {frequencies}")
+        return result
 
 
 def twist_words(twist: Sequence[float], digits: int) -> str:
@@ -158,8 +158,8 @@ class _Search:
             at = self.at(self.state)  # no wrench here depends on the position: the force in E0 is constant
             if np.any(np.abs(self.acceleration(at))[:3] > self.tolerance(at)[:3]) and not self.is_balanced(at):
                 raise CheckError(self.reason(at))
-        found = self.first()
-        for size in _PUSHES if found.unstable else ():
+        rest_pose = self.first()
+        for size in _PUSHES if rest_pose.unstable else ():
             self.state = self.push(size)
             try:
                 other = self.settle(leave=True)
@@ -167,16 +167,16 @@ class _Search:
                 break
             if not other.unstable:
                 return other
-            self.state = found.state
-        return found
+            self.state = rest_pose.state
+        return rest_pose
 
-    def nearest(self, found: Rest) -> Rest:
+    def nearest(self, rest_pose: Rest) -> Rest:
         """The equilibrium nearest to home, among those that free directions of a held carrier join to `found`.
 
         There the displacement from home has no part along them: a ball joint is tilted and not turned.
         """
-        for _ in range(_TO_HOME if self.stand.hold is not None and found.free else 0):
-            self.state, free = found.state, np.array(found.free).T
+        for _ in range(_TO_HOME if self.stand.hold is not None and rest_pose.free else 0):
+            self.state, free = rest_pose.state, np.array(rest_pose.free).T
             C = self.at(self.state).C
             off = self.shares(displacement(self.home, C, self.state), free)
             if np.abs(off).max() <= _AT_HOME:
@@ -185,10 +185,10 @@ class _Search:
             least = 1e-8 * np.eye(len(off))  # turned by 180 degrees, all of them are as near
             self.state = self.displace(C, limit_step(-free @ np.linalg.solve(slope.T @ slope + least, slope.T @ off)))
             try:
-                found = self.settle(leave=False)
+                rest_pose = self.settle(leave=False)
             except CheckError:  # what joins them ends here
                 break
-        return found
+        return rest_pose
 
     def home_slope(self, C: Array, free: Array) -> Array:
         """Change of the displacement from home (6) by a twist along a free direction."""

@@ -84,15 +84,15 @@ def balance(
     search = _Search(scene, np.array(speeds, dtype=np.float64), start)
     if order is not None:
         return search.at(order)
-    found = search.at(FIRST)
+    result = search.at(FIRST)
     for higher in range(FIRST + 1, HIGHEST + 1):
-        if found.left_out <= ENOUGH and found.pose_left_out <= ENOUGH_POSE:
-            return found
+        if result.left_out <= ENOUGH and result.pose_left_out <= ENOUGH_POSE:
+            return result
         try:
-            found = search.at(higher)
+            result = search.at(higher)
         except CheckError as error:
-            return replace(found, short=str(error))
-    return found
+            return replace(result, short=str(error))
+    return result
 
 
 class Solved(NamedTuple):
@@ -104,15 +104,15 @@ class Solved(NamedTuple):
 
 
 def newton(
-    scene: Scene, torus: Torus, given: Drive, w: Array, slow: Whole, start: Complex, rounding: Array, fastest: float
+    scene: Scene, torus: Torus, drive: Drive, w: Array, slow: Whole, start: Complex, rounding: Array, fastest: float
 ) -> Solved | None:
     """The motion at frequencies w (n; rad/s), constant at `slow`, from states `start` (n, 2 m); None: not found.
 
-    given      sums of the flywheels at the nodes; rounding (m): rates of the speeds in a state that count as none
+    drive      sums of the flywheels at the nodes; rounding (m): rates of the speeds in a state that count as none
     fastest    speed of a flywheel, rad/s
     """
     f, m = scene.free.shape[1], scene.count
-    push = scene.effect_of_wrench(given)
+    push = scene.effect_of_wrench(drive)
     c, h = start, np.zeros((len(torus.k), f), dtype=np.complex128)
     size = np.repeat([1.0, fastest], m)
     least = (ROUNDING + scene.noise) / fastest**2
@@ -123,12 +123,12 @@ def newton(
         y = torus.values(c)
         if not np.all(np.isfinite(y)) or np.abs(scene.whole(y)[:, 3:6]).max() > LARGEST:
             return None
-        rate = scene.chart.rate(given, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
+        rate = scene.chart.rate(drive, y) + (push @ torus.values(h)[:, :, None])[:, :, 0]
         left = torus.coefficients(rate) - 1j * w[:, None] * c
         if linear is not None and np.all(np.abs(left[:, m:]) <= rounding):
             return Solved(c, h, linear)
         if linear is None:
-            linear = Linearised(torus, scene.chart.jacobian(given, y), push, scene.free_displacement, w, slow, size)
+            linear = Linearised(torus, scene.chart.jacobian(drive, y), push, scene.free_displacement, w, slow, size)
         settled = SETTLED * np.abs(c / size).max() + least
         step = linear.solve(left, c, SMALL * settled)
         if step is None:
@@ -160,8 +160,8 @@ class _Search:
         w, slow = self._frequencies(torus)
         if self.conserves:
             return self._by_momentum(order, torus, w, slow)
-        given = self._drive(torus.nodes)
-        solved = newton(self.scene, torus, given, w, slow, self._start(torus), self.rounding, self.fastest)
+        drive = self._drive(torus.nodes)
+        solved = newton(self.scene, torus, drive, w, slow, self._start(torus), self.rounding, self.fastest)
         if solved is None:
             raise self._failure(order)
         self.before = torus, solved.c
@@ -169,11 +169,11 @@ class _Search:
 
     def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
         """The motion of a stand that keeps its momentum. Raises CheckError."""
-        own = Conserved.of(torus, self._drive(torus.nodes))
-        found = solve(own, w, slow, self._start(torus)[:, 3:6])
+        conserved = Conserved.of(torus, self._drive(torus.nodes))
+        found = solve(conserved, w, slow, self._start(torus)[:, 3:6])
         if found is None:
             raise self._failure(order)
-        x, c = own.state(found.r, found.L, slow)
+        x, c = conserved.state(found.r, found.L, slow)
         self.before = torus, c
         result = self._result(order, torus, c, np.zeros((len(w), 6), dtype=np.complex128))
         larger = self._larger(order)
@@ -185,22 +185,22 @@ class _Search:
         velocities = 1j * w[:, None] * missing
         return _with(result, np.concatenate([missing, velocities], axis=1), w, slow, order + MORE)
 
-    def _with_missing(self, found: Balance, linear: Linearised, h: Complex) -> Balance:
+    def _with_missing(self, balance: Balance, linear: Linearised, h: Complex) -> Balance:
         """A motion with what it leaves out of (8)."""
-        larger = self._larger(found.order)
+        larger = self._larger(balance.order)
         if larger is None:
-            return found
+            return balance
         w, slow = self._frequencies(larger)
         inverse = linear.inverse(w, slow)
         if inverse is None:
-            return found
-        c, held, m = larger.pad(found.c), larger.pad(h), self.scene.count
-        given = self._drive(larger.nodes)
-        rate = self.scene.chart.rate(given, larger.values(c))
-        rate += (self.scene.effect_of_wrench(given) @ larger.values(held)[:, :, None])[:, :, 0]
+            return balance
+        c, held, m = larger.pad(balance.c), larger.pad(h), self.scene.count
+        drive = self._drive(larger.nodes)
+        rate = self.scene.chart.rate(drive, larger.values(c))
+        rate += (self.scene.effect_of_wrench(drive) @ larger.values(held)[:, :, None])[:, :, 0]
         left = larger.coefficients(rate) - 1j * w[:, None] * c
         missing = (inverse[:, : 2 * m, : 2 * m] @ left[:, :, None])[:, :, 0]
-        return _with(found, missing, w, slow, found.order + MORE)
+        return _with(balance, missing, w, slow, balance.order + MORE)
 
     def _larger(self, order: int) -> Torus | None:
         """The torus of the orders whose remaining lines are found; None: too many nodes."""
@@ -234,19 +234,21 @@ class _Search:
 
     def _result(self, order: int, torus: Torus, c: Complex, h: Complex) -> Balance:
         hold = self.scene.wrench @ h[0].real
-        found = Balance(self.scene, torus, order, self.speeds, self.phases, self.turning, c, h, hold, 0.0)
+        balance = Balance(self.scene, torus, order, self.speeds, self.phases, self.turning, c, h, hold, 0.0)
         pose, speeds = np.split(c, 2, axis=1)
         moving = (torus.k != 0).any(axis=1)
-        rates = np.maximum(np.abs(found.frequencies[:, None] * pose), np.abs(speeds))[moving]
+        rates = np.maximum(np.abs(balance.frequencies[:, None] * pose), np.abs(speeds))[moving]
         if np.all(rates <= self.rounding / self.fastest):  # nothing moves the carrier
-            found = replace(found, c=np.where(moving[:, None], 0.0, c))
-        return replace(found, left_out=left_out(found))
+            balance = replace(balance, c=np.where(moving[:, None], 0.0, c))
+        return replace(balance, left_out=left_out(balance))
 
 
-def _with(found: Balance, missing: Complex, w: Array, slow: Whole, order: int) -> Balance:
-    m, w = found.scene.count, w.copy()
+def _with(balance: Balance, missing: Complex, w: Array, slow: Whole, order: int) -> Balance:
+    m, w = balance.scene.count, w.copy()
     w[slow] = 0.0
-    if not found.c[(found.torus.k != 0).any(axis=1)].any():  # the flywheels' wrenches have no orders above those kept
+    if not balance.c[
+        (balance.torus.k != 0).any(axis=1)
+    ].any():  # the flywheels' wrenches have no orders above those kept
         missing = np.zeros_like(missing)
-    pose = missing[:, :m] @ found.scene.twist(np.eye(m))
-    return replace(found, missing=pose, missing_c=missing, missing_w=w, missing_order=order)
+    pose = missing[:, :m] @ balance.scene.twist(np.eye(m))
+    return replace(balance, missing=pose, missing_c=missing, missing_w=w, missing_order=order)

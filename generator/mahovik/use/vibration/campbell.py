@@ -69,8 +69,8 @@ def campbell(scene: Scene, plan: SpeedPlan, speed: Array) -> Campbell:
     """The diagram at values (S, rad/s) of the swept speed of a plan; the orders are those of its flywheel."""
     natural, damping, growth = natural_at(scene, plan, speed)
     orders = orders_of(scene)
-    met = [each for order in orders for each in crossings(scene, plan, speed, natural, 0.0, order)]
-    return Campbell(speed, natural, damping, growth, orders, tuple(sorted(met, key=lambda each: each.speed)))
+    met = [crossing for order in orders for crossing in crossings(scene, plan, speed, natural, 0.0, order)]
+    return Campbell(speed, natural, damping, growth, orders, tuple(sorted(met, key=lambda crossing: crossing.speed)))
 
 
 def orders_of(scene: Scene) -> tuple[int, ...]:
@@ -111,9 +111,9 @@ def average_matrices(scene: Scene, speeds: Array) -> Array:
     """A (S, 2 m, 2 m) at speeds (S, N; rad/s), the mean over NODES phases that all flywheels have together."""
     S, N = speeds.shape
     phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, S)
-    given = scene.drive(np.tile(phi[:, None], N), np.repeat(speeds, NODES, axis=0))
+    drive = scene.drive(np.tile(phi[:, None], N), np.repeat(speeds, NODES, axis=0))
     n = 2 * scene.count
-    J = scene.chart.jacobian(given, np.zeros((S * NODES, n)))
+    J = scene.chart.jacobian(drive, np.zeros((S * NODES, n)))
     return np.asarray(J.reshape(S, NODES, n, n).mean(axis=1))
 
 

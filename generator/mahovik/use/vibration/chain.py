@@ -164,13 +164,13 @@ class Chain:
 
     def _transmit(self, speeds: Array, omega: Array, mounts: Complex) -> Complex:
         """Mount wrenches after the internal modes of the wheels."""
-        found = mounts.astype(np.complex128)
+        transmit = mounts.astype(np.complex128)
         for s, name in enumerate(self.names):
             inner = self.makers.inner.get(name)
             if inner is not None:
                 own = mounts[:, :, s] @ np.linalg.inv(self.own[s]).T
-                found[:, :, s] = inner.transmit(own, omega, speeds[:, s, None]) @ self.own[s].T
-        return found
+                transmit[:, :, s] = inner.transmit(own, omega, speeds[:, s, None]) @ self.own[s].T
+        return transmit
 
     def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
         """Wrenches (S, L, N, 6) of wheels on their mounts by the carrier's motion: inertia and spin, to first order."""
@@ -188,12 +188,12 @@ class Chain:
 
     def table_lines(self, speeds: Array) -> Lines:
         """Lines of the makers' harmonics at speeds (S, N; rad/s), each part of each order by itself."""
-        found = Lines.none(len(speeds))
+        lines = Lines.none(len(speeds))
         for s, name in enumerate(self.names):
             table = self.makers.harmonics.get(name)
             if table is not None:
-                found = found.join(self.wheel_lines(s, table, speeds))
-        return found
+                lines = lines.join(self.wheel_lines(s, table, speeds))
+        return lines
 
     def wheel_lines(self, s: int, table: Harmonics, speeds: Array) -> Lines:
         """Lines of wheel s by its table at speeds (S, N; rad/s), each part of each order by itself."""
@@ -296,6 +296,6 @@ def undamped_mode(makers: Makers, names: Sequence[str], speeds: Array, omega: fl
 def _to_mount(L: Array) -> Array:
     """(6, 6): a wrench in E1 about O1 as one in E1 about Os; L: transfer of the wheel's frame to E1 about O1."""
     arm = L[3:, :3] @ L[:3, :3].T  # <Os>
-    found = np.eye(6)
-    found[3:, :3] = -arm
-    return found
+    mount = np.eye(6)
+    mount[3:, :3] = -arm
+    return mount

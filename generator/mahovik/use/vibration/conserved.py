@@ -46,11 +46,11 @@ def conserves(scene: Scene) -> bool:
         return False
     rng, N = np.random.default_rng(1), len(scene.stand.flywheels)
     y, phi, phi_dot = rng.normal(size=(TRIED, 12)), rng.normal(size=(TRIED, N)), rng.normal(size=(TRIED, N))
-    given = scene.drive(phi, phi_dot)
-    K, V = np.linalg.inv(given.mobility), y[:, 6:, None]
-    momentum = K @ V + given.h[:, :, None]
-    inertial = K @ scene.chart.acceleration(given, y)[:, :, None] + given.push[:, :, None]
-    parts = (inertial, given.Theta_dot @ V, motor_cross(y[:, 6:]) @ momentum)
+    drive = scene.drive(phi, phi_dot)
+    K, V = np.linalg.inv(drive.mobility), y[:, 6:, None]
+    momentum = K @ V + drive.h[:, :, None]
+    inertial = K @ scene.chart.acceleration(drive, y)[:, :, None] + drive.push[:, :, None]
+    parts = (inertial, drive.Theta_dot @ V, motor_cross(y[:, 6:]) @ momentum)
     size = sum(float(np.abs(part).max()) for part in parts)
     plain = np.abs(K[:, :3, :3] - K[:, :1, :1] * np.eye(3)).max() <= EXACT * np.abs(K).max()
     return bool(plain) and float(np.abs(sum(parts, np.zeros((TRIED, 6, 1)))).max()) <= EXACT * size
@@ -72,20 +72,20 @@ class Conserved:
     centre: Array
 
     @staticmethod
-    def of(torus: Torus, given: Drive) -> Conserved:
+    def of(torus: Torus, drive: Drive) -> Conserved:
         """The equations under the flywheels' sums at the nodes."""
-        K = np.linalg.inv(given.mobility)
+        K = np.linalg.inv(drive.mobility)
         moment = K[:, 3:, :3] / K[:, :1, :1]
         c = np.stack([moment[:, 2, 1], moment[:, 0, 2], moment[:, 1, 0]], axis=1)
-        spinning = -(given.mobility @ given.h[:, :, None])[:, 3:, 0]
-        return Conserved(torus, given, given.mobility[:, 3:, 3:], spinning, c)
+        spinning = -(drive.mobility @ drive.h[:, :, None])[:, 3:, 0]
+        return Conserved(torus, drive, drive.mobility[:, 3:, 3:], spinning, c)
 
     def rest(self, slow: Whole) -> Complex:
         """L (n, 3) of a carrier that does not turn on average, to first order."""
         mean = -self.torus.coefficients(self.spinning)[slow] @ np.linalg.inv(self.inertia.mean(axis=0)).T
-        found = np.zeros((len(self.torus.k), 3), dtype=np.complex128)
-        found[slow] = mean
-        return found
+        result = np.zeros((len(self.torus.k), 3), dtype=np.complex128)
+        result[slow] = mean
+        return result
 
     def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
         """r' (M, 3) and omega (M, 3)."""
@@ -97,10 +97,10 @@ class Conserved:
         angle = np.linalg.norm(r, axis=1)[:, None]
         across = np.cross(r, L)
         a, b = np.sinc(angle / np.pi), np.sinc(angle / (2.0 * np.pi)) ** 2 / 2.0
-        found = -self.given.h
-        found[:, 3:] += L
-        found[:, 3:] += b * np.cross(r, across) - a * across
-        return found
+        result = -self.given.h
+        result[:, 3:] += L
+        result[:, 3:] += b * np.cross(r, across) - a * across
+        return result
 
     def slopes(self, r: Array, L: Array) -> tuple[Array, Array]:
         """Derivatives (M, 3, 3) of r' by r, except for terms of third order in r, and by L."""

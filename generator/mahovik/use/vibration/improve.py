@@ -166,11 +166,11 @@ def start_within_limits(start: Array, nullspace: Array, limit: Array) -> Array:
     bound = limit[bounded, None]
     upper = np.vstack([np.hstack([rows, -bound]), np.hstack([-rows, -bound])])
     right = np.concatenate([-start[bounded], start[bounded]])
-    found = linprog(np.append(np.zeros(d), 1.0), upper, right, bounds=[(None, None)] * d + [(0.0, None)])
-    if found.x is None or found.x[-1] > 1.0 + EDGE:
-        times = "" if found.x is None else f"it needs {found.x[-1]:.4g} times "
+    solution = linprog(np.append(np.zeros(d), 1.0), upper, right, bounds=[(None, None)] * d + [(0.0, None)])
+    if solution.x is None or solution.x[-1] > 1.0 + EDGE:
+        times = "" if solution.x is None else f"it needs {solution.x[-1]:.4g} times "
         raise CheckError(f"momentum out of reach: {times or 'no speeds are within '}the speed limits")
-    return np.asarray(start + nullspace @ found.x[:-1])
+    return np.asarray(start + nullspace @ solution.x[:-1])
 
 
 def improve(
@@ -233,7 +233,7 @@ def improve_vibration(
     return Improved(speeds, phases, before, now)
 
 
-def avoided_bands(found: Vibration, avoid: str | Sequence[str]) -> list[Band]:
+def avoided_bands(vibration: Vibration, avoid: str | Sequence[str]) -> list[Band]:
     """Bands (Hz) to be avoided: ranges as they are, 10 % to both sides of frequencies. Raises UsageError."""
     bands = []
     for text in [avoid] if isinstance(avoid, str) else avoid:
@@ -241,8 +241,8 @@ def avoided_bands(found: Vibration, avoid: str | Sequence[str]) -> list[Band]:
             bands.append(read_band("avoid", text))
             continue
         single = [read_frequency("avoid", text)] if text != "modes" else []
-        if text == "modes" and found.scene.count:
-            single = natural_at(found.scene, found.plan, found.value)[0][0].tolist()
+        if text == "modes" and vibration.scene.count:
+            single = natural_at(vibration.scene, vibration.plan, vibration.value)[0][0].tolist()
         bands += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
     return bands
 
@@ -305,14 +305,14 @@ class _Search:
 
 def groups(speeds: Array) -> list[list[int]]:
     """Groups of wheels of equal speed, by magnitude of speed, without those at rest."""
-    found: list[list[int]] = []
+    result: list[list[int]] = []
     for s in np.argsort(np.abs(speeds), kind="stable").tolist():
         size = abs(speeds[s])
-        if found and size - abs(speeds[found[-1][0]]) <= SAME * size:
-            found[-1].append(s)
+        if result and size - abs(speeds[result[-1][0]]) <= SAME * size:
+            result[-1].append(s)
         elif size > 0.0:
-            found.append([s])
-    return found
+            result.append([s])
+    return result
 
 
 def cancel(a: Complex, rng: np.random.Generator, starts: int) -> tuple[Array, float]:

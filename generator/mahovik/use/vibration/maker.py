@@ -57,18 +57,18 @@ def read_harmonics(path: Path) -> Harmonics:
     """A table of harmonics; without a sense order 1 turns forward, others in an unknown one. Raises JitterFileError."""
     known = {"order": PLAIN, "tolerance": PLAIN, "sense": TEXT}
     known |= {part: MOMENT if "moment" in part else FORCE for part in PARTS}
-    found = read_columns(path, known.get, ["order"], list(known), ["sense"])
-    order = found.numbers["order"]
-    amplitude = np.stack([found.get(part) for part in PARTS], axis=1)
-    tolerance = found.get("tolerance")
-    for i in range(found.rows):
+    columns = read_columns(path, known.get, ["order"], list(known), ["sense"])
+    order = columns.numbers["order"]
+    amplitude = np.stack([columns.get(part) for part in PARTS], axis=1)
+    tolerance = columns.get("tolerance")
+    for i in range(columns.rows):
         if not order[i] > 0.0:
             raise refuse(path, i, f"order {order[i]:g}, expected a number above 0")
         if (amplitude[i] < 0.0).any() or tolerance[i] < 0.0:
             raise refuse(path, i, "an amplitude or tolerance below 0")
         if order[i] in order[:i]:
             raise refuse(path, i, f"order {order[i]:g} appears twice")
-    sense = found.texts.get("sense", [""] * found.rows)
+    sense = columns.texts.get("sense", [""] * columns.rows)
     sense = [each or ("forward" if h == 1.0 else "unknown") for each, h in zip(sense, order, strict=True)]
     for i, each in enumerate(sense):
         if each not in SENSES:
@@ -92,15 +92,15 @@ def read_noise(path: Path) -> Noise:
     force, moment = Dimension("a density of force", "N^2/Hz"), Dimension("a density of moment", "N^2 m^2/Hz")
     known = {"frequency": Dimension("a frequency", "Hz")}
     known |= {part: moment if "moment" in part else force for part in PARTS}
-    found = read_columns(path, known.get, ["frequency"], list(known))
-    f = found.numbers["frequency"]
-    density = np.stack([found.get(part) for part in PARTS], axis=1)
-    for i in range(found.rows):
+    columns = read_columns(path, known.get, ["frequency"], list(known))
+    f = columns.numbers["frequency"]
+    density = np.stack([columns.get(part) for part in PARTS], axis=1)
+    for i in range(columns.rows):
         if not f[i] > (f[i - 1] if i else 0.0):
             raise refuse(path, i, f"frequency {f[i]:g} Hz, expected one above 0 and above the last")
         if (density[i] < 0.0).any():
             raise refuse(path, i, "a density below 0")
-    if found.rows < 2:
+    if columns.rows < 2:
         raise refuse(path, 0, "expected at least two frequencies")
     return Noise(f, density)
 
@@ -131,34 +131,34 @@ class InnerModes:
 
     def transmit(self, wrench: Complex, omega: Array, speed: Array) -> Complex:
         """Wrench (..., 6) on the mount, in the wheel's axes, from that of a rigid wheel at omega (...; rad/s, >= 0)."""
-        found = wrench.astype(np.complex128)
+        result = wrench.astype(np.complex128)
         axial = self.gain("axial", omega, speed)
-        found[..., 0] = axial * wrench[..., 0]
+        result[..., 0] = axial * wrench[..., 0]
         for kind, i in (("radial", 1), ("rocking", 4)):
             forward = (wrench[..., i] + 1j * wrench[..., i + 1]) / 2.0
             backward = (wrench[..., i] - 1j * wrench[..., i + 1]) / 2.0
             forward = self.gain(kind, omega, speed) * forward
             backward = self.gain(kind, -omega, speed).conj() * backward
-            found[..., i], found[..., i + 1] = forward + backward, (forward - backward) / 1j
-        return found
+            result[..., i], result[..., i + 1] = forward + backward, (forward - backward) / 1j
+        return result
 
 
 def read_inner_modes(path: Path) -> InnerModes:
     """A table of internal modes, a row per kind. Raises JitterFileError."""
     known = {"mode": TEXT, "frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "polar ratio": PLAIN}
-    found = read_columns(path, known.get, ["mode", "frequency", "damping"], list(known), ["mode"])
+    columns = read_columns(path, known.get, ["mode", "frequency", "damping"], list(known), ["mode"])
     modes: dict[str, tuple[float, float]] = {}
     polar = 0.0
-    for i, kind in enumerate(found.texts["mode"]):
+    for i, kind in enumerate(columns.texts["mode"]):
         if kind not in KINDS or kind in modes:
             again = "appears twice" if kind in modes else f"expected one of {', '.join(KINDS)}"
             raise refuse(path, i, f'mode "{kind}": {again}')
-        frequency, damping = float(found.numbers["frequency"][i]), float(found.numbers["damping"][i])
+        frequency, damping = float(columns.numbers["frequency"][i]), float(columns.numbers["damping"][i])
         if not frequency > 0.0 or damping < 0.0:
             raise refuse(path, i, f"frequency {frequency:g} Hz, damping {damping:g}: expected above 0, and not below")
         modes[kind] = (2.0 * np.pi * frequency, damping)
         if kind == "rocking":
-            polar = float(found.get("polar ratio")[i])
+            polar = float(columns.get("polar ratio")[i])
             if not 0.0 <= polar <= 2.0:
                 raise refuse(path, i, f"polar ratio {polar:g}, expected 0 to 2")
     return InnerModes(modes, polar)

@@ -29,9 +29,9 @@ def noise(chain: Chain, speeds: Array, bands: Sequence[Band | None]) -> Array:
     Independent radial axes are half a forward and half a backward turning vector. Raises CheckError: noise drives a
     mode without damping, and its mean square is infinite.
     """
-    found = np.zeros((len(bands), len(speeds), 3))
+    result = np.zeros((len(bands), len(speeds), 3))
     if not chain.makers.noise:
-        return found
+        return result
     f = _grid(chain)
     radial, parts = np.array(["radial" in part for part in PARTS]), np.arange(len(PARTS))
     step = max(1, CHUNK // len(f))
@@ -47,8 +47,8 @@ def noise(chain: Chain, speeds: Array, bands: Sequence[Band | None]) -> Array:
                 source = np.stack([np.interp(f, table.frequency, d, 0.0, 0.0) for d in table.density.T], axis=1)
                 density += (gain * source[:, None, :]).sum(axis=3)
         for k, band in enumerate(bands):
-            found[k, i : i + step] = integral(f, density, band or (0.0, np.inf))
-    return found
+            result[k, i : i + step] = integral(f, density, band or (0.0, np.inf))
+    return result
 
 
 def integral(f: Array, density: Array, band: Band) -> Array:

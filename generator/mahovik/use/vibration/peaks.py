@@ -97,28 +97,28 @@ def mattering(values: Array, sums: Sums, met: Resonances, size: Array) -> NDArra
     Such stand out of the root mean square beside them, or a largest sum may be at them: at most that beside them and
     the resonances about them.
     """
-    found: NDArray[np.bool_] = np.asarray(~np.isfinite(size).all(axis=1))
-    size, order = np.where(found[:, None], 0.0, size), np.argsort(values)
+    result: NDArray[np.bool_] = np.asarray(~np.isfinite(size).all(axis=1))
+    size, order = np.where(result[:, None], 0.0, size), np.argsort(values)
     right = np.clip(np.searchsorted(values[order], met.at), 1, len(values) - 1)
     width, more = np.maximum(met.width, 1e-300), np.zeros_like(size)
     for rows in np.array_split(np.arange(len(size)), 1 + len(size) ** 2 // CHUNK):
         more[rows] = 1.0 / np.hypot(1.0, (met.at[rows, None] - met.at) / width) @ size
-    for each in sums:
-        beside = np.maximum(each[order[right - 1]], each[order[right]])
-        bound, known = (np.column_stack([x, np.linalg.norm(x, axis=1)]) for x in (beside + more, each))
+    for sum_ in sums:
+        beside = np.maximum(sum_[order[right - 1]], sum_[order[right]])
+        bound, known = (np.column_stack([x, np.linalg.norm(x, axis=1)]) for x in (beside + more, sum_))
         largest = np.nan_to_num(known).max(axis=0)
-        found |= (~(bound < LARGEST * largest) & (largest > ROUNDING * largest[3])).any(axis=1)
-        if each is sums.rms:
-            found |= np.linalg.norm(size, axis=1) > np.linalg.norm(beside, axis=1)
-    return found
+        result |= (~(bound < LARGEST * largest) & (largest > ROUNDING * largest[3])).any(axis=1)
+        if sum_ is sums.rms:
+            result |= np.linalg.norm(size, axis=1) > np.linalg.norm(beside, axis=1)
+    return result
 
 
 def merged(plan: SpeedPlan, values: Array, more: Array) -> Array:
     """Values of the swept speed with more between them, in the direction of the sweep; close ones are one."""
     low, high = sorted(plan.sweep or (0.0, 0.0))
     kept = [x for x in more[(more >= low) & (more <= high)] if np.abs(values - x).min() > NARROWEST * (high - low)]
-    found = np.unique(np.concatenate([values, kept]))
-    return found if plan.sweep is None or plan.sweep[0] < plan.sweep[1] else found[::-1]
+    result = np.unique(np.concatenate([values, kept]))
+    return result if plan.sweep is None or plan.sweep[0] < plan.sweep[1] else result[::-1]
 
 
 def unsettled(values: Array, sizes: Array) -> Array:

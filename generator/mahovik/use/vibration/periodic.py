@@ -94,9 +94,9 @@ class Periodic:
 
 def harmonics(values: Array) -> Complex:
     """Complex amplitudes (H + 1, ...) of values (M, ...) at the nodes of a period."""
-    found = np.fft.rfft(values, axis=0) * (2.0 / len(values))
-    found[0] /= 2.0
-    return np.asarray(found)
+    result = np.fft.rfft(values, axis=0) * (2.0 / len(values))
+    result[0] /= 2.0
+    return np.asarray(result)
 
 
 def periodic_response(
@@ -120,18 +120,18 @@ def periodic_response(
         torus = Torus.of(1, H)
         turned = np.outer(np.arange(torus.M) / torus.M, np.array(turning.turns, dtype=np.float64))
         phi = np.asarray(start + 2.0 * np.pi * np.remainder(turned, 1.0))
-        given = scene.drive(phi, np.broadcast_to(own, phi.shape))
+        drive = scene.drive(phi, np.broadcast_to(own, phi.shape))
         w, slow = np.asarray(turning.base * torus.k[:, 0], dtype=np.float64), np.zeros(1, dtype=np.int64)
-        solved = newton(scene, torus, given, w, slow, torus.pad(c), rounding, fastest)
+        solved = newton(scene, torus, drive, w, slow, torus.pad(c), rounding, fastest)
         if solved is None:
             why = "an undamped resonance, or the carrier moves too violently"
             continue
         c, h, y = solved.c, solved.h[0].real, torus.values(solved.c)
-        pushed = (scene.effect_of_wrench(given) @ h)[:, scene.count :]
-        V_dot = scene.chart.acceleration(given, y) + scene.twist(pushed)
+        pushed = (scene.effect_of_wrench(drive) @ h)[:, scene.count :]
+        V_dot = scene.chart.acceleration(drive, y) + scene.twist(pushed)
         tail = _tail(scene, V_dot, len(c))
         if tail <= enough or (tail <= COARSE and (tail > before / 2 or 2 * H > MOST)):
-            J = scene.chart.jacobian(given, y)
+            J = scene.chart.jacobian(drive, y)
             multiplier = largest_multiplier(J, turning.period)
             hold = scene.wrench @ h
             return Periodic(scene, turning, scene.whole(y), V_dot, phi, hold, multiplier, natural(J))

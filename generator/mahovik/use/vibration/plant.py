@@ -73,11 +73,11 @@ class Plant:
         N, W = len(stand.flywheels), np.eye(6) if stand.hold is None else wrenches(stand.hold)
         K = np.asarray(mechanics.base.K + mechanics.tables.Theta[0].sum(axis=0))
         phi = np.tile(QUARTERS[:, None], N)
-        given = [scene.drive(phi, np.tile(row, (len(phi), 1))) for row in np.vstack([np.zeros(N), np.eye(N)])]
+        drives = [scene.drive(phi, np.tile(row, (len(phi), 1))) for row in np.vstack([np.zeros(N), np.eye(N)])]
         still = scene.chart.twists(np.zeros((len(phi), 2 * scene.count)))
-        slopes = [slopes_of_residual(mechanics, still, each) for each in given]
+        slopes = [slopes_of_residual(mechanics, still, each) for each in drives]
         by = [np.array([getattr(each, name) for each in slopes]) for name in ("by_pose", "by_twist")]
-        mobility = np.array([each.mobility for each in given])
+        mobility = np.array([each.mobility for each in drives])
         carrier = Linear.of(*((mobility @ each @ scene.S).mean(axis=1) for each in by))
         free = Linear.of(*(each.mean(axis=1) for each in by))
         return Plant(scene.S, W, K, mobility[0].mean(axis=0), carrier, free, *unbalance_wrenches(stand, scene.rest))

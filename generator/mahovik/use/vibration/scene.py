@@ -100,9 +100,9 @@ class Scene:
         """Sums of flywheels at constant speeds (M, N each)."""
         return drive(self.chart.mechanics, phi, phi_dot, np.zeros_like(phi))
 
-    def effect_of_wrench(self, given: Drive) -> Array:
+    def effect_of_wrench(self, drive: Drive) -> Array:
         """(M, 2 m, f): effect of a constant wrench along a free direction on y'."""
-        acceleration = given.mobility @ self.wrench
+        acceleration = drive.mobility @ self.wrench
         return np.concatenate([np.zeros_like(acceleration), acceleration], axis=1)
 
     def twist(self, speeds: Array) -> Array:
@@ -119,16 +119,16 @@ class Scene:
         C = at.C @ Rotation.from_rotvec(whole[:, 3:6]).as_matrix()
         return in_fluid(self.stand, C, at.O1 + whole[:, :3] @ at.C.T, V, np.zeros_like(V))
 
-    def reaction(self, given: Drive, whole: Array, V_dot: Array) -> Array:
+    def reaction(self, drive: Drive, whole: Array, V_dot: Array) -> Array:
         """R (M, 6) of (x, r, V) (M, 12) and V* (M, 6), about O1 in E1."""
-        at, K = self.twists(whole), given.Theta + self.chart.mechanics.base.K
-        return np.asarray((K @ (V_dot + at.V_r_dot)[:, :, None])[:, :, 0] - wrench(self.chart.mechanics, given, at))
+        at, K = self.twists(whole), drive.Theta + self.chart.mechanics.base.K
+        return np.asarray((K @ (V_dot + at.V_r_dot)[:, :, None])[:, :, 0] - wrench(self.chart.mechanics, drive, at))
 
     def mount_wrenches(self, phi: Array, phi_dot: Array, whole: Array, V_dot: Array) -> Array:
         """Wrench (M, N, 6) of each flywheel on its mount, in E1 about O1; `whole` (x, r, V) (M, 12)."""
         mechanics, at = self.chart.mechanics, self.twists(whole)
-        given = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
-        wrenches = flywheel_wrenches(given, phi, phi_dot, np.zeros_like(phi))[:6]
+        prescribed_motion = prescribed_at(mechanics, at._replace(V_r_dot=at.V_r_dot + V_dot))
+        wrenches = flywheel_wrenches(prescribed_motion, phi, phi_dot, np.zeros_like(phi))[:6]
         return np.asarray(-np.moveaxis(wrenches, 0, 2))
 
 

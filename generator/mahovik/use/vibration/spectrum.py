@@ -51,8 +51,8 @@ def spectrum(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array)
 
 def _with_period(scene: Scene, chain: Chain, turning: Turning, phases: Array) -> Spectrum:
     """Lines at the harmonics of the base frequency. Raises CheckError."""
-    found, speeds = periodic_response(scene, turning.speeds, phases.tolist()), np.array(turning.speeds)
-    motion = found.motion
+    periodic, speeds = periodic_response(scene, turning.speeds, phases.tolist()), np.array(turning.speeds)
+    motion = periodic.motion
     a = harmonics(chain.seen.full(motion))
     w = np.asarray(turning.base * np.arange(len(a)), dtype=np.float64)
     kept = np.arange(len(a)) > 0
@@ -61,50 +61,52 @@ def _with_period(scene: Scene, chain: Chain, turning: Turning, phases: Array) ->
     kept &= ~(np.abs(a).max(axis=1) <= _rounding(scene, chain.seen, speeds, w, a[0].real))
     names = _harmonic_names([s.name for s in scene.stand.flywheels], turning, np.flatnonzero(kept))
     method = f"{len(a) - 1} harmonics of the common period"
-    return Spectrum(names, w[kept] / (2.0 * np.pi), a[kept], np.zeros(3), 0.0, method, found.hold, not found.stable)
+    return Spectrum(
+        names, w[kept] / (2.0 * np.pi), a[kept], np.zeros(3), 0.0, method, periodic.hold, not periodic.stable
+    )
 
 
 def _harmonic_names(wheels: Sequence[str], turning: Turning, kept: Whole) -> tuple[LineName, ...]:
     """Names of harmonics of the base: the lowest whole order of a wheel, else the order of the fastest."""
     turns = np.abs(turning.turns)
-    found = []
+    harmonic_names = []
     for k in kept.tolist():
         orders = {s: k // n for s, n in enumerate(turns.tolist()) if n and k % n == 0}
         order = min(orders.values(), default=k / max(turns.max(initial=1), 1))
         those = [s for s in orders if orders[s] == order] or [int(turns.argmax())]
-        found.append(LineName(", ".join(wheels[s] for s in those), float(order)))
-    return tuple(found)
+        harmonic_names.append(LineName(", ".join(wheels[s] for s in those), float(order)))
+    return tuple(harmonic_names)
 
 
 def _on_torus(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array) -> Spectrum:
     """Lines at the combinations of the wheels' frequencies. Raises CheckError."""
-    found = balance(scene, speeds, phases.tolist())
-    torus, w = found.torus, found.frequencies
-    motion = full_motion(found, torus, found.c, found.h)
+    result = balance(scene, speeds, phases.tolist())
+    torus, w = result.torus, result.frequencies
+    motion = full_motion(result, torus, result.c, result.h)
     a = torus.coefficients(chain.seen.full(motion))
     constant = a[0].real.copy()
     if chain.one_way:
         back = w[:, None, None] < 0.0
         mounts = torus.coefficients(motion.mount_wrenches())
-        moving = np.abs(w) > SLOW * float(np.abs(found.speeds).max(initial=0.0))
-        driven = _driven(chain, found.speeds, np.abs(w[moving]), np.where(back, mounts.conj(), mounts)[moving])
+        moving = np.abs(w) > SLOW * float(np.abs(result.speeds).max(initial=0.0))
+        driven = _driven(chain, result.speeds, np.abs(w[moving]), np.where(back, mounts.conj(), mounts)[moving])
         a[moving] += np.where(back[moving, 0], driven.conj(), driven)
-    a = a * np.exp(1j * (torus.k @ phases[list(found.turning)]))[:, None]
+    a = a * np.exp(1j * (torus.k @ phases[list(result.turning)]))[:, None]
     a = np.where(w[:, None] < 0.0, a.conj(), a)
     w = np.abs(w)
     names = [s.name for s in scene.stand.flywheels]
-    kept = w > SLOW * float(np.abs(found.speeds).max(initial=0.0))
-    rounding = _rounding(scene, chain.seen, found.speeds, w, constant)
-    left = left_out_of(found, chain.seen)
+    kept = w > SLOW * float(np.abs(result.speeds).max(initial=0.0))
+    rounding = _rounding(scene, chain.seen, result.speeds, w, constant)
+    left = left_out_of(result, chain.seen)
     left = np.where(left <= rounding[kept].sum(), 0.0, left)
     kept &= ~(np.abs(a).max(axis=1) <= rounding)
     order = np.flatnonzero(kept)[np.argsort(w[kept], kind="stable")]
     first = np.flatnonzero(np.concatenate([[True], np.diff(w[order]) > SAME * w[order][1:]])[: len(order)])
     groups = np.split(order, first[1:]) if len(order) else []
-    labels = tuple(_name(torus.k[group], [names[s] for s in found.turning]) for group in groups)
+    labels = tuple(_name(torus.k[group], [names[s] for s in result.turning]) for group in groups)
     sums = np.array([a[group].sum(axis=0) for group in groups], dtype=np.complex128).reshape(-1, 3)
-    method = f"harmonic balance of order {found.order}{f' ({found.short})' if found.short else ''}"
-    return Spectrum(labels, w[order][first] / (2.0 * np.pi), sums, left, found.left_out, method, found.hold, False)
+    method = f"harmonic balance of order {result.order}{f' ({result.short})' if result.short else ''}"
+    return Spectrum(labels, w[order][first] / (2.0 * np.pi), sums, left, result.left_out, method, result.hold, False)
 
 
 def _driven(chain: Chain, speeds: Array, omega: Array, mounts: Complex) -> Complex:
@@ -129,22 +131,22 @@ def _name(k: Whole, wheels: Sequence[str]) -> LineName:
     return LineName(words, float(size.min()), COMBINATION)
 
 
-def left_out_of(found: Balance, seen: Observable) -> Array:
+def left_out_of(balance: Balance, seen: Observable) -> Array:
     """Part of the quantity (3) that a balance leaves out at any phases: sum of the amplitudes of its lines.
 
     The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known. Those
     of a load are what the missing motion and the higher orders add to it.
     """
-    if found.missing is None or found.missing_c is None:
+    if balance.missing is None or balance.missing_c is None:
         return np.full(3, np.nan)
-    moving = found.missing_w != 0.0
+    moving = balance.missing_w != 0.0
     if isinstance(seen, View):
-        lines = seen.by_pose(found.missing[moving], np.abs(found.missing_w[moving]))
+        lines = seen.by_pose(balance.missing[moving], np.abs(balance.missing_w[moving]))
         return np.asarray(np.abs(lines).sum(axis=0))
-    kept, larger = found.torus, Torus.of(found.torus.count, found.missing_order)
-    near = larger.pad(kept.coefficients(seen.full(full_motion(found, kept, found.c, found.h))))
-    moved = larger.pad(found.c) + found.missing_c
-    whole = seen.full(full_motion(found, larger, moved, larger.pad(found.h)))
+    kept, larger = balance.torus, Torus.of(balance.torus.count, balance.missing_order)
+    near = larger.pad(kept.coefficients(seen.full(full_motion(balance, kept, balance.c, balance.h))))
+    moved = larger.pad(balance.c) + balance.missing_c
+    whole = seen.full(full_motion(balance, larger, moved, larger.pad(balance.h)))
     return np.asarray(np.abs(larger.coefficients(whole) - near)[moving].sum(axis=0))
 
 

@@ -179,14 +179,14 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
         raise UsageError(
             f"speed {listed[0] if listed else ''}: expected NAME=SPEED or NAME=LOW..HIGH, as w1=0..6000rpm"
         )
-    found: dict[str, float | str] = {}
+    result: dict[str, float | str] = {}
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
         if name != ALL and name not in names:
             raise UsageError(f'speed {name}={text}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
         if [each for each, _ in pairs].count(name) > 1:
             raise UsageError(f'speed {name}={text}: flywheel "{name}" has a speed already')
-        found |= dict.fromkeys(names if name == ALL else [name], text)
-    return found
+        result |= dict.fromkeys(names if name == ALL else [name], text)
+    return result
 
 
 def _range(name: str, text: str) -> tuple[float, float]:
@@ -202,12 +202,12 @@ def _range(name: str, text: str) -> tuple[float, float]:
 
 def _speed(name: str, text: float | str) -> float:
     try:
-        found = in_si(text, SPEED)
+        speed = in_si(text, SPEED)
     except QuantityError as error:
         raise UsageError(f"speed {name}={text}: {error}") from None
-    if not math.isfinite(found):
+    if not math.isfinite(speed):
         raise UsageError(f"speed {name}={text}: expected a finite speed, as {name}=1000 rpm")
-    return found
+    return speed
 
 
 def _number(name: str, text: str) -> float:

@@ -77,8 +77,8 @@ def read_structure(path: Path, stand: Stand) -> Structure:
         return Dimension("turning by displacement", "rad/m") if part.startswith("r") else PLAIN
 
     names = [*plain, *(f"{body} {part}" for body in bodies for part in SHAPE)]
-    found = read_columns(path, dimension_of, plain, names)
-    numbers = found.numbers
+    columns = read_columns(path, dimension_of, plain, names)
+    numbers = columns.numbers
     shapes: dict[str, Array] = {}
     for body in dict.fromkeys(name.rpartition(" ")[0] for name in numbers if name not in plain):
         missing = [part for part in SHAPE if f"{body} {part}" not in numbers]
@@ -91,7 +91,7 @@ def read_structure(path: Path, stand: Stand) -> Structure:
                 ]
             )
         shapes[body] = np.array([numbers[f"{body} {part}"] for part in SHAPE])
-    for i in range(found.rows):
+    for i in range(columns.rows):
         if not (numbers["frequency"][i] > 0.0 and numbers["modal mass"][i] > 0.0 and numbers["damping"][i] >= 0.0):
             raise refuse(path, i, "expected a frequency and a modal mass above 0, and a damping not below")
     omega = 2.0 * np.pi * numbers["frequency"]

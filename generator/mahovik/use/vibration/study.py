@@ -207,10 +207,10 @@ def vibration(
     chain = Chain.of(scene, seen, makers or Makers(), fastest)
     start = np.zeros(len(fastest)) if phases is None else np.array(phases, dtype=np.float64)
     study = _Study(scene, plan, chain, start, tuple(dict.fromkeys([None, *bands])), go_on)
-    found = study.sweep(value, steps) if plan.sweep is not None else study.one(value)
-    if len(found.problems) == len(found.value):
-        raise CheckError(next(iter(found.problems.values())))
-    return found
+    result = study.sweep(value, steps) if plan.sweep is not None else study.one(value)
+    if len(result.problems) == len(result.value):
+        raise CheckError(next(iter(result.problems.values())))
+    return result
 
 
 class _Study:
@@ -250,11 +250,11 @@ class _Study:
         value, _ = self.refine(value, lambda value: self.result(value, noisy=False))
         rows = np.linspace(0, len(value) - 1, COMPARED).astype(int).tolist()
         self.solve(value[self.largest(self.result(value)) + rows])
-        found = self.result(value)
-        while (rows := self.largest(found)) and self.solve(value[rows]):  # the largest need not stay so
-            found = self.result(value)
-        if found.off <= FAR_OFF or self.cut:
-            return replace(found, coarse=float(value[found.largest().step]) if self.cut else None)
+        vibration = self.result(value)
+        while (rows := self.largest(vibration)) and self.solve(value[rows]):  # the largest need not stay so
+            vibration = self.result(value)
+        if vibration.off <= FAR_OFF or self.cut:
+            return replace(vibration, coarse=float(value[vibration.largest().step]) if self.cut else None)
         value, coarse = self.refine(value, lambda value: self.result(value) if self.solve(value) else None)
         return replace(self.result(value), coarse=coarse)
 
@@ -262,7 +262,7 @@ class _Study:
         """Those of the resonances of makers' tables that matter in any band, with the tolerances of the tables."""
         if not len(met.at):
             return met
-        found, tables = self.result(value, noisy=False), self.chain.makers.harmonics
+        vibration, tables = self.result(value, noisy=False), self.chain.makers.harmonics
         size, hertz, matters = np.zeros((len(met.at), 3)), np.zeros(len(met.at)), np.zeros(len(met.at), dtype=bool)
         for s in np.unique(met.wheel):
             rows, speeds = met.wheel == s, self.plan.rows(met.at[met.wheel == s])
@@ -272,8 +272,8 @@ class _Study:
             hertz[rows] = np.abs(speeds[:, s]) * met.order[rows] / (2.0 * np.pi)
         for band in self.bands:
             inside = in_band(hertz, band or (0.0, np.inf))
-            sums = found.lines.with_tolerances().sums(0.0, band)
-            largest = np.linalg.norm(size, axis=1) >= LARGEST * found.largest(band).value
+            sums = vibration.lines.with_tolerances().sums(0.0, band)
+            largest = np.linalg.norm(size, axis=1) >= LARGEST * vibration.largest(band).value
             matters[inside] |= largest[inside] | mattering(value, sums, met.some(inside), size[inside])
         return met.some(matters)
 
@@ -281,10 +281,10 @@ class _Study:
         """Speeds with those that the largest peaks need, and one near which they may be higher; None: they are true."""
         near = np.zeros(0)
         for _ in range(ROUNDS):
-            found = study(value)
-            if found is None:
+            vibration = study(value)
+            if vibration is None:
                 break
-            sums = found.sums()
+            sums = vibration.sums()
             sizes = [np.linalg.norm(each, axis=1) for each in (sums.rms, sums.worst)]
             near = np.concatenate([unsettled(value, each) for each in sizes])
             more = merged(self.plan, value, near)
@@ -293,13 +293,13 @@ class _Study:
             value = more
         return value, float(near[0]) if len(near) else float(value[0])
 
-    def largest(self, found: Vibration) -> list[int]:
+    def largest(self, vibration: Vibration) -> list[int]:
         """Unsolved steps at which a sum is largest: each sum in each band, on each axis and of all."""
-        solved, steps = np.isin(found.value, list(self.solved)), set()
+        solved, steps = np.isin(vibration.value, list(self.solved)), set()
         for band in self.bands:
-            for each in found.sums(band):
-                total = np.linalg.norm(np.nan_to_num(each), axis=1)
-                for size in (*np.nan_to_num(each).T, total):
+            for sum_ in vibration.sums(band):
+                total = np.linalg.norm(np.nan_to_num(sum_), axis=1)
+                for size in (*np.nan_to_num(sum_).T, total):
                     if size.max() > (1.0 + EQUAL) * size[solved].max(initial=0.0) + EQUAL * total.max():
                         steps.add(int(size.argmax()))
         return sorted(steps)
@@ -329,11 +329,11 @@ class _Study:
         lines.amplitude[list(problems)] = np.nan
         problems |= self.resonances(value, lines, problems)
         noises = self.noise(value, set(whole)) if noisy else np.zeros((len(self.bands), len(value), 3))
-        found = Vibration(
+        vibration = Vibration(
             self.scene, self.plan, self.chain, value, self.phases, lines, dict(zip(self.bands, noises, strict=True)),
             spectra, problems, off,
         )  # fmt: skip
-        return replace(found, problems=problems | self.inaccurate(found))
+        return replace(vibration, problems=problems | self.inaccurate(vibration))
 
     def linear(self, value: Array) -> tuple[Lines, Lines]:
         """Lines of the linear equations at values (S) of the swept speed: first orders, those of makers' tables.
@@ -378,28 +378,28 @@ class _Study:
             self.noises |= dict(zip(missing, np.moveaxis(found, 1, 0), strict=True))
         known = np.array([self.noises[float(x)] for x in value[at]])
         columns = known.reshape(len(at), -1).T
-        return np.array([np.interp(np.arange(len(value)), at, each) for each in columns]).T.reshape(
+        return np.array([np.interp(np.arange(len(value)), at, column) for column in columns]).T.reshape(
             len(value), *known.shape[1:]
         ).swapaxes(0, 1)  # fmt: skip
 
     def resonances(self, value: Array, lines: Lines, besides: dict[int, str]) -> dict[int, str]:
         """Steps at which a line has no finite amplitude, and why."""
-        found = {}
+        result = {}
         for i in np.flatnonzero(~lines.is_finite).tolist():
             if i not in besides:
                 at = np.flatnonzero(~np.isfinite(lines.amplitude[i]).all(axis=1))[0]
                 hertz, speeds = float(lines.frequency[i, at]), self.plan.speeds(float(value[i]))
                 mode = undamped_mode(self.chain.makers, self.chain.names, np.array(speeds), 2.0 * np.pi * hertz)
                 what = f"{mode}: expected a damping above 0" if mode else "the stand itself: expected some damping"
-                found[i] = f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"
-        return found
+                result[i] = f"line {lines.names[at].text} at {hertz:.6g} Hz is an undamped resonance of {what}"
+        return result
 
-    def inaccurate(self, found: Vibration) -> dict[int, str]:
+    def inaccurate(self, vibration: Vibration) -> dict[int, str]:
         """Steps at which a solution leaves out too much, and how much."""
-        problems, rows = dict[int, str](), list(found.whole)
-        sums = found.lines.at(rows).sums(found.noises[None][rows])
+        problems, rows = dict[int, str](), list(vibration.whole)
+        sums = vibration.lines.at(rows).sums(vibration.noises[None][rows])
         worst = dict(zip(rows, np.linalg.norm(sums.worst, axis=1), strict=True))
-        for i, each in found.whole.items():
+        for i, each in vibration.whole.items():
             left = float(np.linalg.norm(each.left_out))
             known = np.isfinite(left)
             share = (left / worst[i] if left else 0.0) if known else each.residual

@@ -70,12 +70,12 @@ class Torus:
     @staticmethod
     def of(count: int, order: int) -> Torus:
         """All k with |k_1| + |k_2| + ... <= order. Raises CheckError: too many nodes."""
-        found = _torus(count, order)
-        if found is None:
+        torus = _torus(count, order)
+        if torus is None:
             raise CheckError(
                 f"{count} flywheels turn: order {order} needs more than {MOST_NODES} phases; lower the order"
             )
-        return found
+        return torus
 
     @property
     def count(self) -> int:
@@ -104,10 +104,10 @@ class Torus:
     def coefficients(self, values: Array) -> Complex:
         """Coefficients (n, ...) of values (M, ...) at the nodes; the first is the mean."""
         bins, mirrored = self._places()
-        found = np.fft.rfft(values, axis=0)[bins] * (2.0 / self.M)
-        found = np.where(mirrored.reshape(-1, *(1,) * (values.ndim - 1)), found.conj(), found)
-        found[0] = found[0].real / 2.0
-        return np.asarray(found)
+        result = np.fft.rfft(values, axis=0)[bins] * (2.0 / self.M)
+        result = np.where(mirrored.reshape(-1, *(1,) * (values.ndim - 1)), result.conj(), result)
+        result[0] = result[0].real / 2.0
+        return np.asarray(result)
 
     def pad(self, c: Complex) -> Complex:
         """Coefficients (n, ...) from those of a smaller order: indices are sorted by size."""
@@ -125,10 +125,10 @@ class Torus:
 
 def indices(count: int, order: int) -> Whole:
     """One of k and -k (n, count) with the sum of |k_s| at most `order`, the zero first, then by size."""
-    found = [(0,) * count]
+    result = [(0,) * count]
     for size in range(1, order + 1 if count else 1):
-        found += sorted(_of_size(count, size), reverse=True)
-    return np.array(found, dtype=np.int64).reshape(len(found), count)
+        result += sorted(_of_size(count, size), reverse=True)
+    return np.array(result, dtype=np.int64).reshape(len(result), count)
 
 
 def index_count(count: int, order: int) -> int:
@@ -145,15 +145,15 @@ def _of_size(count: int, size: int) -> list[tuple[int, ...]]:
             return [(left,)]
         return [(first, *rest) for first in range(left + 1) for rest in shares(places - 1, left - first)]
 
-    found = []
+    result = []
     for share in shares(count, size):
         at = [i for i, x in enumerate(share) if x]
         for signs in product((1, -1), repeat=len(at) - 1):
             one = list(share)
             for i, sign in zip(at[1:], signs, strict=True):
                 one[i] *= sign
-            found.append(tuple(one))
-    return found
+            result.append(tuple(one))
+    return result
 
 
 @lru_cache(maxsize=32)
@@ -227,28 +227,28 @@ class Linearised:
         slow = np.zeros(n, dtype=bool)
         slow[self.slow] = True
 
-        def pack(found: Complex) -> Array:
-            scaled = found / np.concatenate([self.size, np.ones(f)])
+        def pack(result: Complex) -> Array:
+            scaled = result / np.concatenate([self.size, np.ones(f)])
             return np.concatenate([scaled.real.ravel(), scaled.imag.ravel()])
 
         def unpack(x: Array) -> Complex:
             half = len(x) // 2
-            found = (x[:half] + 1j * x[half:]).reshape(n, m + f)
-            found[0] = found[0].real
-            return np.asarray(found * np.concatenate([self.size, np.ones(f)]))
+            result = (x[:half] + 1j * x[half:]).reshape(n, m + f)
+            result[0] = result[0].real
+            return np.asarray(result * np.concatenate([self.size, np.ones(f)]))
 
         def back(right: Complex) -> Array:
-            found = (inverse @ right[:, :, None])[:, :, 0]
-            found[0] = found[0].real
-            return pack(found)
+            result = (inverse @ right[:, :, None])[:, :, 0]
+            result[0] = result[0].real
+            return pack(result)
 
         def forward(x: Array) -> Array:
-            found = unpack(x)
-            dc, dh = found[:, :m], np.where(slow[:, None], found[:, m:], 0.0)
+            result = unpack(x)
+            dc, dh = result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
             dy, at = self.torus.values(dc), self.torus.values(dh)
             moved = (self.J @ dy[:, :, None])[:, :, 0] + (self.push @ at[:, :, None])[:, :, 0]
             left = 1j * self.w[:, None] * dc - self.torus.coefficients(moved)
-            last = np.where(slow[:, None], dc @ self.free.T, found[:, m:])
+            last = np.where(slow[:, None], dc @ self.free.T, result[:, m:])
             return back(np.concatenate([left, last], axis=1))
 
         last = np.where(slow[:, None], -c @ self.free.T, 0.0)
@@ -258,8 +258,8 @@ class Linearised:
         x, missed = gmres(operator, right, rtol=ACCURATE, atol=enough, restart=RESTART, maxiter=ROUNDS)
         if missed or not np.all(np.isfinite(x)):
             return None
-        found = unpack(x)
-        return found[:, :m], np.where(slow[:, None], found[:, m:], 0.0)
+        result = unpack(x)
+        return result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
 
     def inverse(self, w: Array, slow: Whole) -> Complex | None:
         """Inverses (n, m + f, m + f) of the mean equations at any w (n; rad/s), h unknown at `slow`; None: singular."""
@@ -271,7 +271,7 @@ class Linearised:
         A[slow, m:, m:] = 0.0
         A[slow, :m, m:], A[slow, m:, :m] = -self.push.mean(axis=0), self.free
         try:
-            found = np.asarray(np.linalg.inv(A), dtype=np.complex128)
+            result = np.asarray(np.linalg.inv(A), dtype=np.complex128)
         except np.linalg.LinAlgError:
             return None
-        return found if np.all(np.isfinite(found)) else None
+        return result if np.all(np.isfinite(result)) else None

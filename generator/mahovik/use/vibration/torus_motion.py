@@ -151,24 +151,27 @@ SAMPLES = 64
 """Random phases at which the literal reference is evaluated."""
 
 
-def left_out(found: Balance) -> float:
+def left_out(balance: Balance) -> float:
     """Largest difference of V* from the reference, part of its largest; turning counts by the radius of gyration."""
-    scene = found.scene
-    theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, len(found.turning)))
-    y, V_dot = found.states(theta)
-    phi, phi_dot = found.motions(theta)
-    push = scene.effect_of_wrench(scene.drive(phi, phi_dot)) @ found.torus.at(found.h, theta)[:, :, None]
-    at = [pieces(scene.stand, state_at(scene, y[i], phi[i], found.speeds)) for i in range(len(theta))]
+    scene = balance.scene
+    theta = np.random.default_rng(1).uniform(0.0, 2.0 * np.pi, (SAMPLES, len(balance.turning)))
+    y, V_dot = balance.states(theta)
+    phi, phi_dot = balance.motions(theta)
+    push = scene.effect_of_wrench(scene.drive(phi, phi_dot)) @ balance.torus.at(balance.h, theta)[:, :, None]
+    at = [pieces(scene.stand, state_at(scene, y[i], phi[i], balance.speeds)) for i in range(len(theta))]
     exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
     scale = np.repeat([1.0, gyration_radius(scene)], 3)
     off = np.linalg.norm((V_dot - exact - scene.twist(push[:, scene.count :, 0])) * scale, axis=1).max()
     most = float(np.linalg.norm(exact * scale, axis=1).max())
-    rounding = np.linalg.norm(scene.twist(rounding_rates(scene, found.speeds)) * scale)
+    rounding = np.linalg.norm(scene.twist(rounding_rates(scene, balance.speeds)) * scale)
     return float(off) / most if most > max(ROUNDING, scene.noise, float(rounding)) else 0.0
 
 
-def full_motion(found: Balance, torus: Torus, c: Complex, h: Complex) -> FullMotion:
+def full_motion(balance: Balance, torus: Torus, c: Complex, h: Complex) -> FullMotion:
     """Values at the nodes of a torus, of coefficients c of states on it and h of what keeps the mean place."""
     return FullMotion(
-        found.scene, *found.motions(torus.nodes), *found.at_nodes(torus, c), torus.values(h) @ found.scene.wrench.T
+        balance.scene,
+        *balance.motions(torus.nodes),
+        *balance.at_nodes(torus, c),
+        torus.values(h) @ balance.scene.wrench.T,
     )

@@ -289,9 +289,9 @@ def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
     def values(motion: FullMotion) -> Array:
         if measure.power:
             return np.asarray((motion.y[:, 6:] if measure.power == 1 else motion.V_dot) @ row.T)
-        found = np.zeros((len(motion.y), 3))
-        found[:, 0] = coordinates(S, motion.y)[:, number]
-        return found
+        freedom = np.zeros((len(motion.y), 3))
+        freedom[:, 0] = coordinates(S, motion.y)[:, number]
+        return freedom
 
     return View(f"hold.{names[number]}", (names[number],), chosen, measure, row, values)
 

@@ -102,5 +102,5 @@ def errors(
     )
 
 
-def _angles(found: dict[str, Array], some: Array) -> Angles:
-    return Angles(*(found[name][some] for name in ("phi", "phi_dot", "phi_ddot")))
+def _angles(angles: dict[str, Array], some: Array) -> Angles:
+    return Angles(*(angles[name][some] for name in ("phi", "phi_dot", "phi_ddot")))

@@ -156,10 +156,10 @@ def check_name(stand: Stand, layout: Layout, called: str) -> None:
             )
 
 
-def _is_coarse(found: Errors, most: float) -> bool:
+def _is_coarse(errors: Errors, most: float) -> bool:
     """Whether a finite table needs more nodes: for what it adds to the residual, for its torques, or for turns lost."""
-    torque = found.tau is not None and found.tau_peak is not None and found.tau > most * found.tau_peak
-    return found.decisive > most or torque or found.phi > ANGLE_LIMIT
+    torque = errors.tau is not None and errors.tau_peak is not None and errors.tau > most * errors.tau_peak
+    return errors.decisive > most or torque or errors.phi > ANGLE_LIMIT
 
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
@@ -179,9 +179,11 @@ def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | N
 def _exceeded_bounds(stand: Stand, programme: Programme, motion: RequiredMotion | None) -> list[str]:
     """Bounds that a programme exceeds: those that its planner reports, and with its motion as they are measured."""
     reports = [programme.report, *(programme.report.get(key) for key in ("runup", "rundown"))]
-    found = [str(words) for each in reports if isinstance(each, Mapping) for words in each.get("exceeded", ())]
-    if found or motion is None:
-        return found
+    exceeded_bounds = [
+        str(words) for report in reports if isinstance(report, Mapping) for words in report.get("exceeded", ())
+    ]
+    if exceeded_bounds or motion is None:
+        return exceeded_bounds
     t = np.arange(TIMES + (not programme.periodic), dtype=np.float64) * (programme.span / TIMES)
     angles = Angles(*programme.at(t))
     tau = np.zeros_like(angles.phi)
@@ -243,40 +245,40 @@ def _with_torques(table: Table, finite: RunUpTable, prescribed: ProgrammeCase | 
     return quintic_table(form, finite.at, finite.duration, (0,) * int(form.count), torques)
 
 
-def _too_coarse(source: str, table: Table, found: Errors, most: float, real: str) -> str:
-    what = "the relative residual that the table adds" if found.added is not None else "the table's relative error"
+def _too_coarse(source: str, table: Table, errors: Errors, most: float, real: str) -> str:
+    what = "the relative residual that the table adds" if errors.added is not None else "the table's relative error"
     remedies = []
     remedies += ["--real double"] if real == "float" else []
     remedies += ["--table quintic"] if table.form.kind == "fourier" else []
     remedies = remedies or ["a programme of fewer harmonics"]
     return (
-        f"{source}: {what} is {found.decisive:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
+        f"{source}: {what} is {errors.decisive:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
     )
 
 
-def _table_facts(table: Table, found: Errors) -> dict[str, Any]:
+def _table_facts(table: Table, errors: Errors) -> dict[str, Any]:
     """Size and errors of a table as data, without those not measured."""
-    known = {name: value for name, value in asdict(found).items() if value is not None}
+    known = {name: value for name, value in asdict(errors).items() if value is not None}
     form = table.form
     return {"part": form.part or "programme", "kind": form.kind, "rows": form.rows, "span": table.span, "errors": known}
 
 
-def table_messages(table: Table, found: Errors, layout: Layout) -> list[str]:
+def table_messages(table: Table, errors: Errors, layout: Layout) -> list[str]:
     """Messages about a table, one line each: its size, then its errors."""
     form = table.form
     name = {"": "programme", "runup": "run-up", "rundown": "run-down"}[form.part]
     parts = f"{form.rows} {'intervals' if form.kind == 'quintic' else 'harmonics'}"
     lines = [f"{name}: {form.kind}, {parts}, {layout.precision.name}, {table.span:g} s"]
     lines.append(
-        f"{name}: largest error: angle {found.phi:.1e} rad, speed {found.phi_dot:.1e} rad/s, "
-        f"acceleration {found.phi_ddot:.1e} rad/s2, together {found.relative:.1e} of the largest acceleration"
+        f"{name}: largest error: angle {errors.phi:.1e} rad, speed {errors.phi_dot:.1e} rad/s, "
+        f"acceleration {errors.phi_ddot:.1e} rad/s2, together {errors.relative:.1e} of the largest acceleration"
     )
-    if found.tau is not None:
-        lines.append(f"{name}: largest error of the drive torques {found.tau:.1e} N m, of {found.tau_peak:.3g} N m")
+    if errors.tau is not None:
+        lines.append(f"{name}: largest error of the drive torques {errors.tau:.1e} N m, of {errors.tau_peak:.3g} N m")
     else:
         lines.append(f"{name}: no drive torques: no motion was given")
-    if found.added is not None:
-        lines.append(f"{name}: relative residual {found.given:.1e}, the table adds {found.added:.1e}")
+    if errors.added is not None:
+        lines.append(f"{name}: relative residual {errors.given:.1e}, the table adds {errors.added:.1e}")
     return lines
 
 
@@ -288,11 +290,11 @@ def element_type(folder: Path, stand: Stand, real: str | None) -> str:
     header = read_header(folder, stand.name)
     if header is None or header.real is None:
         return real or "double"
-    found = identities(stand)
-    if (header.structure, header.physics) != (found.structure, found.physics):
+    hashes = identities(stand)
+    if (header.structure, header.physics) != (hashes.structure, hashes.physics):
         raise CheckError(
             f"{folder / stand.name}.h: is of another stand (structure {header.structure}, physics {header.physics}; "
-            f"the stand file has {found.structure}, {found.physics}): generate it again or choose another folder"
+            f"the stand file has {hashes.structure}, {hashes.physics}): generate it again or choose another folder"
         )
     if real is not None and real != header.real:
         raise UsageError(f"{folder / stand.name}.h: has {header.real}, expected {real}: leave --real out")
@@ -339,9 +341,9 @@ def _manifest_hashes(path: Path, what: str) -> dict[str, str] | None:
     if not path.is_file():
         return None
     try:
-        found = json.loads(path.read_bytes())
-        if str(found["generator"]).startswith("mahovik ") and isinstance(found[what], str):
-            return {str(name): str(value) for name, value in found["files"].items()}
+        document = json.loads(path.read_bytes())
+        if str(document["generator"]).startswith("mahovik ") and isinstance(document[what], str):
+            return {str(name): str(value) for name, value in document["files"].items()}
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         pass
     return None

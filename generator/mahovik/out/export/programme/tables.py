@@ -106,9 +106,9 @@ def _angles(programme: Programme) -> tuple[Array, Array, Array]:
 
 def coefficients(samples: Array) -> tuple[Array, Array, Array]:
     """mean (N), cos, sin (H, N) of samples (M, N) of a period; H = MOST_HARMONICS."""
-    found = np.fft.rfft(samples, axis=0) / len(samples)
-    first = found[1 : MOST_HARMONICS + 1]
-    return found[0].real, 2 * first.real, -2 * first.imag
+    result = np.fft.rfft(samples, axis=0) / len(samples)
+    first = result[1 : MOST_HARMONICS + 1]
+    return result[0].real, 2 * first.real, -2 * first.imag
 
 
 def _harmonic_count(sizes: Array, least: float) -> int:

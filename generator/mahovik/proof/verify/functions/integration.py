@@ -99,18 +99,18 @@ def _least(judged: Callable[[float], float], limit: float, parts: Sequence[float
 
     Raises StateError: every part is refused, not only those whose steps are too long.
     """
-    found, refusal = list[float](), StateError("no part of the time is tried")
+    result, refusal = list[float](), StateError("no part of the time is tried")
     for part in parts:
         try:
-            found.append(judged(part))
+            result.append(judged(part))
         except StateError as error:
             refusal = error
             continue
-        if found[-1] <= limit:
+        if result[-1] <= limit:
             break
-    if not found:
+    if not result:
         raise refusal
-    return min(found)
+    return min(result)
 
 
 class Motion:
@@ -143,8 +143,8 @@ class Motion:
         with np.errstate(all="ignore"):
             jerk = (self._rates(dt * base) - base) / dt
         largest = max(np.linalg.norm(base[12:18]), RESTING * self._rounded["V_dot"], 1e-20)
-        found = float(np.linalg.norm(jerk[12:18]) / largest)
-        return found if math.isfinite(found) else 0.0
+        vibration = float(np.linalg.norm(jerk[12:18]) / largest)
+        return vibration if math.isfinite(vibration) else 0.0
 
     def error(self, part: float, steps: int = STEPS, order: int = 4) -> float:
         """Difference of the changes in a part of the time, relative to the largest of each kind, of the worst number.
@@ -264,10 +264,10 @@ def _judge_coarse(case: Case, rows: Rows) -> None:
             if answers >= COARSE_ANSWERS or not fastest > 0.0:
                 continue
             part = 1 + side * COARSE_EDGE
-            given: dict[str, Any] = case.backend.arguments(state)
-            given |= {"dt": float(BOUNDS[f"MAX_TURN_{order}"].value) / fastest * part, "order": order}
-            given |= {"x": given["x"] | ({"phi_dot": tuple(speeds)} if case.count else {})}
-            status, _ = case.backend.call(rows.function, given)
+            arguments: dict[str, Any] = case.backend.arguments(state)
+            arguments |= {"dt": float(BOUNDS[f"MAX_TURN_{order}"].value) / fastest * part, "order": order}
+            arguments |= {"x": arguments["x"] | ({"phi_dot": tuple(speeds)} if case.count else {})}
+            status, _ = case.backend.call(rows.function, arguments)
             if status < 0:  # a stage of a long step may be out of range, and dt itself
                 continue
             count[order, side, still] += 1

@@ -466,7 +466,7 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
     By torque; with friction; near the speed at which a driving motor has no torque left; by both; and by the curve of
     a motor that has one, made so much lower or higher.
     """
-    N, s, rng, found = case.count, number % case.count, case.random(600 + number), {}
+    N, s, rng, result = case.count, number % case.count, case.random(600 + number), {}
     tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
     reach = np.abs(at.phi_dot) + 1.0
     friction = {
@@ -484,11 +484,11 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
         for part in SIDES:
             torques = np.where(needed > 0.0, needed * np.where(np.arange(N) == s, part, 2.0), needed[s])
             edge = f"EXCESSIVE of flywheel {s + 1} by {kind} at {part:g}"
-            found[edge] = part < 1.0, motors | {"motor_torque": torques}
+            result[edge] = part < 1.0, motors | {"motor_torque": torques}
             if kind == "friction" and _CURVE[0] in options:
                 lower = _curve_through(case, at.phi_dot, torques)
-                found[edge.replace(kind, "curve")] = part < 1.0, motors | lower
-    return found
+                result[edge.replace(kind, "curve")] = part < 1.0, motors | lower
+    return result
 
 
 def _curve_through(case: Case, speed: Array, torque: Array) -> dict[str, Any]:

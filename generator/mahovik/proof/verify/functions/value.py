@@ -100,8 +100,8 @@ def trials_of_given_sines(case: Case, function: str) -> Iterator[Trial]:
         given = case.backend.arguments(state) | turns(state)
         given["x"] = given["x"] | {"phi": [0.0] * case.count}
 
-        def read(found: Mapping[str, Any], given: Mapping[str, Any] = given) -> Mapping[str, Any]:
-            return case.backend.with_reaction(given, dict(found)) if function in ("forward", "coupled") else found
+        def read(trials: Mapping[str, Any], given: Mapping[str, Any] = given) -> Mapping[str, Any]:
+            return case.backend.with_reaction(given, dict(trials)) if function in ("forward", "coupled") else trials
 
         yield Trial(name, state, given, equation, read)
 
@@ -181,11 +181,11 @@ def coordinate_trials(case: Case) -> Iterator[Trial]:
                 state, angles=None, quaternion=turned, demand=tuple(q.get("q", ())), u=rates[0], u_dot=rates[1]
             )
 
-        def read(found: Mapping[str, Any], kept: dict[str, Any] = kept) -> Mapping[str, Any]:
-            x = found["x"]
+        def read(result: Mapping[str, Any], kept: dict[str, Any] = kept) -> Mapping[str, Any]:
+            x = result["x"]
             pose = {"position": x["position"], "C": quaternion_rotation(*x["attitude"]), "V": x["V"]}
             same = all(list(x[key]) == value for key, value in kept.items())
-            return pose | {"V_dot": found["V_dot"], "phases kept": same}
+            return pose | {"V_dot": result["V_dot"], "phases kept": same}
 
         given = {**q, "angles": list(_angles_of(state)), "table": table, "x": x}
         yield Trial(name, at, given, _free_coordinates if hold is None else _held_coordinates, read)
@@ -387,5 +387,5 @@ def _angles(case: Case, rng: np.random.Generator) -> list[float]:
     (most,) = limits_of("phi", case.real)
     edges = (2 * rng.integers(-100, 100, 100) + 1) * math.pi
     angles = [0.0, math.pi, -math.pi, most, -most, *edges, *rng.uniform(-most, most, 200), *rng.normal(size=50)]
-    found: list[float] = np.clip(case.nearest_numbers(angles), -most, most).tolist()
-    return found
+    result: list[float] = np.clip(case.nearest_numbers(angles), -most, most).tolist()
+    return result

@@ -57,8 +57,8 @@ class Part:
         """
         held = self.hold(function, inputs)
         status = int(self.library.function(function)(*held))
-        found = {name: self.read(value) for name, value in zip(inputs, held, strict=True)}
-        return status, found | found.pop("state", {})
+        result = {name: self.read(value) for name, value in zip(inputs, held, strict=True)}
+        return status, result | result.pop("state", {})
 
     def hold(self, function: str, inputs: Mapping[str, Any]) -> list[Any]:
         """Inputs as data of C. Raises StateError where the C lacks the function."""
@@ -106,9 +106,9 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
             command = "generate" if path == mechanics else f"export {kind}"
             raise UsageError(f"{path}: not there; expected what `mahovik {command} -o {folder}` writes")
     try:
-        found = json.loads(manifest.read_text(encoding="utf-8"))
-        physics, real, limit = str(found["physics"]), found["real"], float(found.get("limit", 0.0))
-        readable = real in ("float", "double") and 0.0 <= limit < math.inf and (kind == "servo" or "limit" in found)
+        document = json.loads(manifest.read_text(encoding="utf-8"))
+        physics, real, limit = str(document["physics"]), document["real"], float(document.get("limit", 0.0))
+        readable = real in ("float", "double") and 0.0 <= limit < math.inf and (kind == "servo" or "limit" in document)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         readable = False
     if not readable:

@@ -60,8 +60,8 @@ class CompiledProgramme:
         """phi, phi', phi'' by time, and the duration (s), by the function that gives them."""
         programme = self.case.programme
         ways = {"runup_at": programme.runup, "rundown_at": programme.rundown}
-        found = {function: (table.at, table.duration) for function, table in ways.items() if table is not None}
-        return {"at": (programme.at, programme.span), **found}
+        result = {function: (table.at, table.duration) for function, table in ways.items() if table is not None}
+        return {"at": (programme.at, programme.span), **result}
 
     @property
     def public(self) -> list[str]:

@@ -69,8 +69,8 @@ class ServoCase:
 
     def default(self, name: str) -> dict[str, Any]:
         """Members of a table of the C, `servo_default` or `trim_default`."""
-        found: dict[str, Any] = self.made.read(self.made.library.default(name))
-        return found
+        result: dict[str, Any] = self.made.read(self.made.library.default(name))
+        return result
 
 
 def judge_law(case: ServoCase, rows: Rows) -> None:

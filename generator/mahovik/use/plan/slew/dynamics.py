@@ -127,8 +127,8 @@ class Exact:
         """psi, theta, phi (M, 3; rad) of attitudes (M, 3, 3); where they are singular any that fit."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # singular attitudes are refused by name
-            found = Rotation.from_matrix(C).as_euler(_SEQUENCES[self.mechanics.stand.angles])
-        return np.asarray(np.unwrap(found, axis=0))
+            angles = Rotation.from_matrix(C).as_euler(_SEQUENCES[self.mechanics.stand.angles])
+        return np.asarray(np.unwrap(angles, axis=0))
 
     def _why_not(self) -> Exception:
         """Why the motion does not settle: unbalance alone would have to reach a row, or something acts too strongly."""
@@ -150,19 +150,19 @@ class Exact:
         self, demand: Demand, course: Course, phi: Array, phi_dot: Array
     ) -> tuple[Array, Array, NoSlewError | None]:
         """V* (M, 6), phi'' (M, N), and what is missing most."""
-        own = self.mechanics
-        at = own.frame.twists(course)
+        mechanics = self.mechanics
+        at = mechanics.frame.twists(course)
         u = at.V[:, :3] - at.V_r[:, :3]
         still = at._replace(V_r_dot=np.hstack([np.cross(at.V[:, 3:], u), np.zeros_like(u)]))
-        found = linear(prescribed_at(own, still), phi, phi_dot, np.zeros_like(phi))
+        found = linear(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
         I = -found.by_phi_ddot
-        K, _ = own.mass_and_coupling(phi)
+        K, _ = mechanics.mass_and_coupling(phi)
         to_motion = np.linalg.solve(K, np.concatenate([found.R[:, :, None], I], axis=2))
         free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
         a, s = self._demand(demand, at.C, at.V)
         A = self.S @ by_phi_ddot
         c = free @ self.S.T + s - a
-        root = np.sqrt(own.tables.Theta_ff)
+        root = np.sqrt(mechanics.tables.Theta_ff)
         left = c - (A @ demand.phi_ddot[:, :, None])[:, :, 0]
         more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
         phi_ddot = demand.phi_ddot + more
@@ -211,12 +211,12 @@ class Exact:
     def _columns(self, theta: Array) -> Array:
         """B (M, 3, 3) of omega = B theta'."""
         q = np.hstack([np.zeros_like(theta), theta])
-        found = []
+        columns = []
         for k in range(3):
             rate = np.zeros_like(q)
             rate[:, 3 + k] = 1.0
-            found.append(self.mechanics.frame.twists(Course(q, rate, np.zeros_like(q))).V[:, 3:])
-        return np.stack(found, axis=2)
+            columns.append(self.mechanics.frame.twists(Course(q, rate, np.zeros_like(q))).V[:, 3:])
+        return np.stack(columns, axis=2)
 
     def _end(
         self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,

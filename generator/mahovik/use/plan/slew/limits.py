@@ -81,7 +81,7 @@ class LimitUse:
 def limit_uses(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) -> list[LimitUse]:
     """The largest share of each kind of limit in a motion of the flywheels (M, N each); of kinds with a limit."""
     torque = tau - limits.friction(phi_dot)
-    found = []
+    result = []
     for kind, values, most in (
         ("torque", torque, limits.available(np.sign(torque), phi_dot)),
         ("speed", phi_dot, np.broadcast_to(limits.speed, phi_dot.shape)),
@@ -92,9 +92,9 @@ def limit_uses(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: A
         with np.errstate(divide="ignore", invalid="ignore"):
             shares = np.where(values == 0.0, 0.0, np.abs(values) / most)
         k, s = np.unravel_index(int(np.argmax(shares)), shares.shape)
-        found.append(
+        result.append(
             LimitUse(
                 kind, float(shares[k, s]), limits.names[s], float(t[k]), float(abs(values[k, s])), float(most[k, s])
             )
         )
-    return found
+    return result

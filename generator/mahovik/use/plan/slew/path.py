@@ -83,8 +83,10 @@ class PathTable:
         most, g = self.path.limits.speed, self.path.share
         room = np.where(g > 0.0, most - speed, most + speed)
         with np.errstate(divide="ignore", invalid="ignore"):
-            found = np.where(np.abs(g) > 1e-12 * np.abs(g).max(), room / np.abs(g), np.where(room >= 0.0, np.inf, -1.0))
-        return float(min(ROOM * found.min(), 1e9))
+            result = np.where(
+                np.abs(g) > 1e-12 * np.abs(g).max(), room / np.abs(g), np.where(room >= 0.0, np.inf, -1.0)
+            )
+        return float(min(ROOM * result.min(), 1e9))
 
     def fastest_wheel(self, sigma: float) -> tuple[str, float, float]:
         """Name of the flywheel whose speed limits most at sigma' = 0, its speed and its limit, rad/s."""

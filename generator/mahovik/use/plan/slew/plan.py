@@ -205,15 +205,15 @@ def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Tab
                 + SLOWER,
             )
         sigma, speed, acceleration = law.at(t)
-        found = exact.follow(Demand(t, sigma, speed, acceleration, path.phi_ddot(sigma, speed, acceleration)))
-        if found.missing is not None:
-            raise found.missing
-        _refuse_singular(exact, found)
-        residuals, takes = _intervals(exact, path.limits, found)
-        far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, found) > 0.5 * TURN)
+        motion = exact.follow(Demand(t, sigma, speed, acceleration, path.phi_ddot(sigma, speed, acceleration)))
+        if motion.missing is not None:
+            raise motion.missing
+        _refuse_singular(exact, motion)
+        residuals, takes = _intervals(exact, path.limits, motion)
+        far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, motion) > 0.5 * TURN)
         splitting = (residuals > 0.5 * TOLERANCE) & far
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED_RESIDUAL):
-            return Table(law, found, takes, float(residuals.max()), t / law.duration)
+            return Table(law, motion, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
             words = f"the table does not come below a residual of {residuals.max():.2g}"
             resisted = exact.slew.unbalance == "resisted"
@@ -281,9 +281,9 @@ def _is_uneven(exact: Exact) -> Array:
     return np.asarray(changing > EVEN * mean)
 
 
-def _turn_between_rows(exact: Exact, found: SlewMotion) -> Array:
+def _turn_between_rows(exact: Exact, motion: SlewMotion) -> Array:
     """The furthest that an uneven flywheel turns in each interval between rows; rad."""
-    angles = np.abs(np.diff(found.angles.phi, axis=0))
+    angles = np.abs(np.diff(motion.angles.phi, axis=0))
     return np.asarray(angles[:, _is_uneven(exact)].max(axis=1, initial=0.0))
 
 
@@ -296,14 +296,14 @@ def _least_share(exact: Exact) -> Array:
     return Mean.of(exact.mechanics, exact.S).least(-exact.S[:, 3:] @ axis)
 
 
-def _refuse_singular(exact: Exact, found: SlewMotion) -> None:
-    stand, theta = exact.mechanics.stand, found.course.q[:, 4]
+def _refuse_singular(exact: Exact, motion: SlewMotion) -> None:
+    stand, theta = exact.mechanics.stand, motion.course.q[:, 4]
     name, values = ("sin", np.sin(theta)) if stand.angles == "euler" else ("cos", np.cos(theta))
     k = int(np.argmin(np.abs(values)))
     if abs(values[k]) < SINGULAR or np.any(np.diff(np.sign(values))):
         raise NoSlewError(
             None,
-            f"singular attitude of the {stand.angles} sequence at t = {found.t[k]:.4g} s: {name} theta reaches 0; "
+            f"singular attitude of the {stand.angles} sequence at t = {motion.t[k]:.4g} s: {name} theta reaches 0; "
             "choose another sequence (`angles` of the stand)",
         )
 
@@ -311,45 +311,45 @@ def _refuse_singular(exact: Exact, found: SlewMotion) -> None:
 _INSIDE = np.array([0.25, 0.5, 0.75])
 
 
-def _intervals(exact: Exact, limits: Limits, found: SlewMotion) -> tuple[Array, list[LimitUse]]:
+def _intervals(exact: Exact, limits: Limits, motion: SlewMotion) -> tuple[Array, list[LimitUse]]:
     """Relative residual of (12) in each interval, and what is taken of the limits at the rows and between."""
-    t = (found.t[:-1, None] + np.diff(found.t)[:, None] * _INSIDE).ravel()
-    carrier, angles = PlannedCourse(found.t, *found.course), Samples(found.t, *found.angles).at(t)
+    t = (motion.t[:-1, None] + np.diff(motion.t)[:, None] * _INSIDE).ravel()
+    carrier, angles = PlannedCourse(motion.t, *motion.course), Samples(motion.t, *motion.angles).at(t)
     at = prescribe(exact.mechanics, carrier.at(t))
-    norm = Norm.of(prescribe(exact.mechanics, carrier.at(np.linspace(0.0, found.t[-1], 129))), found.t[-1])
+    norm = Norm.of(prescribe(exact.mechanics, carrier.at(np.linspace(0.0, motion.t[-1], 129))), motion.t[-1])
     sizes = np.linalg.norm(norm.dimensionless(residual(at, *angles)), axis=1).reshape(-1, len(_INSIDE)).max(axis=1)
-    tau = np.vstack([found.tau, torques(at, *angles)])
-    phi_dot, phi_ddot = (np.vstack([a, b]) for a, b in zip(found.angles[1:], angles[1:], strict=True))
-    return sizes, limit_uses(limits, np.concatenate([found.t, t]), phi_dot, phi_ddot, tau)
+    tau = np.vstack([motion.tau, torques(at, *angles)])
+    phi_dot, phi_ddot = (np.vstack([a, b]) for a, b in zip(motion.angles[1:], angles[1:], strict=True))
+    return sizes, limit_uses(limits, np.concatenate([motion.t, t]), phi_dot, phi_ddot, tau)
 
 
 def _programme(stand: Stand, slew: Slew, planned: Table, sharp: Sharp | None) -> Programme:
     """The programme with its report."""
-    found, limits = planned.motion, Limits.of(stand, slew.bounds)
-    angles: Angles = found.angles
+    motion, limits = planned.motion, Limits.of(stand, slew.bounds)
+    angles: Angles = motion.angles
     report: dict[str, Any] = {
         "kind": "slew",
         "goal": slew.goal,
         "task": slew.task.name,
         "angle": slew.angle,
-        "duration": float(found.t[-1]),
+        "duration": float(motion.t[-1]),
         "least_duration": None if sharp is None else sharp.duration,
         "residual": planned.residual,
         "exceeded": [],
-        "used": {each.kind: each.share for each in planned.limit_uses},
-        "hardest": [each.words for each in planned.limit_uses],
+        "used": {use.kind: use.share for use in planned.limit_uses},
+        "hardest": [use.words for use in planned.limit_uses],
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
-        "peak_torque": np.abs(found.tau).max(axis=0),
-        "peak_motor_torque": np.abs(found.tau - limits.friction(angles.phi_dot)).max(axis=0),
+        "peak_torque": np.abs(motion.tau).max(axis=0),
+        "peak_motor_torque": np.abs(motion.tau - limits.friction(angles.phi_dot)).max(axis=0),
         "end_speed": angles.phi_dot[-1],
         "through_zero": _through_zero(limits.names, angles.phi_dot),
-        "strayed": float(np.linalg.norm(found.course.q[:, :3] - np.array(slew.position), axis=1).max()),
+        "strayed": float(np.linalg.norm(motion.course.q[:, :3] - np.array(slew.position), axis=1).max()),
     }
     made = make_programme(
-        stand, slew.name, float(found.t[-1]), np.zeros(6), None, Samples(found.t, *angles), report
+        stand, slew.name, float(motion.t[-1]), np.zeros(6), None, Samples(motion.t, *angles), report
     )  # fmt: skip
-    return replace(made, carrier=PlannedCourse(found.t, *found.course), unbalance=slew.unbalance)
+    return replace(made, carrier=PlannedCourse(motion.t, *motion.course), unbalance=slew.unbalance)
 
 
 def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:

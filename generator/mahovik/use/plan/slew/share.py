@@ -92,7 +92,7 @@ def _least_part(mean: Mean, wanted: Array, rows: Array, most: Array, acceleratio
     size = float(np.abs(scaled @ (start / unit)).max())
     A, b = _independent(mean.A * unit, wanted)
     column = -np.full((len(level), 1), size)
-    found = linprog(
+    solution = linprog(
         [*np.zeros(N), 1.0],
         A_ub=np.block([[scaled, column], [-scaled, column]]),
         b_ub=np.zeros(2 * len(level)),
@@ -100,9 +100,9 @@ def _least_part(mean: Mean, wanted: Array, rows: Array, most: Array, acceleratio
         b_eq=b,
         bounds=[(None, None)] * N + [(0.0, None)],
     )
-    if found.x is None:
+    if solution.x is None:
         return start
-    g, part = found.x[:N], float(found.x[N])
+    g, part = solution.x[:N], float(solution.x[N])
     if np.abs(scaled @ (start / unit)).max() <= part * size * (1.0 + 1e-9):
         return start
     null = _null(A)

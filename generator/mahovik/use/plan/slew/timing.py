@@ -54,8 +54,8 @@ def quietest(angle: float, duration: float) -> Law:
 
     def sigma(t: Array, order: int) -> Array:
         x = np.clip(t / duration, 0.0, 1.0)
-        found = polynomial.deriv(order)(x) if order else polynomial(x)
-        return np.asarray(angle * found / duration**order)
+        result = polynomial.deriv(order)(x) if order else polynomial(x)
+        return np.asarray(angle * result / duration**order)
 
     return Law(
         duration, np.asarray(np.arange(65) * (duration / 64.0), dtype=np.float64), np.zeros(64, dtype=bool), sigma

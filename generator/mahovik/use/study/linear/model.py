@@ -86,11 +86,11 @@ def inputs(stand: Stand, locked: bool) -> tuple[Channel, ...]:
 
 def outputs(points: tuple[str, ...]) -> tuple[Channel, ...]:
     """Displacement, velocity, acceleration (3 each) of every point."""
-    found: list[Channel] = []
+    result: list[Channel] = []
     for name in points:
         for prefix, unit in (("d", "m"), ("v", "m/s"), ("a", "m/s2")):
-            found += triple(f"{prefix}_", unit, f" {name}")
-    return tuple(found)
+            result += triple(f"{prefix}_", unit, f" {name}")
+    return tuple(result)
 
 
 class Place(NamedTuple):

@@ -79,15 +79,15 @@ def modes(model: LinearModel) -> Modes:
     values, vectors = np.linalg.eig(model.A)
     limit = max(FREE * float(np.abs(values).max(initial=0.0)), SLOWEST)
     zero = np.abs(values) <= limit
-    found = [_free(column) for column in _still(model.A, places)]
+    result = [_free(column) for column in _still(model.A, places)]
     rounding = FREE * np.abs(values)
-    found += [
+    result += [
         _mode(complex(values[i]), vectors[places, i], bool(abs(values[i].imag) > rounding[i]))
         for i in _by_size(values)
         if not zero[i] and values[i].imag > -rounding[i]
     ]
     coordinates = tuple(model.states[i] for i in places)
-    return Modes(coordinates, tuple(found), int(zero.sum()))
+    return Modes(coordinates, tuple(result), int(zero.sum()))
 
 
 def _by_size(values: Complex) -> list[int]:
@@ -124,9 +124,9 @@ def _still(A: Array, places: list[int]) -> list[Array]:
     return list(reduced_basis(rows[int(kept.sum()) :]))
 
 
-def shape_words(found: Modes, shape: Complex) -> str:
+def shape_words(modes: Modes, shape: Complex) -> str:
     """Displacements of a shape, largest first, with their phases unless these are signs."""
-    given = sorted(zip(found.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
+    given = sorted(zip(modes.coordinates, shape.tolist(), strict=True), key=lambda each: -abs(each[1]))
     return "  ".join(f"{channel.name} {_number(x)}" for channel, x in given if abs(x) > SMALL)
 
 
