@@ -6,6 +6,7 @@ import ast
 import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
@@ -69,6 +70,19 @@ def test_no_absolute_paths() -> None:
         return [text for text in texts if path.is_relative_to(PACKAGE) or text.count("/") > 1]
 
     assert faults_by_file(SOURCES, absolute) == {}
+
+
+def test_the_top_folder_has_no_outputs_of_a_run() -> None:
+    known = {"CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "LICENSE", "Makefile", "README.md"}
+    known |= {".gitignore", "constraints.txt", "pyproject.toml"}
+    listed = subprocess.run(["git", "ls-files"], cwd=REPOSITORY, capture_output=True, text=True, check=True).stdout
+    assert {name for name in listed.splitlines() if "/" not in name} <= known
+
+
+def test_faults_to_plant_find_their_text() -> None:
+    listed = tomllib.loads((REPOSITORY / "tests" / "faults.toml").read_text(encoding="utf-8"))
+    faults = [fault for kind in listed.values() for fault in kind]
+    assert [f["fault"] for f in faults if (REPOSITORY / f["file"]).read_text("utf-8").count(f["before"]) != 1] == []
 
 
 def test_templates_print_and_do_not_think() -> None:
