@@ -368,9 +368,11 @@ class Result(Mapping[str, Any]):
         """The main table and those of `meta`, as rich prints them."""
         if self.columns:
             yield self._table("")
-        for key, value in self.meta.items():
-            if key not in self.details and isinstance(value, Result) and value.count:
-                yield value._table(value.title or key.replace("_", " "))
+        shown = {key: value for key, value in self.meta.items() if key not in self.details}
+        tables = {key: value for key, value in shown.items() if isinstance(value, Result) and value.count}
+        alone = len(tables) == 1 and not self.columns
+        for key, value in tables.items():
+            yield value._table(value.title or ("" if alone else key.replace("_", " ")))
 
     def _table(self, title: str) -> Any:
         from rich.box import SIMPLE_HEAD
@@ -495,6 +497,12 @@ def cell_text(value: Any) -> str:
     if isinstance(value, float | np.floating):
         return f"{value + 0.0:.6g}" if math.isfinite(value) else "-"
     return str(value)
+
+
+def quantity_text(value: float, unit: str) -> str:
+    """A number of an SI unit in the unit for people: "3.56 mm" of 0.00356 and "m"."""
+    one = _fitted(Column("", unit, np.array([value], dtype=np.float64)))
+    return f"{one.values[0]:.6g} {one.unit}"
 
 
 def _fitted(one: Column) -> Column:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.out.arguments import Band, FilePath, Phases, Progressing, Seconds, Speed, StandGiven, Text, Turning
-from mahovik.out.result import Column, Result, column
+from mahovik.out.result import Column, Result, column, quantity_text
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
@@ -263,7 +263,8 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
         "speed": float(vibration.value[largest.step]),
         "quantity": seen.quantity,
     }
-    line = f"largest amplitude {largest.value:.6g} {unit} at {vibration.rpm(largest.step)}, {largest.frequency:.6g} Hz"
+    size, place = quantity_text(largest.value, unit), vibration.rpm(largest.step)
+    line = f"largest amplitude {size} at {place}, {largest.frequency:.6g} Hz"
     return Result(
         f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
         (
