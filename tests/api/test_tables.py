@@ -152,7 +152,7 @@ def test_another_structure_is_a_reason() -> None:
 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_each_of_many_samples_moves_as_its_own_stand(real: Real) -> None:
-    """Of more samples than are simulated together: the later ones begin within the tables."""
+    """There are more samples than are simulated together, so that the later ones begin within the tables."""
     m, n = model("demo3", real), 272
     tables = m.tables({"carrier.mass": np.linspace(10.0, 14.0, n)})
     start = m.state(V=[0.1, 0, 0, 0, 0.2, 0], phi_dot=100.0)

@@ -54,7 +54,7 @@ def test_pages_named_in_the_code_exist() -> None:
 
 @pytest.mark.parametrize("name", ["architecture", "model"])
 def test_files_of_the_package_named_on_a_page_exist(name: str) -> None:
-    """By their paths in the package, or below the folder that the head of the table names."""
+    """A file is named by its path in the package, or below the folder that the head of the table names."""
     folders = [
         PACKAGE,
         *(

@@ -186,7 +186,7 @@ def test_mjcf(seed: int, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_sdf(seed: int, tmp_path: Path) -> None:
-    """By its twins: the same bodies as MJCF, and without anchors as URDF."""
+    """The same bodies are written as MJCF as well, and without anchors as URDF: one stand comes of all."""
     rng, fixed, turning, options = sizes(2000 + seed)
     for anchors in (True, False):
         bodies = random_bodies(rng, fixed, turning, anchors)

@@ -18,7 +18,7 @@ from mahovik.out.foreign.stand import ImportedStand, make_stand
 MODELS = Path(__file__).parent / "models"
 SAT_URDF, SAT_MJCF = (MODELS / f"sat.{suffix}" for suffix in ("urdf", "xml"))
 TOLERANCE = 1e-12
-"""Of forces and torques, relative to the largest: MuJoCo's principal axes are good to about this."""
+"""Largest difference of forces and torques over the largest of them; MuJoCo's principal axes are good to about this."""
 
 
 def imported(path: Path, gravity: Any = None, **options: Any) -> ImportedStand:
@@ -264,7 +264,7 @@ def test_a_cubesat_with_a_triad_is_the_same_from_both_formats(tmp_path: Path) ->
 
 
 def hexacopter() -> str:
-    """As converted from SDF: an IMU on a joint with limits 0, 0; rotors with limits +-1e16; strangers of SDF."""
+    """A URDF converted from SDF: an IMU on a joint with limits 0, 0; rotors with limits +-1e16; elements of SDF."""
     imu = joint("imu_joint", "revolute", "base", "imu", '<limit lower="0" upper="0" effort="0" velocity="0"/>')
     endless = '<limit lower="-1e16" upper="1e16" effort="10" velocity="-1"/><pose>1 2 3 0 0 0</pose>'
     rotors = [
@@ -305,7 +305,7 @@ def test_a_hexacopter(tmp_path: Path) -> None:
 
 
 def test_equal_limits_fix_at_their_angle(tmp_path: Path) -> None:
-    """As the same bodies with the joint's turn in the place of the link."""
+    """The stand is that of the same bodies with the joint's turn in the place of the link."""
     limit = '<limit lower="0.7" upper="0.7" effort="1" velocity="1"/>'
     rest = (link("base"), link("w", 0.1), joint("spin", "continuous", "arm", "w"), link("arm"))
     path = written(tmp_path, "m.urdf", urdf(*rest, joint("j", "revolute", "base", "arm", limit)))

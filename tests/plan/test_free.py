@@ -152,7 +152,7 @@ def test_a_number_of_the_suspension_moves_by_ten_per_cent_of_its_value() -> None
 
 
 def test_slopes_are_those_of_differences() -> None:
-    """By free numbers, waves and bias, of residual and bounds."""
+    """Derivatives of residual and bounds by free numbers, waves and bias."""
     stand = mahovik.load(SHAKER)
     bounds = {"*t.position": [-0.1, 0.1], "*t.inertia.J12": [-1e-5, 1e-5]}
     limits = {"speed": 126, "acceleration": 10, "torque": 1e-3}
