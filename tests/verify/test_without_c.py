@@ -17,9 +17,8 @@ from mahovik.core.stand.state import rest_state
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import InterpreterBackend
-from mahovik.proof.verify.draw import draw_decided
+from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import judge
-from mahovik.proof.verify.scales import Scales
 from mahovik.stands import names, path
 from toolchain.quick import quick
 from verify.build import everything, generated
@@ -59,8 +58,7 @@ SLOW: dict[str, Callable[[], Stand]] = {
 def test_program_reference_and_second_derivation_agree(name: str) -> None:
     stand = (STANDS | SLOW)[name]()
     backend = InterpreterBackend(generated(stand))
-    states = draw_decided(stand, Scales(stand), 5, 10)
-    rows = judge(stand, backend, states, backend.wants, second=Second(stand))
+    rows = judge(stand, backend, draw(stand, 5, 10, wrenches=False), backend.wants, second=Second(stand))
     assert {row.quantity: row.words for row in rows if row.failed} == {}
     seen = {row.quantity for row in rows if row.second is not None}
     expected = {"V_dot", "energy"} | ({"tau"} if stand.flywheels else set())

@@ -25,7 +25,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.inverse import Cuts, inverse_root, scaled_demand
+from mahovik.proof.reference.inverse import Cuts, inverse_root
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.states import stand_at
@@ -63,7 +63,6 @@ class Scales:
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
-        self._last_place = float(np.finfo(np.float32 if real == "float" else np.float64).eps)
         others = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
         self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
         self._kept: dict[int, tuple[State, list[tuple[Stand, State, Pieces]]]] = {}
@@ -89,24 +88,9 @@ class Scales:
             return None
         if state.task:
             return measured
-        if want == "inverse":
-            measured = replace(measured, undecided=measured.undecided or self._rounding_decides_reach(state, measured))
         if want not in self._ordinary:
             self._ordinary[want] = self._ordinary_scales(want)
         return replace(measured, scales=_raised(measured.scales, self._ordinary[want]))
-
-    def _rounding_decides_reach(self, state: State, inverse: Measured) -> bool:
-        """Whether the residual's own rounding may reach over the bound of UNREACHABLE: of terms far above the demand.
-
-        Neighbours do not show it, as each has its own answer with its own residual.
-        """
-        _, near, at = self.neighbours(state)[0]
-        scaled = scaled_demand(at, vector(near.V_dot))
-        if not scaled.r.any():  # at rest nothing is demanded, and zeros are not rounded
-            return False
-        left = np.linalg.norm(scaled.root @ inverse.values["residual"])
-        rounding = ROUNDINGS * self._last_place * np.linalg.norm(scaled.root * inverse.scales["residual"])
-        return bool(abs(left - self.cuts.reached * np.linalg.norm(scaled.r)) < rounding)
 
     def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
         """Scales at an ordinary state; none where the reference refuses it."""
