@@ -50,7 +50,7 @@ def contents(page: str, folder: str) -> str:
     for section in page.split("\n## ")[1:]:
         heading, _, listed = section.partition("\n")
         pages = re.findall(r"^\* .*?\]\((\S+\.md)\)", listed, re.MULTILINE)
-        pages = [each for each in pages if each.startswith(folder)]
+        pages = [name for name in pages if name.startswith(folder)]
         if pages:
             text += toctree(heading, pages)
     return text

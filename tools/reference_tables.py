@@ -67,18 +67,18 @@ def table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> Iterator[st
 
 def entries(*classes: type) -> dict[str, str]:
     """Meanings of keys: lines `key  meaning` of the docstrings of these classes and their bases, the first of each."""
-    found: dict[str, str] = {}
-    for each in (base for one in classes for base in one.__mro__):
+    meanings: dict[str, str] = {}
+    for cls in (base for first in classes for base in first.__mro__):
         key = ""
-        for line in inspect.cleandoc(each.__dict__.get("__doc__") or "").splitlines():
+        for line in inspect.cleandoc(cls.__dict__.get("__doc__") or "").splitlines():
             match = re.fullmatch(r"(\w+)  +(\S.*)", line)
             if match:
-                key = match[1] if match[1] not in found else ""
+                key = match[1] if match[1] not in meanings else ""
             elif not line.startswith("  "):
                 key = ""
             if key:
-                found[key] = f"{found.get(key, '')} {match[2] if match else line.strip()}".lstrip()
-    return found
+                meanings[key] = f"{meanings.get(key, '')} {match[2] if match else line.strip()}".lstrip()
+    return meanings
 
 
 Rows = Callable[[], Iterable[tuple[str, ...]]]
@@ -128,13 +128,13 @@ SHAPES: tuple[tuple[Any, str], ...] = (
 def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidator | None) -> str:
     """What a key takes: shape, unit and bounds, or its words."""
     if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(name)):
-        units = dict.fromkeys(found.si for kind in ("slide", "turn") if (found := data.dimension(name, kind)))
+        units = dict.fromkeys(dimension.si for kind in ("slide", "turn") if (dimension := data.dimension(name, kind)))
         return ", ".join([" or ".join(units), *bound_words(bounds)])
     kind, inner = typed(info.annotation), quantity_and_table(info.annotation)[1]
     origin = typing.get_origin(kind)
     if inner is not None or origin is dict or is_dataclass(kind):
         return "tables" if origin is list else "table"
-    plain = next((words for each, words in SHAPES if each == kind), "list" if origin else "number")
+    plain = next((words for shape_type, words in SHAPES if shape_type == kind), "list" if origin else "number")
     if reader is None:
         return plain
     if reader.words:
@@ -147,15 +147,15 @@ def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidato
 
 def validators(*annotations: Any) -> Iterator[QuantityValidator]:
     """The validators in annotations."""
-    for each in annotations:
-        if isinstance(each, QuantityValidator):
-            yield each
-        yield from validators(*(typing.get_args(each)))
+    for annotation in annotations:
+        if isinstance(annotation, QuantityValidator):
+            yield annotation
+        yield from validators(*(typing.get_args(annotation)))
 
 
 def typed(annotation: Any) -> Any:
     """The type in an annotation that may be None."""
-    inner = [each for each in typing.get_args(annotation) if each is not type(None)]
+    inner = [argument for argument in typing.get_args(annotation) if argument is not type(None)]
     if typing.get_origin(annotation) is Annotated or type(None) in typing.get_args(annotation):
         return typed(inner[0])
     return annotation
@@ -211,7 +211,7 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["pieces"] = partial(key_rows, PiecesTable, PiecesTable)
     rows["regime"] = partial(key_rows, DrivenTable, DrivenTable)
     rows["quantity"] = partial(key_rows, QuantityTable, QuantityTable)
-    return {f"keys {key}": partial(key_table, found) for key, found in rows.items()}
+    return {f"keys {key}": partial(key_table, make_rows) for key, make_rows in rows.items()}
 
 
 def key_table(rows: Rows) -> Iterator[str]:
@@ -255,16 +255,16 @@ COMMON = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
 @cache
 def functions() -> dict[str, tuple[str, Function, Program]]:
     """Public functions by name, in the order of the contract, of the first stand that has each; tasks are `_TASK`."""
-    found: dict[str, tuple[str, Function, Program]] = {}
+    by_name: dict[str, tuple[str, Function, Program]] = {}
     for stand in (path("bench8"), path("sat4"), path("auv6"), HELD):
         made = generate_all(load(stand), only=ALL)
         for function in made.program.functions:
             if function.public:
                 task = task_of(function.name)
                 name = function.name.replace(f"_{task}", "_TASK") if task else function.name
-                found.setdefault(name, (Path(stand).stem, function, made.program))
+                by_name.setdefault(name, (Path(stand).stem, function, made.program))
     order = [*ROWS, *CHOSEN]
-    return dict(sorted(found.items(), key=lambda item: order.index(item[0].removesuffix("_TASK"))))
+    return dict(sorted(by_name.items(), key=lambda item: order.index(item[0].removesuffix("_TASK"))))
 
 
 def function_lines() -> Iterator[str]:
@@ -272,10 +272,10 @@ def function_lines() -> Iterator[str]:
     rows = []
     for name, (stand, function, program) in functions().items():
         taken = ", ".join(a.name + lengths(a.shape) for a in function.arguments if a.direction != "out")
-        given = ", ".join(map(result_text, (a for a in function.arguments if a.direction != "in")))
+        results = ", ".join(map(result_text, (a for a in function.arguments if a.direction != "in")))
         more = [f"`{status}`" for status in function.statuses if status not in COMMON]
         does = purpose_with_number(function).replace(f"the task {task_of(function.name)}", "a task")
-        text = f"{does[0].upper()}{does[1:]} Takes `{taken}`; gives `{given}`."
+        text = f"{does[0].upper()}{does[1:]} Takes `{taken}`; gives `{results}`."
         if more:
             text += f" Also returns {', '.join(more)}."
         counted = f"{cost(function, program.whole).total:,}" + ("" if stand == "bench8" else f" ({stand})")
@@ -291,27 +291,27 @@ def lengths(shape: Shape) -> str:
 def result_text(result: Argument) -> str:
     """A result with its lengths; of a struct of its own, its members."""
     if isinstance(result.type, Struct) and result.name == "out" and not result.shape:
-        return ", ".join(f"{each.name}{lengths(each.shape)}" for each in result.type.fields)
+        return ", ".join(f"{field.name}{lengths(field.shape)}" for field in result.type.fields)
     return f"{result.name}{lengths(result.shape)}"
 
 
 def argument_lines() -> Iterator[str]:
     """The table of quantities that functions take: numbers, unit, frame, accepted range."""
-    taken = {name for each in (*ROWS.values(), *CHOSEN.values()) for name in each.takes}
+    taken = {name for row in (*ROWS.values(), *CHOSEN.values()) for name in row.takes}
     members = ("position", "attitude", "V", "phi", "phi_dot")
     counts = {"W": "6 each", "": "1"}
-    others = {"demand": "rows", "q": "freedoms"}
+    special_counts = {"demand": "rows", "q": "freedoms"}
     rows = []
-    for each in QUANTITIES.values():
-        if (each.symbol in taken or each.symbol in members) and each.axes and not each.struct:
-            of = "`x`: " if each.symbol in members else ""
-            limits = ", ".join(f"`{name}`" for name in each.bounds)
+    for quantity in QUANTITIES.values():
+        if (quantity.symbol in taken or quantity.symbol in members) and quantity.axes and not quantity.struct:
+            of = "`x`: " if quantity.symbol in members else ""
+            limits = ", ".join(f"`{name}`" for name in quantity.bounds)
             rows.append(
                 (
-                    f"`{each.symbol}`",
-                    others.get(each.symbol, counts.get(each.count, each.count)),
-                    each.unit,
-                    of + each.axes,
+                    f"`{quantity.symbol}`",
+                    special_counts.get(quantity.symbol, counts.get(quantity.count, quantity.count)),
+                    quantity.unit,
+                    of + quantity.axes,
                     limits,
                 )
             )
@@ -329,7 +329,7 @@ def status_lines() -> Iterator[str]:
     }
     return table(
         ("name", "value", "when"),
-        ((f"`{each.name}`", str(each.value), each.meaning.format(**words)) for each in STATUSES),
+        ((f"`{status.name}`", str(status.value), status.meaning.format(**words)) for status in STATUSES),
     )
 
 
@@ -343,8 +343,8 @@ def range_lines() -> Iterator[str]:
     return table(
         ("macro", "value", "limits"),
         (
-            (f"`{each.name}`", value(each), ", ".join(filter(None, (each.comment, each.unit))))
-            for each in BOUNDS.values()
+            (f"`{limit.name}`", value(limit), ", ".join(filter(None, (limit.comment, limit.unit))))
+            for limit in BOUNDS.values()
         ),
     )
 
@@ -357,9 +357,9 @@ def judge_names() -> Iterator[str]:
 def judge_lines() -> Iterator[str]:
     """The table of who offers and judges each function; forms that take sines have the row of their function."""
     rows = []
-    for each in (ROWS | CHOSEN).values():
-        marks = ("yes" if each.want else "", "yes" if each.batch else "", "yes" if each.python else "")
-        rows.append((f"`{each.name}`", *marks, ", ".join(each.judges)))
+    for row in (ROWS | CHOSEN).values():
+        marks = ("yes" if row.want else "", "yes" if row.batch else "", "yes" if row.python else "")
+        rows.append((f"`{row.name}`", *marks, ", ".join(row.judges)))
     return table(("function", "`eval`", "batch", "Python", "judges"), rows)
 
 
