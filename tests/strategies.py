@@ -40,11 +40,11 @@ def features(
 ) -> st.SearchStrategy[Features]:
     """Strategy for the kinds of wrench and body of a stand; those not given are drawn and shrink to absent."""
 
-    def flag(given: bool | None) -> st.SearchStrategy[bool]:
-        return st.booleans() if given is None else st.just(given)
+    def flag(wanted: bool | None) -> st.SearchStrategy[bool]:
+        return st.booleans() if wanted is None else st.just(wanted)
 
-    def count(given: int | None) -> st.SearchStrategy[int]:
-        return st.integers(0, 2) if given is None else st.just(given)
+    def count(wanted: int | None) -> st.SearchStrategy[int]:
+        return st.integers(0, 2) if wanted is None else st.just(wanted)
 
     return st.builds(
         Features,
@@ -61,9 +61,9 @@ def features(
 
 
 @st.composite
-def stands(draw: st.DrawFn, /, min_flywheels: int = 0, max_flywheels: int = 8, **given: Any) -> Stand:
+def stands(draw: st.DrawFn, /, min_flywheels: int = 0, max_flywheels: int = 8, **options: Any) -> Stand:
     """General stands; what `features` takes is drawn if not given. Every body is a cloud of points off its origin."""
-    has = draw(features(**given))
+    has = draw(features(**options))
     flywheels = draw(st.integers(min_flywheels, max_flywheels))
     return random_stand(np.random.default_rng(draw(_SEEDS)), flywheels, has)
 

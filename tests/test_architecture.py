@@ -119,18 +119,22 @@ def test_what_derivations_share_computes_nothing() -> None:
     assert faults_by_file(SHARED, lambda path: numeric.findall(path.read_text(encoding="utf-8"))) == {}
     for law in PACKAGE.glob("laws/*/law.py"):
         functions = [node for node in ast.walk(ast.parse(law.read_text())) if isinstance(node, ast.FunctionDef)]
-        computing = {each.name for each in functions if arithmetic(ast.unparse(each)) or "np." in ast.unparse(each)}
+        computing = {
+            function.name
+            for function in functions
+            if arithmetic(ast.unparse(function)) or "np." in ast.unparse(function)
+        }
         for part in ("reference", "energy"):
             if (path := law.with_stem(part)).is_file():
                 nodes = list(ast.walk(ast.parse(path.read_text())))
                 named = {n.attr for n in nodes if isinstance(n, ast.Attribute)}
-                named |= {each.name for n in nodes if isinstance(n, ast.ImportFrom) for each in n.names}
+                named |= {alias.name for n in nodes if isinstance(n, ast.ImportFrom) for alias in n.names}
                 assert not computing & named, path
     for path in (
         p for folder in ("core/derive", "proof/reference", "proof/second") for p in PACKAGE.glob(f"{folder}/*.py")
     ):
         imports = [n for n in ast.walk(ast.parse(path.read_text())) if isinstance(n, ast.ImportFrom)]
-        of_model = [each.name for n in imports if n.module == "mahovik.core.stand.model" for each in n.names]
+        of_model = [alias.name for n in imports if n.module == "mahovik.core.stand.model" for alias in n.names]
         assert all(name[0].isupper() for name in of_model), path  # classes and constants of raw data
     assert arithmetic("def moved(J, m, r):\n    return J + m * (r @ r)\n") == [2, 2, 2]
 

@@ -47,8 +47,8 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
             shutil.copyfile(ROOT / name, checkout / name)
     command = (sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder / "dist", checkout)
     run(*command, cwd=folder)
-    (found,) = (folder / "dist").iterdir()
-    return found
+    (file,) = (folder / "dist").iterdir()
+    return file
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +67,8 @@ def installed(site: Path, tmp_path: Path) -> Callable[..., str]:
     def python(*arguments: str) -> str:
         return run(sys.executable, *arguments, cwd=tmp_path, env=os.environ | {"PYTHONPATH": str(site)})
 
-    found = Path(python("-c", "import mahovik; print(mahovik.__file__)").strip())
-    assert found.is_relative_to(site), found
+    place = Path(python("-c", "import mahovik; print(mahovik.__file__)").strip())
+    assert place.is_relative_to(site), place
     return python
 
 
@@ -88,8 +88,8 @@ def test_what_travels(wheel: Path) -> None:
 @pytest.mark.slow
 def test_the_installed_package_generates_the_same_c(installed: Callable[..., str], tmp_path: Path) -> None:
     code = "from mahovik.out.command_line import main; main()"
-    found = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
-    installed("-c", code, "generate", found, "--with", "selftest", "-o", "out")
+    place = installed("-c", "from mahovik import stands; print(stands.path('bench8'))").strip()
+    installed("-c", code, "generate", place, "--with", "selftest", "-o", "out")
     files = [file for file in (tmp_path / "out").rglob("*") if file.is_file()]
     written = {str(file.relative_to(tmp_path / "out")): file.read_text(encoding="ascii") for file in files}
     expected = generate(load(examples.path("bench8")))

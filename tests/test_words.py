@@ -23,7 +23,7 @@ C_NAMES = ("core/lower/", "core/derive/")
 
 def is_property(node: ast.AST) -> bool:
     """A property is read like an attribute, so that it may be called by an adjective."""
-    return any(ast.unparse(each).endswith("property") for each in getattr(node, "decorator_list", ()))
+    return any(ast.unparse(decorator).endswith("property") for decorator in getattr(node, "decorator_list", ()))
 
 
 def test_names_are_plain() -> None:

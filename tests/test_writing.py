@@ -92,9 +92,9 @@ def test_an_interrupt_at_any_instruction_leaves_the_old_or_the_new(
         for name, text in OLD.items():
             (folder / name).write_text(text)
         more = interrupted_at(number, lambda folder=folder: action(folder))  # type: ignore[misc]
-        found = contents(folder)
-        assert found in (OLD, new), number
-        seen.append(found)
+        files = contents(folder)
+        assert files in (OLD, new), number
+        seen.append(files)
     assert number > 100
     assert seen[0] == OLD
     assert seen[-1] == new
@@ -102,12 +102,12 @@ def test_an_interrupt_at_any_instruction_leaves_the_old_or_the_new(
 
 def received(fifo: Path, action: Callable[[], object]) -> str:
     """What arrives in a FIFO."""
-    found: list[str] = []
-    reader = threading.Thread(target=lambda: found.append(fifo.read_text()), daemon=True)
+    messages: list[str] = []
+    reader = threading.Thread(target=lambda: messages.append(fifo.read_text()), daemon=True)
     reader.start()
     action()
     reader.join(10.0)
-    return "".join(found)
+    return "".join(messages)
 
 
 def test_a_fifo_is_written_through(tmp_path: Path) -> None:
@@ -172,10 +172,10 @@ def test_what_is_written_through_comes_last(tmp_path: Path) -> None:
     (tmp_path / "b").write_text("old")
     opener = os.open
 
-    def refused(path: Any, *given: Any) -> int:
+    def refused(path: Any, *arguments: Any) -> int:
         if Path(path).name == "a":
             raise BrokenPipeError(32, "Broken pipe")
-        return opener(path, *given)
+        return opener(path, *arguments)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("mahovik.writing.os.open", refused)

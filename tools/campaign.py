@@ -143,37 +143,37 @@ def parse() -> argparse.Namespace:
         for option, default in module.OPTIONS.items():
             kind: dict[str, Any] = {"action": "store_true"} if default is False else {"type": type(default)}
             parser.add_argument(f"--{option.replace('_', '-')}", default=default, help=f"default: {default}", **kind)
-    given = parser.parse_args()
-    if not (given.name or given.render or given.check):
+    options = parser.parse_args()
+    if not (options.name or options.render or options.check):
         parser.error("expected the name of a campaign, --render or --check")
-    return given
+    return options
 
 
-def run(given: argparse.Namespace) -> bool:
+def run(options: argparse.Namespace) -> bool:
     """Measure and print the tables; keep them where asked to. Whether all rows are as promised."""
     good = True
-    for name, table in load(given.name).TABLES.items():
-        if given.only in (None, name):
+    for name, table in load(options.name).TABLES.items():
+        if options.only in (None, name):
             rows = []
-            for row in table.rows(table.measure(given)):
+            for row in table.rows(table.measure(options)):
                 rows.append(plain(row))
                 promised = table.good(row)
                 good &= promised
                 print(name, *row.values(), *([] if promised else ["NOT AS PROMISED"]), sep="  ", flush=True)
-            if given.write:
-                keep(given.name, name, rows, " ".join(["python", "tools/campaign.py", *sys.argv[1:]]))
+            if options.write:
+                keep(options.name, name, rows, " ".join(["python", "tools/campaign.py", *sys.argv[1:]]))
     return good
 
 
 def main() -> int:
     """Exit status."""
-    given = parse()
-    if given.check:
+    options = parse()
+    if options.check:
         return int(PAGE.read_text(encoding="utf-8") != page())
-    if given.render:
+    if options.render:
         PAGE.write_text(page(), encoding="utf-8", newline="\n")
         return 0
-    return int(not run(given))
+    return int(not run(options))
 
 
 if __name__ == "__main__":

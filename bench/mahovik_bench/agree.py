@@ -15,31 +15,31 @@ ACCEPTED = 1e-11
 
 def differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict[str, float]]:
     """The largest difference, by work and contestant; of works that the reference has."""
-    found: dict[str, dict[str, float]] = {}
+    worst: dict[str, dict[str, float]] = {}
     for work in WORKS.values():
         having = [c for c in contestants if work.name in c.peer.works]
         if not work.parts or not having:
             continue
         expected, scale = case.expected(work)
-        found[work.name] = {
+        worst[work.name] = {
             c.name: float(np.max(np.abs(c.results(work) - expected) / np.maximum(scale, 1e-300))) for c in having
         }
-    return found
+    return worst
 
 
 def slope_differences(case: Case, contestants: Sequence[Contestant]) -> dict[str, dict[str, float]]:
     """Differences of the Jacobians: peers against our first build, relative to the largest of each block."""
-    found: dict[str, dict[str, float]] = {}
+    differences: dict[str, dict[str, float]] = {}
     for name, rows in (("forward_jacobian", 6), ("coupled_jacobian", 6 + case.N)):
         having = [c for c in contestants if name in c.peer.works]
         tables = {c.name: [_matrix(c, row, rows) for row in c.results(WORKS[name])] for c in having}
         first = next(iter(tables), "")
-        found[name] = {
-            other: max(_block_difference(a, b, case.N) for a, b in zip(each, tables[first], strict=True))
-            for other, each in tables.items()
+        differences[name] = {
+            other: max(_block_difference(a, b, case.N) for a, b in zip(table, tables[first], strict=True))
+            for other, table in tables.items()
             if other != first
         }
-    return found
+    return differences
 
 
 def _matrix(c: Contestant, numbers: Array, rows: int) -> Array:
@@ -47,14 +47,14 @@ def _matrix(c: Contestant, numbers: Array, rows: int) -> Array:
     N = c.case.N
     if c.peer.program != "mahovik":
         return numbers.reshape(6 + 3 * N, rows).T
-    found, at = [], 0
+    parts, at = [], 0
     for height in (6, rows - 6):
         blocks = []
         for width in (6, N, N, N):
             blocks.append(numbers[at : at + height * width].reshape(height, width))
             at += height * width
-        found.append(np.hstack(blocks))
-    return np.vstack(found)
+        parts.append(np.hstack(blocks))
+    return np.vstack(parts)
 
 
 def _block_difference(a: Array, b: Array, N: int) -> float:
@@ -68,11 +68,11 @@ def _block_difference(a: Array, b: Array, N: int) -> float:
     return worst
 
 
-def failures(found: dict[str, dict[str, float]]) -> list[str]:
+def failures(differences: dict[str, dict[str, float]]) -> list[str]:
     """Differences beyond the accepted ones, and NaN, one line each."""
     return [
         f"{work}: {name} is {worst:.1e} off"
-        for work, by_name in found.items()
+        for work, by_name in differences.items()
         for name, worst in by_name.items()
         if not worst <= ACCEPTED
     ]

@@ -139,8 +139,8 @@ class Recipe:
             with filling(folder) as scratch:
                 for name, text in self.sources.items():
                     (scratch / name).write_text(text, encoding="utf-8")
-                found = self._compile(scratch, scratch / library.name)
-                (scratch / record.name).write_text(json.dumps(found), encoding="utf-8")
+                compiled = self._compile(scratch, scratch / library.name)
+                (scratch / record.name).write_text(json.dumps(compiled), encoding="utf-8")
         told = json.loads(record.read_text(encoding="utf-8"))
         return Built(library, Effort(**told["compiled"]), told["text"], told["data"])
 
@@ -164,7 +164,7 @@ class Recipe:
 def generated(name: str, *arguments: str) -> tuple[Path, Effort]:
     """The folder of what `python -m mahovik_bench.NAME FOLDER ARGUMENTS` writes, cached by the text of the package."""
     sources = sorted((ROOT / "generator" / "mahovik").rglob("*.py")) if name == "own" else []
-    sources += [ROOT / "bench" / "mahovik_bench" / f"{each}.py" for each in (name, "cases", "harmonic", "literal")]
+    sources += [ROOT / "bench" / "mahovik_bench" / f"{module}.py" for module in (name, "cases", "harmonic", "literal")]
     sources += sorted((ROOT / "templates").glob("*.j2")) if name == "own" else []
     texts = [path.read_text(encoding="utf-8") for path in sources]
     folder = CACHE / key(name, *arguments, *texts)
@@ -179,15 +179,15 @@ def generated(name: str, *arguments: str) -> tuple[Path, Effort]:
 def _sections(compiled: Path) -> list[tuple[str, int]]:
     """Code and constants of a compiled file: the name of each section and its size, bytes."""
     listing = subprocess.run(["size", "-A", compiled], capture_output=True, text=True, check=True).stdout
-    found = []
+    sizes = []
     for line in listing.splitlines():
         words = line.split()
         if len(words) == 3 and words[1].isdigit():
             if words[0].startswith(".text"):
-                found.append(("text", int(words[1])))
+                sizes.append(("text", int(words[1])))
             elif words[0].startswith((".rodata", ".data")):
-                found.append(("data", int(words[1])))
-    return found
+                sizes.append(("data", int(words[1])))
+    return sizes
 
 
 def _cpu() -> str:

@@ -28,7 +28,7 @@ def peers(case: Case) -> list[Peer]:
     """Each form by each build."""
     allowed = PATIENT if os.environ.get("MAHOVIK_BENCH_PATIENT") else USUAL
     adapter = (NATIVE / "casadi_peer.c").read_text(encoding="utf-8")
-    found = []
+    cases = []
     for form, works in FORMS.items():
         if case.N not in allowed[form]:
             continue
@@ -40,5 +40,5 @@ def peers(case: Case) -> list[Peer]:
         shown = "ldl" if form == "torque" else form
         for build, flags in BUILDS.items():
             recipe = Recipe("gcc", (*sizes, f"-DFLYWHEELS={case.N}", *flags), files, ("casadi.c",), ("-lm",))
-            found.append(Peer("casadi", f"{shown} {build}", works, recipe, "", effort, counted=build == "-O2"))
-    return found
+            cases.append(Peer("casadi", f"{shown} {build}", works, recipe, "", effort, counted=build == "-O2"))
+    return cases

@@ -43,9 +43,9 @@ class Case:
         """Results of the NumPy reference and their natural scales, one row per state."""
         rows, sizes = [], []
         for state in self.states:
-            found = evaluate(self.stand, state, [work.name])
+            answers = evaluate(self.stand, state, [work.name])
             scale = scales_of(self.stand, state, work.name)
-            rows.append(np.concatenate([np.ravel(found[part]) for part in work.parts]))
+            rows.append(np.concatenate([np.ravel(answers[part]) for part in work.parts]))
             sizes.append(np.concatenate([np.ravel(scale[part]) for part in work.parts]))
         return np.array(rows), np.array(sizes)
 

@@ -34,9 +34,9 @@ def _numeric_transfer(s: Flywheel, phi: float) -> Array:
 
 def _harmonics(values: Array) -> Array:
     """Coefficients (5, ...) of 1, cos, sin, cos 2, sin 2 of samples (5, ...); those that are rounding are zero."""
-    found = np.linalg.solve(WAVES, values.reshape(5, -1))
-    found[np.abs(found) < 1e-14 * np.abs(found).max()] = 0.0
-    return np.asarray(found.reshape(values.shape))
+    coefficients = np.linalg.solve(WAVES, values.reshape(5, -1))
+    coefficients[np.abs(coefficients) < 1e-14 * np.abs(coefficients).max()] = 0.0
+    return np.asarray(coefficients.reshape(values.shape))
 
 
 class Harmonic:
@@ -71,7 +71,7 @@ class Harmonic:
     def _phase_parts(self, s: int) -> tuple[Any, Any, Any, Any]:
         """First moment and inertia of a flywheel without their means, and their derivatives by its phase."""
         c, z, c2, z2 = self.waves[s]
-        pairs = [_moments(each) for each in self.parts[s][0]]
+        pairs = [_moments(moments) for moments in self.parts[s][0]]
         (mu_c, J_c), (mu_s, J_s), (_, J_2c), (_, J_2s) = pairs[1:]
         mu, mu_phi = mu_c * c + mu_s * z, mu_s * c - mu_c * z
         J = J_c * c + J_s * z + J_2c * c2 + J_2s * z2
@@ -89,8 +89,8 @@ class Harmonic:
         Z = ca.vertcat(self.mass * v - ca.cross(self.mu, omega), ca.cross(self.mu, v) + self.J @ omega)
         rates = ca.vertcat(-ca.cross(self.mu_dot, omega), ca.cross(self.mu_dot, v) + self.J_dot @ omega)
         for s in range(len(self.parts)):
-            own, own_phi = self.column(s)
-            Z += own * self.phi_dot[s]
+            column, own_phi = self.column(s)
+            Z += column * self.phi_dot[s]
             rates += own_phi * self.phi_dot[s] ** 2
         return rates + ca.vertcat(ca.cross(omega, Z[:3]), ca.cross(v, Z[:3]) + ca.cross(omega, Z[3:]))
 
@@ -102,11 +102,11 @@ class Harmonic:
 
     def torque(self) -> Any:
         """Drive torques for a given motion."""
-        found = []
+        torques = []
         for s, spin in enumerate(self.spin):
-            own, _ = self.column(s)
-            found.append(ca.dot(own, self.V_dot) + spin * self.phi_ddot[s] + self.torque_bias(s))
-        return ca.vertcat(*found)
+            column, _ = self.column(s)
+            torques.append(ca.dot(column, self.V_dot) + spin * self.phi_ddot[s] + self.torque_bias(s))
+        return ca.vertcat(*torques)
 
     def forward(self) -> Any:
         """V* for given phi'': the block of the mass is constant, a system of three remains."""
@@ -124,11 +124,11 @@ class Harmonic:
         K = ca.vertcat(ca.horzcat(mass, -ca.skew(self.mu)), ca.horzcat(ca.skew(self.mu), self.J))
         F, columns, left = -self.bias(), [], []
         for s, spin in enumerate(self.spin):
-            own, _ = self.column(s)
-            columns.append(own)
+            column, _ = self.column(s)
+            columns.append(column)
             left.append(self.tau[s] - self.torque_bias(s))
-            K -= own @ own.T / spin
-            F -= own * (left[s] / spin)
+            K -= column @ column.T / spin
+            F -= column * (left[s] / spin)
         V_dot = solved(K, F)
         phi_ddot = [(left[s] - ca.dot(columns[s], V_dot)) / spin for s, spin in enumerate(self.spin)]
         return ca.vertcat(V_dot, *phi_ddot)

@@ -71,12 +71,12 @@ class Literal:
 
     def of_flywheels(self, V_dot: Any, phi_ddot: Any) -> Any:
         """tau_s = f^T (Theta_s V_s* + Phi(V_s) Z_s) of each flywheel."""
-        found = []
+        parts = []
         for i, (L, Theta) in enumerate(zip(self.L, self.Theta, strict=True)):
             V_s = L.T @ self.V + f * self.phi_dot[i]
             V_s_dot = L.T @ V_dot - self.phi_dot[i] * SPIN @ (L.T @ self.V) + f * phi_ddot[i]
-            found.append(f.T @ (Theta @ V_s_dot + Phi(V_s) @ (Theta @ V_s)))
-        return ca.vertcat(*found)
+            parts.append(f.T @ (Theta @ V_s_dot + Phi(V_s) @ (Theta @ V_s)))
+        return ca.vertcat(*parts)
 
     def full(self) -> tuple[Any, Any]:
         """Matrix and right side of the full system, flywheels first."""

@@ -24,9 +24,9 @@ ISAS = {"native": ("-march=native",), "v3": ("-march=x86-64-v3",)}
 def prefix() -> Path:
     """Where `pin` has its headers. Raises FileNotFoundError where they are not installed, Eigen's among them."""
     for folder in sys.path:
-        found = Path(folder) / "cmeel.prefix" / "include"
-        if (found / "pinocchio").is_dir() and (found / "eigen3").is_dir():
-            return found
+        include = Path(folder) / "cmeel.prefix" / "include"
+        if (include / "pinocchio").is_dir() and (include / "eigen3").is_dir():
+            return include
     raise FileNotFoundError("pinocchio and eigen3 headers: pip install pin cmeel-eigen cmeel-boost")
 
 
@@ -45,9 +45,9 @@ def peers(case: Case) -> list[Peer]:
     model.write_text("\n".join(lines) + "\n", encoding="ascii")
     files = {"adapter.cpp": (NATIVE / "pinocchio_peer.cpp").read_text(encoding="utf-8")}
     works = ("forward", "coupled", "torque", "coupled_jacobian")
-    found = []
+    cases = []
     for isa, counted in (("native", False), ("v3", True)):
         flags = ("-std=c++17", "-O3", *ISAS[isa], *DEFINITIONS, f"-isystem{include}", f"-isystem{include / 'eigen3'}")
         recipe = Recipe("g++", flags, files, link=("-Wl,--no-undefined",))
-        found.append(Peer("pinocchio", f"-O3 {isa}", works, recipe, str(model), counted=counted, timed=not counted))
-    return found
+        cases.append(Peer("pinocchio", f"-O3 {isa}", works, recipe, str(model), counted=counted, timed=not counted))
+    return cases

@@ -126,6 +126,6 @@ def build(
 
     with ThreadPoolExecutor(max_workers=JOBS) as pool:
         wanted = [(one, program) for program in programs for one in reversed(cases)]
-        pairs = [pair for found in pool.map(listed, wanted) for pair in found]
+        pairs = [pair for jobs in pool.map(listed, wanted) for pair in jobs]
         libraries = [made for made in pool.map(compiled, pairs) if made is not None]
     return {one.N: [(peer, library) for N, peer, library in libraries if N == one.N] for one in cases}

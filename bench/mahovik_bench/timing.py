@@ -59,16 +59,16 @@ def times(
     blocks = {c.name: c.block(work, chained) for c in taking}
     calls = {c.name: _calls(blocks[c.name], c.peer.states) for c in taking}
     order = random.Random(0)
-    found: dict[str, list[float]] = {name: [] for name in blocks}
+    seconds: dict[str, list[float]] = {name: [] for name in blocks}
     slow: list[float] = []
     for repetition in range(repetitions):
         names = list(blocks)
         order.shuffle(names)
         for name in names:
-            found[name].append(blocks[name](calls[name]))
+            seconds[name].append(blocks[name](calls[name]))
         if work.parts and not chained and repetition < FEW:
             slow.append(_numpy(case, work, repetition))
-    taken = {name: Times(tuple(rounds)) for name, rounds in found.items()}
+    taken = {name: Times(tuple(rounds)) for name, rounds in seconds.items()}
     return {**taken, NUMPY: Times(tuple(slow))} if slow else taken
 
 

@@ -37,10 +37,10 @@ def functions(N: int, form: str) -> list[Any]:
     if form == "jacobian":
         slopes = ca.jacobian(forward, ca.vertcat(*symbols[:4]))
         return [ca.Function("forward_jacobian", symbols, [ca.densify(slopes)], {"cse": True})]
-    found = solved(*at.full())
+    answers = solved(*at.full())
     works = {
         "forward": forward,
-        "coupled": ca.vertcat(found[N:], found[:N]),
+        "coupled": ca.vertcat(answers[N:], answers[:N]),
         "torque": torque,
     }
     return [ca.Function(name, symbols, [expression], {"cse": True}) for name, expression in works.items()]
@@ -55,7 +55,7 @@ def main() -> None:
         generator.add(function)
     os.chdir(folder)
     generator.generate()
-    facts = {"work": max(each.sz_w() for each in written), "arguments": max(each.sz_arg() for each in written)}
+    facts = {"work": max(entry.sz_w() for entry in written), "arguments": max(entry.sz_arg() for entry in written)}
     (folder / "facts.json").write_text(json.dumps(facts), encoding="utf-8")
 
 

@@ -68,9 +68,11 @@ def main() -> None:
     """Writes literal.h."""
     folder, N = Path(sys.argv[1]), int(sys.argv[2])
     lengths = {"V": 6, "phi": N, "phi_dot": N, "phi_ddot": N}
-    given = values.Values(**{name: sf.Matrix(n, 1).symbolic(name) for name, n in lengths.items()})
-    K, b = equations(N, *(given[name] for name in lengths))
-    written = codegen.Codegen(inputs=given, outputs=values.Values(K=K, b=b), config=codegen.CppConfig(), name="literal")
+    symbols = values.Values(**{name: sf.Matrix(n, 1).symbolic(name) for name, n in lengths.items()})
+    K, b = equations(N, *(symbols[name] for name in lengths))
+    written = codegen.Codegen(
+        inputs=symbols, outputs=values.Values(K=K, b=b), config=codegen.CppConfig(), name="literal"
+    )
     written.generate_function(output_dir=folder, skip_directory_nesting=True)
 
 

@@ -49,7 +49,7 @@ def random_states(name: str, count: int, seed: int = 1) -> list[State]:
     return [random_state(stand(name), rng) for _ in range(count)]
 
 
-def given(name: str, states: list[State]) -> tuple[mahovik.States, Arrays, Arrays | None]:
+def api_inputs(name: str, states: list[State]) -> tuple[mahovik.States, Arrays, Arrays | None]:
     """States, inputs and run-time wrenches of the Python interface, from states of the evaluation contract."""
     m = model(name)
     attitudes: list[dict[str, Any]] = [

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import mahovik
-from api.models import backend, given, model, random_states, stand
+from api.models import api_inputs, backend, model, random_states, stand
 from mahovik.contract.functions import WANTS
 from mahovik.core.stand import State
 from mahovik.core.stand.random import random_state, random_wrenches
@@ -48,7 +48,7 @@ def offered(name: str) -> set[str]:
 
 def results(name: str, function: str, states: list[State]) -> Result:
     """Result of a function on all states at once."""
-    x, inputs, wrench = given(name, states)
+    x, inputs, wrench = api_inputs(name, states)
     more = {} if function in BY_WRENCH else {"wrench": wrench}
     call: Callable[..., Result] = getattr(model(name), function)
     return call(x, **{key: inputs[key] for key in ASKED[function][1]}, **more)
@@ -78,13 +78,13 @@ def test_bits_of_the_function_for_one_state(name: str, function: str) -> None:
     result = results(name, function, states)
     for j, state in enumerate(states):
         expected = backend(name).evaluate(state, [ASKED[function][0]])
-        for key, found, value in pairs(name, function, result, expected, j):
-            assert np.array_equal(found, np.asarray(value)), key
+        for key, answer, value in pairs(name, function, result, expected, j):
+            assert np.array_equal(answer, np.asarray(value)), key
 
 
 @pytest.mark.parametrize("name", STANDS)
 def test_one_state_is_a_batch_of_one(name: str) -> None:
-    x, inputs, wrench = given(name, random_states(name, 3))
+    x, inputs, wrench = api_inputs(name, random_states(name, 3))
     for function in offered(name) & set(ASKED):
         arguments = {key: inputs[key] for key in ASKED[function][1]}
         more = {} if function in BY_WRENCH or wrench is None else {"wrench": wrench}
@@ -102,19 +102,19 @@ def test_one_state_is_a_batch_of_one(name: str) -> None:
 def test_steps_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
     states = random_states("general", 9)
-    x, inputs, wrench = given("general", states)
+    x, inputs, wrench = api_inputs("general", states)
     for function, key in (("step", "tau"), ("step_driven", "phi_ddot")):
-        found = getattr(m, function)(x, 1e-4, inputs[key], wrench=wrench, order=2)
+        answer = getattr(m, function)(x, 1e-4, inputs[key], wrench=wrench, order=2)
         for j, state in enumerate(states):
             status, out = c.call(function, {**c.arguments(state), "dt": 1e-4, "order": 2})
             assert status == 0
             expected = np.concatenate([out["next"][part] for part in ("position", "attitude", "V", "phi", "phi_dot")])
-            assert np.array_equal(found.array[j], expected)
+            assert np.array_equal(answer.array[j], expected)
 
 
 def test_locks_hold() -> None:
     m = model("bench8")
-    x, inputs, _ = given("bench8", random_states("bench8", 4))
+    x, inputs, _ = api_inputs("bench8", random_states("bench8", 4))
     by_name = m.coupled(x, inputs["tau"], locked=("w2", "w5"))
     assert np.array_equal(by_name.phi_ddot, m.coupled(x, inputs["tau"], locked=[0, 1, 0, 0, 1, 0, 0, 0]).phi_ddot)
     assert not by_name.phi_ddot[:, [1, 4]].any() and by_name.phi_ddot[:, [0, 2, 3, 5, 6, 7]].all()
@@ -123,14 +123,14 @@ def test_locks_hold() -> None:
 def test_generalized_and_slopes_are_those_of_the_c() -> None:
     m, c = model("general"), backend("general")
     states = random_states("general", 5)
-    x, inputs, wrench = given("general", states)
+    x, inputs, wrench = api_inputs("general", states)
     angles = np.random.default_rng(1).normal(size=(5, 3)) * 0.3
-    found = m.generalized(x, angles, inputs["phi_ddot"], wrench=wrench)
+    answer = m.generalized(x, angles, inputs["phi_ddot"], wrench=wrench)
     forward = m.forward_jacobian(x, inputs["phi_ddot"], wrench=wrench)
     coupled = m.coupled_jacobian(x, inputs["tau"], wrench=wrench)
     for j, state in enumerate(states):
         arguments = c.arguments(state)
-        for result, function in ((found, "generalized"), (forward, "forward_jacobian"), (coupled, "coupled_jacobian")):
+        for result, function in ((answer, "generalized"), (forward, "forward_jacobian"), (coupled, "coupled_jacobian")):
             _, out = c.call(function, {**arguments, "angles": angles[j].tolist()})
             for key, value in out["out"].items():
                 assert np.array_equal(result[key][j], np.asarray(value)), key
@@ -138,7 +138,7 @@ def test_generalized_and_slopes_are_those_of_the_c() -> None:
 
 def test_options_of_inverse_reach_the_c() -> None:
     m = model("bench8")
-    x, inputs, _ = given("bench8", random_states("bench8", 4))
+    x, inputs, _ = api_inputs("bench8", random_states("bench8", 4))
     limited = m.inverse(x, inputs["V_dot"], limit=1.0)
     assert np.abs(limited.phi_ddot).max() <= 1.0 and (limited.status & mahovik.Status.LIMITED).any()
     heavy = m.inverse(x, inputs["V_dot"], weight={"w1": 1e3})
@@ -162,9 +162,9 @@ def outcome(backend: Any, state: Any, want: str) -> Any:
 
 def plain(value: Any) -> Any:
     if isinstance(value, dict):
-        return {name: plain(each) for name, each in sorted(value.items())}
+        return {name: plain(item) for name, item in sorted(value.items())}
     if isinstance(value, list | tuple | np.ndarray):
-        return [plain(each) for each in value]
+        return [plain(item) for item in value]
     return value
 
 
@@ -179,7 +179,7 @@ def test_bits_are_those_of_the_harness(name: str, real: str) -> None:
     seen = set()
     for state in states:
         for want in WANTS:
-            found = outcome(kept, state, want)
-            assert found == outcome(judged, state, want), want
-            seen.add(found.startswith("refused"))
+            answers = outcome(kept, state, want)
+            assert answers == outcome(judged, state, want), want
+            seen.add(answers.startswith("refused"))
     assert seen == {True, False}

@@ -30,32 +30,32 @@ def test_a_result_is_drawn_on_new_axes_or_given_ones() -> None:
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    found = mahovik.simulate(shaker(), until=0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy")
-    axes = found.plot()
-    assert axes and all(each.get_title("left") or each.lines or each.collections for each in axes)
-    _, own = pyplot.subplots()
-    assert found.plot(own) is own and (own.lines or own.collections)
+    run = mahovik.simulate(shaker(), until=0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy")
+    axes = run.plot()
+    assert axes and all(ax.get_title("left") or ax.lines or ax.collections for ax in axes)
+    _, my_axes = pyplot.subplots()
+    assert run.plot(my_axes) is my_axes and (my_axes.lines or my_axes.collections)
     _, many = pyplot.subplots(len(axes) + 1)
     with pytest.raises(mahovik.UsageError, match="panels to draw"):
-        found.plot(many)
+        run.plot(many)
     pyplot.close("all")
 
 
 @pytest.mark.slow
 def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
-    found = mahovik.verify(shaker(), states=5)
-    assert found.ok and "forward" in found["rows"]["judged"] and found["passed"] is True
+    report = mahovik.verify(shaker(), states=5)
+    assert report.ok and "forward" in report["rows"]["judged"] and report["passed"] is True
     assert mahovik.report(shaker(), output=tmp_path / "report.html").ok and (tmp_path / "report.html").is_file()
 
 
 def test_speeds_are_a_mapping_texts_or_one_for_all() -> None:
-    given: tuple[Any, ...] = (
+    speeds: tuple[Any, ...] = (
         {"left": "600 rpm", "right": "-1*left"},
         ["left=600rpm", "right=-1*left"],
         ["600 rpm", -20.0 * math.pi],
     )
-    found = [mahovik.vibration(shaker(), speed=speed, at="carrier")["rms"].tolist() for speed in given]
-    assert found[0] == found[1] == pytest.approx(found[2])
+    amplitudes = [mahovik.vibration(shaker(), speed=speed, at="carrier")["rms"].tolist() for speed in speeds]
+    assert amplitudes[0] == amplitudes[1] == pytest.approx(amplitudes[2])
     one, many = (mahovik.vibration(shaker(), speed=x, at="carrier")["worst"].tolist() for x in (60.0, {"all": 60.0}))
     assert one == many
 
@@ -69,10 +69,10 @@ def test_a_plan_without_a_programme_says_why() -> None:
     rigid = random_stand(np.random.default_rng(1), 3, BARE, "rigid")
     motion = {"name": "up", "type": "periodic", "period": 0.1,
               "harmonics": [{"k": 1, "cos": [1, 0, 0, 0, 0, 0], "sin": [0] * 6}]}  # fmt: skip
-    found = mahovik.plan(rigid, motion=motion)
-    assert found["status"] == "NO_PROGRAM" and found.messages and found.count == 0 and not found.ok
+    plan = mahovik.plan(rigid, motion=motion)
+    assert plan["status"] == "NO_PROGRAM" and plan.messages and plan.count == 0 and not plan.ok
     with pytest.raises(mahovik.UsageError, match="NO_PROGRAM"):
-        mahovik.verify(rigid, programme=found, motion=motion)
+        mahovik.verify(rigid, programme=plan, motion=motion)
 
 
 @pytest.mark.parametrize(
@@ -120,12 +120,12 @@ USUAL: dict[str, dict[str, Any]] = {
 }
 
 
-@pytest.mark.parametrize(("function", "stand", "given", "words"), REFUSED)
+@pytest.mark.parametrize(("function", "stand", "arguments", "words"), REFUSED)
 def test_values_without_meaning_are_refused_by_the_name_of_the_argument(
-    function: str, stand: str, given: dict[str, Any], words: str
+    function: str, stand: str, arguments: dict[str, Any], words: str
 ) -> None:
     with pytest.raises(mahovik.MahovikError) as caught:
-        getattr(mahovik, function)(stands.path(stand), **USUAL.get(function, {}) | given)
+        getattr(mahovik, function)(stands.path(stand), **USUAL.get(function, {}) | arguments)
     assert words in str(caught.value)
 
 
@@ -154,9 +154,9 @@ def test_a_run_of_texts_is_that_of_the_numbers() -> None:
     ],
 )
 def test_other_texts_are_refused_by_name(name: str, text: str, words: str) -> None:
-    given = {"until": 1.0, name: text}
+    arguments = {"until": 1.0, name: text}
     with pytest.raises(mahovik.UsageError) as refused:
-        mahovik.simulate(DEMO3, **given)  # type: ignore[arg-type]
+        mahovik.simulate(DEMO3, **arguments)  # type: ignore[arg-type]
     assert str(refused.value).startswith(name)
     assert words in str(refused.value)
 

@@ -24,9 +24,9 @@ def test_what_is_of_the_freedoms_has_their_names() -> None:
     x = model.state(angles=[0, 0.3, 0], V=[0.2 * 0.4, 0, 0, 0, 0.4, 0])  # u = 0.4 rad/s about the pivot
     moved = model.forward(x, phi_ddot=3.0)
     assert moved["u_dot", "pitch"] == moved["V_dot", "q"] != 0
-    found = model.inverse(x, V_dot=moved.V_dot)
-    assert {one.name: one.axes for one in found.columns}["residual"][0].labels == ("pitch",)
-    assert abs(found["residual", "pitch"]) < 1e-9 and abs(found["phi_ddot", "w1"] - 3.0) < 1e-9
+    answer = model.inverse(x, V_dot=moved.V_dot)
+    assert {one.name: one.axes for one in answer.columns}["residual"][0].labels == ("pitch",)
+    assert abs(answer["residual", "pitch"]) < 1e-9 and abs(answer["phi_ddot", "w1"] - 3.0) < 1e-9
 
 
 def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
@@ -35,16 +35,16 @@ def test_the_reaction_of_arrays_of_motions_is_that_of_each() -> None:
     rates = np.linspace(-1.0, 1.0, 4)
     V = np.outer(rates, [0.2, 0, 0, 0, 1, 0])
     x = model.states(angles=[0, 0.3, 0], V=V, phi_dot=100.0 * rates[:, None])
-    found = model.reaction(x, V_dot=2.0 * V, phi_ddot=5.0)
-    assert found.reaction.shape == (4, 6)
+    answer = model.reaction(x, V_dot=2.0 * V, phi_ddot=5.0)
+    assert answer.reaction.shape == (4, 6)
     for k, u in enumerate(rates.tolist()):
         state = State(
             (0.0,) * 3, (0.0, 0.3, 0.0), None, (0.0,) * 6, (0.0,), (100.0 * u,), (5.0,), (0.0,) * 6, (0.0,),
             u=(u,), u_dot=(2.0 * u,),
         )  # fmt: skip
         expected = reference.evaluate(stand, state, ["reaction"])["reaction"]
-        assert np.allclose(found.reaction[k], expected, rtol=1e-12, atol=1e-12)
-        assert found["reaction", "Z"][k] == found.reaction[k, 2]
+        assert np.allclose(answer.reaction[k], expected, rtol=1e-12, atol=1e-12)
+        assert answer["reaction", "Z"][k] == answer.reaction[k, 2]
 
 
 TURNED = PENDULUM.replace(
@@ -73,8 +73,8 @@ def test_states_of_coordinates_are_those_of_the_literal_pose_and_come_back(
 ) -> None:
     model = model_of(freedoms)
     orientation = np.array([0.8, 0.0, 0.36, -0.48]) if "roll" in freedoms else None
-    given = {} if orientation is None else {"orientation": orientation}
-    x = model.state_from_coordinates(q, q_dot, **given, phi=0.3, phi_dot=20.0)
+    options = {} if orientation is None else {"orientation": orientation}
+    x = model.state_from_coordinates(q, q_dot, **options, phi=0.3, phi_dot=20.0)
     hold = model.stand.hold
     there = pose_of(hold, model.stand.angles, np.array(q), orientation, np.array(q_dot), np.zeros(len(q_dot)))
     assert np.allclose(x.position, there.position, rtol=0, atol=1e-14)

@@ -39,13 +39,13 @@ def signatures() -> list[str]:
 
 def attributes(value: type) -> list[str]:
     """Public attributes of a class, its own and inherited, methods with their signatures."""
-    found = []
+    names = []
     for name in getattr(value, "_fields", getattr(value, "__members__", dir(value))):
         attribute = inspect.getattr_static(value, name)
         if not name.startswith("_"):
             kind = isinstance(attribute, property)
-            found.append(name if kind or not callable(attribute) else f"{name}{inspect.signature(attribute)}")
-    return found
+            names.append(name if kind or not callable(attribute) else f"{name}{inspect.signature(attribute)}")
+    return names
 
 
 def test_signatures_are_as_recorded() -> None:

@@ -43,13 +43,13 @@ def test_on_request_refused_states_are_nan_and_the_others_as_ever(function: str)
     good = dict(getattr(m, function)(x, *more))
     x.phi[4, 0] = np.nan
     result = getattr(m, function)(x, *more, on_error="nan")
-    others = [j for j in range(9) if j != 4]
+    rest = [j for j in range(9) if j != 4]
     for key, value in dict(result).items():
-        assert np.array_equal(value[others], good[key][others]), key
+        assert np.array_equal(value[rest], good[key][rest]), key
         if value.dtype.kind == "f":
             assert np.isnan(value[4]).all(), key
     if not function.startswith("step"):
-        assert result.status[4] == mahovik.Status.NOT_FINITE and np.all(result.status[others] >= 0)
+        assert result.status[4] == mahovik.Status.NOT_FINITE and np.all(result.status[rest] >= 0)
         assert mahovik.status_words(result.status)[4] == "NOT_FINITE" and result.messages == ["1 of 9 refused: NaN"]
 
 

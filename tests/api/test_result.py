@@ -35,12 +35,14 @@ def orders(**more: Any) -> Result:
 
 
 def test_it_is_a_mapping_of_columns_and_entries() -> None:
-    found = orders()
-    assert list(found) == ["wheel", "frequency", "amplitude", "phase", *found.meta] and len(found) == len(list(found))
-    assert found["amplitude"].shape == (2, 3) and found["names"] == ["a", "b"] and "wheel" in found and found
-    assert dict(found)["largest"] == 0.002 and found.count == 2
+    result = orders()
+    assert list(result) == ["wheel", "frequency", "amplitude", "phase", *result.meta] and len(result) == len(
+        list(result)
+    )
+    assert result["amplitude"].shape == (2, 3) and result["names"] == ["a", "b"] and "wheel" in result and result
+    assert dict(result)["largest"] == 0.002 and result.count == 2
     with pytest.raises(mahovik.InputError, match="'frequenc': no such column or entry, did you mean \"frequency\""):
-        found["frequenc"]
+        result["frequenc"]
 
 
 def test_json_has_rows_columns_or_an_object_a_row() -> None:
@@ -86,24 +88,24 @@ def test_figures_are_in_a_unit_that_fits(values: list[float], unit: str, head: s
 
 def test_it_is_saved_by_the_end_of_the_name(tmp_path: Path) -> None:
     pandas = pytest.importorskip("pandas")
-    found = orders()
+    result = orders()
     for suffix in (".csv", ".json", ".parquet", ".mat"):
-        real = Result(found.title, found.columns[: 3 if suffix == ".parquet" else 4], meta=found.meta)
+        real = Result(result.title, result.columns[: 3 if suffix == ".parquet" else 4], meta=result.meta)
         real.save(tmp_path / f"a{suffix}")
     head, *rows = csv.reader((tmp_path / "a.csv").read_text().splitlines())
     assert head[:3] == ["wheel", "frequency [Hz]", "amplitude x [m]"] and float(rows[0][2]) == 1e-3
     assert json.loads((tmp_path / "a.json").read_text())["largest"] == 0.002
     assert pandas.read_parquet(tmp_path / "a.parquet")["amplitude y"].tolist() == [2e-3, 3e-5]
     mat = loadmat(tmp_path / "a.mat", simplify_cells=True)
-    assert np.array_equal(mat["amplitude"], found["amplitude"]) and list(mat["names"]) == ["a", "b"]
+    assert np.array_equal(mat["amplitude"], result["amplitude"]) and list(mat["names"]) == ["a", "b"]
     with pytest.raises(mahovik.UsageError, match=r"expected a name that ends in \.csv or"):
-        found.save(tmp_path / "a.txt")
+        result.save(tmp_path / "a.txt")
 
 
 def test_frames_and_datasets_keep_units() -> None:
     pytest.importorskip("xarray")
-    found = orders(index="wheel")
-    frame, dataset = found.to_pandas(), found.to_xarray()
+    result = orders(index="wheel")
+    frame, dataset = result.to_pandas(), result.to_xarray()
     assert frame.attrs["units"]["amplitude z"] == "m" and frame.loc["w2", "amplitude z"] == 1e-4
     assert dataset["amplitude"].attrs["units"] == "m" and dataset["amplitude"].dims == ("wheel", "amplitude part")
     assert dataset["frequency"].sel(wheel="w1") == 10.0
@@ -113,19 +115,19 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib").use("Agg")
     from matplotlib import pyplot
 
-    found = Result("run", (column("t", "s", [0.0, 1.0]), Column("height", "m", np.array([1.0, 2.0]))), index="t")
-    (axes,) = found.plot()
+    result = Result("run", (column("t", "s", [0.0, 1.0]), Column("height", "m", np.array([1.0, 2.0]))), index="t")
+    (axes,) = result.plot()
     assert axes.get_xlabel() == "t, s" and axes.get_title(loc="left") == "height, m" and len(axes.lines) == 1
     _, ax = pyplot.subplots()
-    assert found.plot(ax) is ax and ax.lines
+    assert result.plot(ax) is ax and ax.lines
     with pytest.raises(mahovik.UsageError, match="2 axes are given, but run has 1 panels"):
-        found.plot([ax, ax])
+        result.plot([ax, ax])
     wide = Result("K", (Column("K", "kg", np.ones((3, 6, 8)), (Axis("wrench"), Axis("twist"))),))
     with pytest.raises(mahovik.UsageError, match=r"48 columns are too many .* result\.take"):
         wide.plot()
     with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
         Result("names", (column("name", "", ["a"]),)).plot()
     for name in ("a.svg", "b.svg", "c.png"):
-        found.save(tmp_path / name)
+        result.save(tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     pyplot.close("all")

@@ -33,8 +33,8 @@ def test_threads_of_python_do_not_disturb_one_another() -> None:
     expected = [m.forward(x).V_dot for x in batches]
     with ThreadPoolExecutor(8) as pool:
         for _ in range(5):
-            for found, right in zip(pool.map(lambda x: m.forward(x).V_dot, batches), expected, strict=True):
-                assert np.array_equal(found, right)
+            for V_dot, right in zip(pool.map(lambda x: m.forward(x).V_dot, batches), expected, strict=True):
+                assert np.array_equal(V_dot, right)
 
 
 def test_a_pickled_model_is_the_same_model() -> None:
@@ -103,12 +103,12 @@ def test_processes_that_compile_at_once_and_one_that_is_killed_leave_whole_libra
     started = [subprocess.Popen([sys.executable, "-c", AT_ONCE], env=env, stdout=subprocess.PIPE) for _ in range(3)]
     time.sleep(2.0)
     started[0].kill()
-    found = [process.communicate(timeout=50)[0] for process in started]
-    assert found[1] == found[2] != b""
+    printed = [process.communicate(timeout=50)[0] for process in started]
+    assert printed[1] == printed[2] != b""
     libraries = sorted((tmp_path / "models").glob("*.so"))
     assert len(libraries) == 2 and all(store_entry_is_whole(library) for library in libraries)
     again = subprocess.run([sys.executable, "-c", AT_ONCE], env=env, capture_output=True, check=True)
-    assert again.stdout == found[1]
+    assert again.stdout == printed[1]
 
 
 @pytest.mark.parametrize("damage", ["truncated", "no facts", "other facts"])

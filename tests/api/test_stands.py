@@ -29,23 +29,23 @@ SMALL: dict[str, Any] = {
 @pytest.mark.parametrize("name", stands.names())
 def test_the_keys_of_a_file_give_its_stand(name: str) -> None:
     document = tomllib.loads(stands.path(name).read_text(encoding="utf-8"))
-    found = mahovik.Stand.from_dict(document)
-    assert identities(found) == identities(load(stands.path(name)))
-    assert found == mahovik.example(name) == found.replace({})
-    assert mahovik.Stand.from_dict(found.to_dict()) == found
+    stand = mahovik.Stand.from_dict(document)
+    assert identities(stand) == identities(load(stands.path(name)))
+    assert stand == mahovik.example(name) == stand.replace({})
+    assert mahovik.Stand.from_dict(stand.to_dict()) == stand
 
 
 def test_a_path_changes_one_value_with_its_unit() -> None:
     stand = mahovik.Stand.from_dict(SMALL)
-    found = stand.replace(
+    changed = stand.replace(
         {"w1.unbalance.static": "2 g mm", "carrier.inertia.0": 0.015, "gravity": [0, 0, "-1.62 m/s^2"]}
     )
-    wheel = found.flywheels[0]
+    wheel = changed.flywheels[0]
     assert wheel.mass * math.hypot(*wheel.center_of_mass[1:]) == pytest.approx(2e-6, rel=1e-15)
     assert math.degrees(math.atan2(wheel.center_of_mass[2], wheel.center_of_mass[1])) == pytest.approx(30.0)
-    assert found.carrier.inertia[0][0] == 0.015 and found.gravity == (0.0, 0.0, -1.62)
+    assert changed.carrier.inertia[0][0] == 0.015 and changed.gravity == (0.0, 0.0, -1.62)
     assert stand == mahovik.Stand.from_dict(SMALL), "the stand itself has changed"
-    motor = found.replace({"w1.motor.torque": "20 mN m", "w1.unbalance": None})
+    motor = changed.replace({"w1.motor.torque": "20 mN m", "w1.unbalance": None})
     assert motor.flywheels[0].motor is not None and motor.flywheels[0].motor.torque == 0.02
     assert motor.flywheels[0].center_of_mass == (0.0, 0.0, 0.0)
 
@@ -120,7 +120,7 @@ def held_stand() -> mahovik.Stand:
 def test_every_path_of_a_campaign_is_one_of_replace(name: str) -> None:
     """The stand does not change where its own value is set by the path."""
     stand = held_stand() if name == "held" else mahovik.example(name)
-    found = 0
+    count = 0
     for pattern in PATTERNS:
         try:
             places = StandNumbers(stand, stand.to_dict()).find(pattern)
@@ -132,20 +132,20 @@ def test_every_path_of_a_campaign_is_one_of_replace(name: str) -> None:
             same = stand.replace({place.path: place.value})
             if place.key != "static":  # an amount is recomputed from the centre of mass
                 assert same == stand, place.path
-            found += 1
-    assert found > 10
+            count += 1
+    assert count > 10
 
 
 def _table(stand: mahovik.Stand, name: str) -> dict[str, Any]:
     document = stand.to_dict()
-    lists = [each for items in document.values() if isinstance(items, list) for each in items]
-    named = {each["name"]: each for each in lists if isinstance(each, dict) and "name" in each}
+    lists = [entry for items in document.values() if isinstance(items, list) for entry in items]
+    named = {entry["name"]: entry for entry in lists if isinstance(entry, dict) and "name" in entry}
     return dict(document.get(name) or named[name])
 
 
 def test_a_place_is_set_whatever_way_the_file_gives_its_list() -> None:
     """Left out as zero; with one unit for all; a matrix by its diagonal, whose elements mirror."""
-    found = held_stand().replace(
+    changed = held_stand().replace(
         {
             "hold.pivot[2]": "-40 mm",
             "w1.position[0]": "5 mm",
@@ -154,9 +154,9 @@ def test_a_place_is_set_whatever_way_the_file_gives_its_list() -> None:
             "gravity[2]": -9.81,
         }
     )
-    assert found.hold is not None and found.hold.pivot == (0.0, 0.0, -0.04)
-    assert found.flywheels[0].position == pytest.approx((0.005, 0.02, 0.0)) and found.gravity == (0.0, 0.0, -9.81)
-    assert found.carrier.inertia == ((0.02, 1e-3, 0.0), (1e-3, 0.02, 0.0), (0.0, 0.0, 0.01))
+    assert changed.hold is not None and changed.hold.pivot == (0.0, 0.0, -0.04)
+    assert changed.flywheels[0].position == pytest.approx((0.005, 0.02, 0.0)) and changed.gravity == (0.0, 0.0, -9.81)
+    assert changed.carrier.inertia == ((0.02, 1e-3, 0.0), (1e-3, 0.02, 0.0), (0.0, 0.0, 0.01))
     whole = {
         "hold": {"freedoms": ["pitch"], "pivot": [0, 0, "-40 mm"]},
         "w1.position": ["5 mm", "20 mm", 0],
@@ -164,16 +164,16 @@ def test_a_place_is_set_whatever_way_the_file_gives_its_list() -> None:
         "suspension": {"stiffness": [0, 0, 0, 0, 4, 0]},
         "gravity": [0, 0, -9.81],
     }
-    assert found == held_stand().replace(whole)
+    assert changed == held_stand().replace(whole)
 
 
 def test_a_pattern_sets_all_that_it_matches() -> None:
-    found = held_stand().replace({"w*.mass": "300 g", "w*.inertia.J11": "8 kg cm^2", "other.position[*]": "1 mm"})
-    assert [each.mass for each in found.flywheels] == [0.3, 0.3, 0.5]
-    assert [each.inertia[0][0] for each in found.flywheels] == pytest.approx([8e-4, 8e-4, 9e-4])
-    assert found.flywheels[2].position == (1e-3, 1e-3, 1e-3)
+    changed = held_stand().replace({"w*.mass": "300 g", "w*.inertia.J11": "8 kg cm^2", "other.position[*]": "1 mm"})
+    assert [flywheel.mass for flywheel in changed.flywheels] == [0.3, 0.3, 0.5]
+    assert [flywheel.inertia[0][0] for flywheel in changed.flywheels] == pytest.approx([8e-4, 8e-4, 9e-4])
+    assert changed.flywheels[2].position == (1e-3, 1e-3, 1e-3)
     both = {f"w{i}.mass": 0.3 for i in (1, 2)} | {f"w{i}.inertia[0]": 8e-4 for i in (1, 2)}
-    assert found == held_stand().replace({**both, "other.position": [1e-3] * 3})
+    assert changed == held_stand().replace({**both, "other.position": [1e-3] * 3})
 
 
 @pytest.mark.parametrize(

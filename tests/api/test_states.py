@@ -84,8 +84,8 @@ def test_short_steps_in_float_stay_right_with_a_carry_only(steps: int) -> None:
 
     moved = 5e-3 * DT * steps
     assert errors(plain)[0] > 0.1 * moved  # less than half a unit in the last place is lost at once
-    for found, unit in zip(errors(carried), (200.0, SPEED), strict=True):
-        assert found <= 4 * 2.0**-24 * unit
+    for error, unit in zip(errors(carried), (200.0, SPEED), strict=True):
+        assert error <= 4 * 2.0**-24 * unit
 
 
 def test_a_refused_state_leaves_its_carry() -> None:

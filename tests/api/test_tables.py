@@ -19,18 +19,18 @@ def leaves(value: Any, path: str = "") -> list[tuple[str, float]]:
     """Paths of the numbers of a stand's keys, with the numbers."""
     if isinstance(value, dict):
         pairs = value.items()
-        return [leaf for key, each in pairs for leaf in leaves(each, f"{path}.{key}" if path else key)]
+        return [leaf for key, entry in pairs for leaf in leaves(entry, f"{path}.{key}" if path else key)]
     if isinstance(value, list):
         named: list[tuple[Any, Any]] = [
-            (each.get("name", i) if isinstance(each, dict) else i, each) for i, each in enumerate(value)
+            (entry.get("name", i) if isinstance(entry, dict) else i, entry) for i, entry in enumerate(value)
         ]
-        return [leaf for key, each in named for leaf in leaves(each, f"{path}.{key}")]
+        return [leaf for key, entry in named for leaf in leaves(entry, f"{path}.{key}")]
     return [(path, float(value))] if not isinstance(value, str | bool) else []
 
 
 def random_changes(of: Stand, rng: np.random.Generator, n: int, share: float = 1e-4) -> dict[str, Any]:
     """Some numbers of a stand, changed by little: masses, mountings, laws; and unbalances of all flywheels."""
-    known = {each.name for group in (of.flywheels, of.instruments, of.points) for each in group}
+    known = {part.name for group in (of.flywheels, of.instruments, of.points) for part in group}
     changes: dict[str, Any] = {}
     for path, x in leaves(of.to_dict()):
         parts = path.split(".")
@@ -68,13 +68,13 @@ def test_every_function_has_the_bits_of_models_of_their_own(name: str) -> None:
         "forward_jacobian": {"phi_ddot": wheel},
     }  # fmt: skip
     for j in (0, 7, 10):
-        own = mahovik.build(tables.stand(j))
+        single = mahovik.build(tables.stand(j))
         for function, inputs in calls.items():
-            found = getattr(m, function)(x, **inputs, tables=tables)
+            answers = getattr(m, function)(x, **inputs, tables=tables)
             one = {key: value[j] if isinstance(value, np.ndarray) else value for key, value in inputs.items()}
-            expected = getattr(own, function)(x.array[j], **one)
+            expected = getattr(single, function)(x.array[j], **one)
             for key, value in dict(expected).items():
-                assert value.tobytes() == np.ascontiguousarray(found[key][j]).tobytes(), (function, key, j)
+                assert value.tobytes() == np.ascontiguousarray(answers[key][j]).tobytes(), (function, key, j)
 
 
 def test_units_and_values_for_all_samples() -> None:
@@ -90,9 +90,9 @@ def test_units_and_values_for_all_samples() -> None:
 
 
 def refused(changes: Any, n: int | None = None, kind: type[Exception] = UsageError) -> str:
-    with pytest.raises(kind) as found:
+    with pytest.raises(kind) as refusal:
         model("demo3").tables(changes, n)
-    text = str(found.value)
+    text = str(refusal.value)
     assert "\n" not in text
     return text
 
@@ -145,9 +145,9 @@ def test_what_is_wrong_with_all_samples_is_no_reason() -> None:
 def test_another_structure_is_a_reason() -> None:
     m = model("general")
     assert any(m.stand.gravity)
-    found = possible_tables(m, {"gravity": np.array([m.stand.gravity, (0.0, 0.0, 0.0)])})
-    assert found.numbers.tolist() == [0]
-    assert "another structure" in found.reasons[1]
+    possible = possible_tables(m, {"gravity": np.array([m.stand.gravity, (0.0, 0.0, 0.0)])})
+    assert possible.numbers.tolist() == [0]
+    assert "another structure" in possible.reasons[1]
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
@@ -156,7 +156,7 @@ def test_each_of_many_samples_moves_as_its_own_stand(real: Real) -> None:
     m, n = model("demo3", real), 272
     tables = m.tables({"carrier.mass": np.linspace(10.0, 14.0, n)})
     start = m.state(V=[0.1, 0, 0, 0, 0.2, 0], phi_dot=100.0)
-    found = m.simulate(2e-3, start=start, tables=tables)
+    runs = m.simulate(2e-3, start=start, tables=tables)
     for j in (0, 255, 256, n - 1):
-        own = mahovik.build(tables.stand(j), real=real).simulate(2e-3, start=start)
-        assert own["V"].tobytes() == found["V"][j].tobytes()
+        single = mahovik.build(tables.stand(j), real=real).simulate(2e-3, start=start)
+        assert single["V"].tobytes() == runs["V"][j].tobytes()

@@ -22,18 +22,18 @@ def some_states(count: int) -> list[State]:
     return [replace(random_state(SAT, rng), angles=None, quaternion=None) for _ in range(count)]
 
 
-def states(found: list[State]) -> Any:
-    x = MODEL.states(len(found))
+def states(batch: list[State]) -> Any:
+    x = MODEL.states(len(batch))
     for name in ("position", "V", "phi", "phi_dot"):
-        x[name][:] = [getattr(state, name) for state in found]
+        x[name][:] = [getattr(state, name) for state in batch]
     return x
 
 
 def test_many_states_of_a_task() -> None:
-    found = some_states(5)
+    drawn = some_states(5)
     demand = np.random.default_rng(1).normal(size=(5, 3)) * 1e-3
-    answer = MODEL.inverse(states(found), task="sight", demand=demand)
-    for j, state in enumerate(found):
+    answer = MODEL.inverse(states(drawn), task="sight", demand=demand)
+    for j, state in enumerate(drawn):
         due = evaluate(SAT, replace(state, task="sight", demand=tuple(demand[j])), ["inverse"])
         for name in ("phi_ddot", "V_dot", "residual", "sigma"):
             np.testing.assert_allclose(
@@ -53,7 +53,7 @@ def test_rows_are_freed_by_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "words"),
+    ("arguments", "words"),
     [
         ({"task": "sigth", "demand": [0, 0, 0]}, 'task: unknown "sigth", did you mean "sight"'),
         ({"task": "sight"}, "demand: missing, expected one number for each of acc1.wy, acc1.vz, wz"),
@@ -64,9 +64,9 @@ def test_rows_are_freed_by_name() -> None:
         ({"task": "sight", "demand": [1, 2, 3], "rows": ["wy"]}, 'rows: the task sight has no "wy", did you mean'),
     ],
 )
-def test_wrong_calls_are_refused(given: dict[str, Any], words: str) -> None:
+def test_wrong_calls_are_refused(arguments: dict[str, Any], words: str) -> None:
     with pytest.raises(mahovik.InputError, match=words):
-        MODEL.inverse(MODEL.states(), **given)
+        MODEL.inverse(MODEL.states(), **arguments)
 
 
 def test_a_refused_state_is_explained() -> None:
@@ -84,21 +84,21 @@ def state(speed: Any = RATES) -> Any:
 
 
 def test_inside_the_limits_it_is_the_inverse_problem_with_its_torques() -> None:
-    found = MODEL.torque_for(state(), "pointing", [0.02, -0.01, 0.015])
-    np.testing.assert_allclose(found.V_dot[3:], [0.02, -0.01, 0.015], rtol=1e-12)
-    np.testing.assert_allclose(MODEL.torque(state(), found.V_dot, found.phi_ddot).tau, found.tau, rtol=1e-12)
-    assert found.share == 1.0 and not found.limited.any() and mahovik.status_words(found.status) == "OK"
+    answer = MODEL.torque_for(state(), "pointing", [0.02, -0.01, 0.015])
+    np.testing.assert_allclose(answer.V_dot[3:], [0.02, -0.01, 0.015], rtol=1e-12)
+    np.testing.assert_allclose(MODEL.torque(state(), answer.V_dot, answer.phi_ddot).tau, answer.tau, rtol=1e-12)
+    assert answer.share == 1.0 and not answer.limited.any() and mahovik.status_words(answer.status) == "OK"
 
 
 def test_a_demand_out_of_reach_is_made_smaller_and_not_turned() -> None:
     demand = np.array([0.6, 0.35, -0.1])
-    found = MODEL.torque_for(state(), "pointing", demand, keep_direction=True)
-    assert 0.0 < found.share < 1.0
-    np.testing.assert_allclose(found.V_dot[3:], found.share * demand, rtol=1e-9)
-    assert mahovik.status_words(found.status) == "LIMITED|UNREACHABLE"
+    answer = MODEL.torque_for(state(), "pointing", demand, keep_direction=True)
+    assert 0.0 < answer.share < 1.0
+    np.testing.assert_allclose(answer.V_dot[3:], answer.share * demand, rtol=1e-9)
+    assert mahovik.status_words(answer.status) == "LIMITED|UNREACHABLE"
     least = MODEL.torque_for(state(), "pointing", demand)
-    assert np.linalg.norm(least.residual) < np.linalg.norm(found.residual)
-    for tau in (found.tau, least.tau):
+    assert np.linalg.norm(least.residual) < np.linalg.norm(answer.residual)
+    for tau in (answer.tau, least.tau):
         assert np.all(np.abs(tau) <= 0.2)
 
 

@@ -65,19 +65,19 @@ def stand_of(document: Mapping[str, Any], name: str) -> Stand:
 def _exact(value: Any) -> Any:
     """The value with its floats as the reader of stand files takes them."""
     if isinstance(value, Mapping):
-        return {key: _exact(each) for key, each in value.items()}
+        return {key: _exact(item) for key, item in value.items()}
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return [_exact(each) for each in value]
+        return [_exact(item) for item in value]
     return Decimal(repr(float(value))) if isinstance(value, float) else value
 
 
 def terms(text: str) -> frozenset[Term]:
     """Terms of a text such as "Z: u q, v p; M: p r"."""
-    found = set()
+    pairs = set()
     for part in filter(None, text.split("; ")):
         component, products = part.split(": ")
-        found |= {(component, product) for product in products.split(", ")}
-    return frozenset(found)
+        pairs |= {(component, product) for product in products.split(", ")}
+    return frozenset(pairs)
 
 
 def cross(a: Sequence[float] | Array) -> Array:
@@ -115,17 +115,17 @@ def without_added_products(added: Array) -> list[dict[str, Any]]:
     """Rows of `damping.terms` that take the products of added mass out of the equations: published derivatives hold
     these already."""
     letters = "uvwpqr"
-    found: dict[tuple[int, int, int], float] = {}
+    coefficients: dict[tuple[int, int, int], float] = {}
     for j in range(6):
         for k in range(6):
             # C(V) V is bilinear: the part of V_j in the matrix and V_k beside it
             column = _bilinear(added, j, k)
             for i in np.flatnonzero(column):
                 key = (int(i), min(j, k), max(j, k))
-                found[key] = found.get(key, 0.0) + float(column[i])
+                coefficients[key] = coefficients.get(key, 0.0) + float(column[i])
     return [
         {"wrench": "XYZKMN"[i], "of": [letters[j], letters[k]], "value": value}
-        for (i, j, k), value in found.items()
+        for (i, j, k), value in coefficients.items()
         if value
     ]
 

@@ -21,11 +21,11 @@ def _states(document: Mapping[str, Any], freedoms: int, turn: float | None) -> t
     rng = np.random.default_rng(1)
     rest = rest_state(stand_of(document, "held"))
     wheels = len(rest.phi)
-    found = []
+    states = []
     for _ in range(STATES):
         q = rng.normal(size=4)
         angle = rng.uniform(-1.0, 1.0) * (turn or 0.0)
-        found.append(
+        states.append(
             replace(
                 rest,
                 quaternion=tuple((q / np.linalg.norm(q)).tolist()) if turn is None else None,
@@ -37,7 +37,7 @@ def _states(document: Mapping[str, Any], freedoms: int, turn: float | None) -> t
                 tau=tuple((0.1 * rng.normal(size=wheels)).tolist()),
             )
         )
-    return tuple(found)
+    return tuple(states)
 
 
 # Cubli: p_h' = -omega x p_h + m x g, p_w' = tau, omega = (Theta_0 - Theta_w)^-1 (p_h - p_w)
@@ -117,8 +117,8 @@ def pendulum(state: State, _: str) -> Mapping[str, Any]:
     q1 = state.angles[2]
     D = np.array([[M1 * LC1**2 + M2 * L1**2 + I1 + I2, I2], [I2, I2]])
     first = M1 * LC1 + M2 * L1
-    found = np.linalg.solve(D, [first * G * math.sin(q1), state.tau[0]])
-    return {"u_dot": found[:1], "phi_ddot": found[1:]}
+    u_dot = np.linalg.solve(D, [first * G * math.sin(q1), state.tau[0]])
+    return {"u_dot": u_dot[:1], "phi_ddot": u_dot[1:]}
 
 
 AUDITS = (

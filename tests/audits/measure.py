@@ -54,8 +54,8 @@ class Outcome:
 def ask(audit: Audit, request: Request) -> Mapping[str, Any]:
     """The model's answer to a request of one want."""
     (want,) = request.want
-    found = audit.answer(request.state, want)
-    return {name: np.asarray(value).tolist() for name, value in found.items()}
+    answers = audit.answer(request.state, want)
+    return {name: np.asarray(value).tolist() for name, value in answers.items()}
 
 
 def measure(audit: Audit, faults: bool = True) -> Outcome:
@@ -80,16 +80,16 @@ def _held_differences(audit: Audit, request: Request) -> dict[str, float]:
     assert audit.stand.hold is not None
     state = held_state(audit.stand, request.state)
     at, S, m = reference.pieces(audit.stand, state), twists(audit.stand.hold), len(state.u)
-    expected, found = reference.evaluate(audit.stand, state, request.want, at), ask(audit, request)
+    expected, answers = reference.evaluate(audit.stand, state, request.want, at), ask(audit, request)
     rates = np.array(expected.get("phi_ddot", state.phi_ddot))
     matrix = np.block([[S.T @ at.K @ S, S.T @ at.I], [at.I.T @ S, at.Theta_ff]])
     force = np.abs(S.T) @ _size(at) + np.abs(S.T @ at.I) @ np.abs(rates)
     size = np.concatenate([force, np.abs(state.tau)])
-    moving = m + len(rates) if "phi_ddot" in found else m
+    moving = m + len(rates) if "phi_ddot" in answers else m
     matrix, size = matrix[:moving, :moving], size[:moving]
     solution = np.concatenate([expected["u_dot"], rates])[:moving]
     size = np.abs(np.linalg.inv(matrix)) @ (size + np.abs(matrix) @ np.abs(solution))
-    error = np.abs(np.concatenate([found["u_dot"], found.get("phi_ddot", [])]) - solution) / size
+    error = np.abs(np.concatenate([answers["u_dot"], answers.get("phi_ddot", [])]) - solution) / size
     parts = {"u_dot": error[:m], "phi_ddot": error[m:]}
     return {name: float(off.max()) for name, off in parts.items() if off.size}
 
@@ -98,15 +98,15 @@ def _differences(audit: Audit, request: Request) -> dict[str, float]:
     """Difference of every quantity that a free model gives, over the natural scale."""
     (want,) = request.want
     at = reference.pieces(audit.stand, request.state)
-    expected, found = reference.evaluate(audit.stand, request.state, request.want, at), ask(audit, request)
+    expected, answers = reference.evaluate(audit.stand, request.state, request.want, at), ask(audit, request)
     natural = scales_of(audit.stand, request.state, want)
-    return {name: difference(found[name], expected[name], natural[name])[0] for name in found}
+    return {name: difference(answers[name], expected[name], natural[name])[0] for name in answers}
 
 
 def _measure_free(audit: Audit, faults: bool) -> Outcome:
     search = TermSearch(audit.stand, 1, audit.wants)
     first = search.requests
-    worst = max(max(_differences(audit, each).values()) for each in first)
+    worst = max(max(_differences(audit, asked).values()) for asked in first)
     sizes = _components(audit, first)
     differing = tuple(name for name, off in sizes.items() if off > AGREES)
     agreeing = max((off for off in sizes.values() if off <= AGREES), default=None)
@@ -118,14 +118,14 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
             known = tuple(cause.name for cause in diagnosis.causes) if diagnosis.verdict == "named" else ()
         if not known:
             named = search.find(lambda request: ask(audit, request))
-    found = named.terms if named is not None and named.whole else ()
-    told: set[Term] = {(term.component, term.term) for term in found}
+    terms = named.terms if named is not None and named.whole else ()
+    told: set[Term] = {(term.component, term.term) for term in terms}
     expected = audit.wrong or frozenset()
     return Outcome(
         worst,
         agreeing,
         differing,
-        tuple(_words(term) for term in found),
+        tuple(_words(term) for term in terms),
         known,
         (*known, *map(_term, sorted(told - expected))),
         tuple(map(_term, sorted(expected - told))),
@@ -134,7 +134,7 @@ def _measure_free(audit: Audit, faults: bool) -> Outcome:
 
 def _components(audit: Audit, requests: list[Request]) -> dict[str, float]:
     """Largest difference of each component of K V_r*, over the sum of magnitudes of its terms."""
-    found: dict[str, float] = {}
+    differences: dict[str, float] = {}
     for request in requests:
         at = reference.pieces(audit.stand, request.state)
         V_r_dot = at.V_r_dot(np.array(ask(audit, request)["V_dot"]))
@@ -143,8 +143,8 @@ def _components(audit: Audit, requests: list[Request]) -> dict[str, float]:
         size = np.abs(at.K) @ np.abs(V_r_dot) + np.abs(at.I) @ np.abs(rates) + _size(at)
         rows = {letter: float(off) for letter, off in zip(WRENCH_LETTERS, np.abs(error) / size, strict=True)}
         for name, off in rows.items():
-            found[name] = max(found.get(name, 0.0), off)
-    return found
+            differences[name] = max(differences.get(name, 0.0), off)
+    return differences
 
 
 def _size(at: reference.Pieces) -> Array:

@@ -89,8 +89,8 @@ class Strips:
         speed = np.maximum(np.hypot(v + x * r, w - x * q), 1e-300)
         drag = self.size * (self.across * (v + x * r) ** 2 + self.down * (w - x * q) ** 2) / speed
         force = self.density / 2 * LENGTH / 10
-        Y, Z = (-force * drag @ each for each in (v + x * r, w - x * q))
-        M, N = (-force * (x * drag) @ each for each in (w + self.arm * x * q, v + x * r))
+        Y, Z = (-force * drag @ flow for flow in (v + x * r, w - x * q))
+        M, N = (-force * (x * drag) @ flow for flow in (w + self.arm * x * q, v + x * r))
         return np.array([0.0, Y, self.heave * Z, 0.0, M, N])
 
 
@@ -100,7 +100,7 @@ OLD_STRIPS = Strips(1000.0, 0.5, 0.6, 0.6, heave=-1.0, arm=1.0)
 
 def dimension(component: str, product: str, density: float) -> float:
     """rho/2 L^n of a derivative."""
-    turning = sum(each in "pqr" for each in product.split())
+    turning = sum(letter in "pqr" for letter in product.split())
     return density / 2 * LENGTH ** (2 + turning + (component in "KMN"))
 
 

@@ -26,20 +26,20 @@ FIRST = ("npsauv", "cubli", "gz_sim")
 
 @pytest.mark.parametrize("name", quick(4, sorted(AUDITS, key=lambda name: (name not in FIRST, name))))
 def test_what_differs_is_what_was_worked_out_by_hand(name: str) -> None:
-    found = measure(AUDITS[name], faults=False)
-    assert found.false == ()
-    assert found.missing == ()
-    assert bool(found.differing) == (AUDITS[name].wrong is None or bool(AUDITS[name].wrong))
-    if found.agreeing is not None:
-        assert found.agreeing < 1e-13
+    measured = measure(AUDITS[name], faults=False)
+    assert measured.false == ()
+    assert measured.missing == ()
+    assert bool(measured.differing) == (AUDITS[name].wrong is None or bool(AUDITS[name].wrong))
+    if measured.agreeing is not None:
+        assert measured.agreeing < 1e-13
 
 
 def test_a_planted_sign_is_named() -> None:
     """The older NPS AUV II, whose rigid body is right, with the heave force of the newer."""
     wrong = npsauv.model(5454.54, npsauv.OLD_STRIPS, heave=1.0, pitch=1.0)
-    found = measure(replace(npsauv.OLD, answer=wrong), faults=False)
-    assert set(found.false) == {"Z: u q", "Z: v p", "Z: p p", "Z: q q"}
-    assert found.differing == ("Z", "M")
+    measured = measure(replace(npsauv.OLD, answer=wrong), faults=False)
+    assert set(measured.false) == {"Z: u q", "Z: v p", "Z: p p", "Z: q q"}
+    assert measured.differing == ("Z", "M")
 
 
 def test_rows_take_the_products_of_added_mass_out() -> None:
@@ -47,13 +47,13 @@ def test_rows_take_the_products_of_added_mass_out() -> None:
     half = rng.normal(size=(6, 6))
     added, V = half @ half.T, rng.normal(size=6)
     letters = dict(zip("uvwpqr", V, strict=True))
-    found = np.zeros(6)
+    sums = np.zeros(6)
     for row in merged(without_added_products(added)):
         a, b = row["of"]
-        found["XYZKMN".index(row["wrench"])] += row["value"] * letters[a] * letters[b]
+        sums["XYZKMN".index(row["wrench"])] += row["value"] * letters[a] * letters[b]
     p, h = added[:3] @ V, added[3:] @ V
     v, w = V[:3], V[3:]
-    np.testing.assert_allclose(found, [*np.cross(w, p), *(np.cross(w, h) + np.cross(v, p))], rtol=1e-10)
+    np.testing.assert_allclose(sums, [*np.cross(w, p), *(np.cross(w, h) + np.cross(v, p))], rtol=1e-10)
 
 
 @pytest.mark.slow

@@ -155,8 +155,8 @@ def test_stand_is_the_published_vehicle(name: str) -> None:
         state = ahead(random_state(stand, np.random.default_rng(number)))
         M, right = PAPERS[name](stand, state)
         right = right + np.array(state.wrench["carrier"])  # of planes and propeller
-        for found in (program.evaluate(state, ["forward"]), evaluate(stand, state, ["forward"])):
-            V_dot = np.array(found["V_dot"])
+        for answers in (program.evaluate(state, ["forward"]), evaluate(stand, state, ["forward"])):
+            V_dot = np.array(answers["V_dot"])
             scale = np.abs(M) @ np.abs(V_dot) + np.abs(right)
             assert np.max(np.abs(M @ V_dot - right) / scale) < AGREEMENT
 
@@ -170,5 +170,5 @@ def ahead(state: State) -> State:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_the_c_of_a_vehicle_is_verified(name: str) -> None:
-    found = verify_c(load(VEHICLES / f"{name}.toml"), count=20)
-    assert found.passed, conclusion(found)
+    report = verify_c(load(VEHICLES / f"{name}.toml"), count=20)
+    assert report.passed, conclusion(report)

@@ -47,7 +47,7 @@ FOILES = (
 TURBOGENERATOR = {"ALPHA": [row.split() for row, _ in FOILES], "A": [a for _, a in FOILES]}
 
 
-def solved(given: dict[str, Any], method: Method = "least-squares") -> Solution:
+def solved(case: dict[str, Any], method: Method = "least-squares") -> Solution:
     """Corrections and what they leave of a case with one answer."""
-    (problem,), _ = read_influence(given)
+    (problem,), _ = read_influence(case)
     return solve(problem, method)

@@ -25,7 +25,7 @@ def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
     stand = load(bench / "two.toml")
     places = Planes((-0.01, 0.01))
     wheels = balance_wheels(stand, read_recordings([bench / "run.csv"], stand), {"w1": places, "w2": places})
-    assert [each.name for each in wheels] == ["w1", "w2"]
+    assert [w.name for w in wheels] == ["w1", "w2"]
     for flywheel, wheel in zip(stand.flywheels, wheels, strict=True):
         static = flywheel.mass * complex(*flywheel.center_of_mass[1:])
         assert abs(wheel.static - static) < 2e-4 * abs(static)
@@ -41,7 +41,7 @@ def test_command_and_refused_data(bench: Path, tmp_path: Path) -> None:
     assert done.exit_code == 0 and "w1" in done.stdout
     figures = json.loads((tmp_path / "c.json").read_text(encoding="utf-8"))
     assert figures["flywheels"][0]["static"] == pytest.approx(4842.5e-6, rel=1e-3)
-    assert [(each["flywheel"], each["plane"]) for each in figures["planes"][:2]] == [("w1", -0.01), ("w1", 0.01)]
+    assert [(plane["flywheel"], plane["plane"]) for plane in figures["planes"][:2]] == [("w1", -0.01), ("w1", 0.01)]
     assert {"correction", "at", "interval", "residual"} <= set(figures["planes"][0])
     assert 'unknown flywheel "w9"' in refused("balance", stand, "--data", data, "--plane", "w9=0")
     assert "different positions" in refused("balance", stand, "--data", data, "--plane", "w1=0,0")
@@ -77,10 +77,10 @@ pieces = [{ positions = [0, 120, 240], amounts = ["200 g"], radii = ["4 cm"], sp
 def test_holes_and_screws_are_as_allowed(bench: Path) -> None:
     """In each plane the sum of the pieces is what is made, near the correction and within the residual of it."""
     (bench / "planes.toml").write_text(HOLES, encoding="utf-8")
-    found = mahovik.balance(bench / "two.toml", data=bench / "run.csv", plane=str(bench / "planes.toml"))
-    correction, made = (found[a] * np.exp(1j * found[b]) for a, b in (("correction", "at"), ("made", "made_at")))
+    result = mahovik.balance(bench / "two.toml", data=bench / "run.csv", plane=str(bench / "planes.toml"))
+    correction, made = (result[a] * np.exp(1j * result[b]) for a, b in (("correction", "at"), ("made", "made_at")))
     for k, (name, plane) in enumerate((("w1", 0), ("w1", 1), ("w2", 0), ("w2", 1))):
-        pieces: Result = found[f"pieces of {name}"]
+        pieces: Result = result[f"pieces of {name}"]
         rows = pieces["plane"] == plane
         sign = np.where(pieces["kind"] == "hole", -1.0, 1.0)
         moments = sign * pieces["count"] * pieces["amount"] * pieces["radius"]
@@ -90,12 +90,12 @@ def test_holes_and_screws_are_as_allowed(bench: Path) -> None:
             assert 1 <= rows.sum() <= (2 if name == "w1" else 3)
         else:
             assert not rows.any()  # a free plane
-        assert found["residual"][k] >= abs(made[k] - correction[k])
-    assert np.all(found["pieces of w1"]["degrees"] % 30 == pytest.approx(0, abs=1e-9))
-    assert set(found["pieces of w1"]["kind"]) == {"hole"}
-    assert np.all(found["pieces of w2"]["count"] <= 1.0)
+        assert result["residual"][k] >= abs(made[k] - correction[k])
+    assert np.all(result["pieces of w1"]["degrees"] % 30 == pytest.approx(0, abs=1e-9))
+    assert set(result["pieces of w1"]["kind"]) == {"hole"}
+    assert np.all(result["pieces of w2"]["count"] <= 1.0)
     assert made[2:] == pytest.approx(correction[2:], rel=2e-2)
-    sizes = found["vibration"]
+    sizes = result["vibration"]
     assert np.all(sizes["after"] < 0.05 * sizes["before"])
 
 

@@ -26,9 +26,9 @@ def test_a_force_table_tells_corrections_in_two_planes(tmp_path: Path, exact: An
     stand, planes = table([], **START), Planes((-0.02, 0.02))
     recordings = read_recordings([file], stand)
     wheels = balance_wheels(stand, recordings, {"first": planes, "second": planes})
-    given = {"first": (72e-6, 40.0, 3e-6, 110.0), "second": (50e-6, -70.0, 2e-6, -20.0)}
+    unbalances = {"first": (72e-6, 40.0, 3e-6, 110.0), "second": (50e-6, -70.0, 2e-6, -20.0)}
     for wheel in wheels:
-        amount, at, couple, couple_at = given[wheel.name]
+        amount, at, couple, couple_at = unbalances[wheel.name]
         static, dynamic = (x * np.exp(1j * np.radians(a)) for x, a in ((amount, at), (couple, couple_at)))
         assert abs(wheel.static - static) < 4.0 * wheel.static_error
         arms = np.array(wheel.positions)

@@ -43,21 +43,21 @@ def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int
     rng = np.random.default_rng(seed)
     for size in (1e-3, 1e-2, 0.1):
         near = best.w + size * (rng.normal(size=(50, N)) + 1j * rng.normal(size=(50, N)))
-        others = np.abs(problem.A + near @ problem.alpha.T).max(axis=1)
+        nearby = np.abs(problem.A + near @ problem.alpha.T).max(axis=1)
         assert best.bound is not None
-        assert others.min() >= best.bound - 1e-9
+        assert nearby.min() >= best.bound - 1e-9
 
 
 def test_trial_weights_that_stay_on() -> None:
     """The same rotor, measured both ways."""
     alpha, A, U = np.array([[1 + 2j, 0.5], [0.2j, 2 - 1j]]), np.array([1j, 2.0]), np.array([1.0, -2j])
     off, on = A[:, None] + alpha * U, A[:, None] + np.cumsum(alpha * U, axis=1)
-    found = []
+    weights = []
     for B, keep in ((off, False), (on, True)):
         rows = [[text(x) for x in row] for row in B.tolist()]
         given_case = {"A": [text(x) for x in A.tolist()], "B": rows, "U": [text(x) for x in U.tolist()]}
-        found.append(solved({**given_case, "keep_trial": keep}).w)
-    assert np.allclose(found[0], -np.linalg.solve(alpha, A)) and np.allclose(found[0], found[1])
+        weights.append(solved({**given_case, "keep_trial": keep}).w)
+    assert np.allclose(weights[0], -np.linalg.solve(alpha, A)) and np.allclose(weights[0], weights[1])
 
 
 def made(given_case: dict[str, object]) -> Made:
@@ -71,11 +71,13 @@ def test_pieces_are_the_best_of_all() -> None:
     chosen, ((problem,), _) = made({**RUNS, "pieces": pieces}), read_influence(RUNS)
     assert chosen.proven
     allowed = [0j, *(a * np.exp(1j * np.radians(45 * i)) for i in range(8) for a in (1, 2) if i != 5)]
-    sizes = [np.abs(problem.A + problem.alpha @ np.array(each)).max() for each in itertools.product(allowed, repeat=2)]
+    sizes = [
+        np.abs(problem.A + problem.alpha @ np.array(weights)).max() for weights in itertools.product(allowed, repeat=2)
+    ]
     assert min(sizes) * (1 - 1e-9) <= np.abs(chosen.left).max() <= min(sizes) / np.cos(np.pi / 36) * (1 + 1e-5)
-    found = mahovik.balance(influence={**RUNS, "pieces": pieces})
-    assert found["made"].tolist() == [write_polar(each) for each in chosen.w.tolist()]
-    assert set(found["pieces"]["kind"]) == {"weight"}
+    result = mahovik.balance(influence={**RUNS, "pieces": pieces})
+    assert result["made"].tolist() == [write_polar(weights) for weights in chosen.w.tolist()]
+    assert set(result["pieces"]["kind"]) == {"weight"}
 
 
 def test_holes_are_opposite_and_screws_split() -> None:
@@ -96,20 +98,20 @@ NO_PHASE = (
 @pytest.mark.parametrize("given_case", NO_PHASE)
 def test_four_runs_without_phase(given_case: dict[str, object]) -> None:
     """|w| = 10 x 50 / sqrt((49 + 144 + 324 - 300) / 3) = 58.8 g; the angle by the parts of the influence, by hand."""
-    found = mahovik.balance(influence=given_case)
-    (w,) = found["corrections"].tolist()
+    result = mahovik.balance(influence=given_case)
+    (w,) = result["corrections"].tolist()
     assert abs(w) == pytest.approx(10 * 50 / np.sqrt((49 + 144 + 324 - 300) / 3))
     x = (49 - 100 - 217 / 3) / 20
     y = -((144 - 100 - 217 / 3) / 20 + x / 2) / (np.sqrt(3) / 2)
     assert np.degrees(np.angle(w)) == pytest.approx(180.0 - np.degrees(np.arctan2(y, x)))
-    assert found["w"].tolist() == ["58.79@40.1"] and found["left"] == ["0@0"] and "also" not in found
+    assert result["w"].tolist() == ["58.79@40.1"] and result["left"] == ["0@0"] and "also" not in result
 
 
 def test_one_plane_with_phase() -> None:
     """7@160 became 5@70 with 100 g at 0: w = -7@160 / ((5@70 - 7@160) / 100), 81.37 g."""
-    found = mahovik.balance(influence={"A": ["7@160"], "B": [["5@70"]], "U": ["100@0"]})
-    assert abs(found["corrections"][0]) == pytest.approx(81.3733, abs=1e-4)
-    assert np.degrees(np.angle(found["corrections"][0])) % 360 == pytest.approx(324.462, abs=1e-3)
+    result = mahovik.balance(influence={"A": ["7@160"], "B": [["5@70"]], "U": ["100@0"]})
+    assert abs(result["corrections"][0]) == pytest.approx(81.3733, abs=1e-4)
+    assert np.degrees(np.angle(result["corrections"][0])) % 360 == pytest.approx(324.462, abs=1e-3)
 
 
 @settings(deadline=None)
@@ -119,10 +121,10 @@ def test_amplitudes_alone_tell_the_weight_or_two(size: float, at: float, kind: i
     U = np.array([[50, 50j], [50, -30], [50, 40 * np.exp(2j), 30 * np.exp(4j)], [50, -50, 20j]][kind], dtype=complex)
     alpha = size * np.exp(1j * at) / 50
     b = np.abs(1.0 + alpha * U)
-    found = mahovik.balance(influence={"A": [1.0], "B": [b.tolist()], "U": [text(u) for u in U.tolist()]})
-    answers = [found[key][0] for key in ("w", "also") if key in found]
+    result = mahovik.balance(influence={"A": [1.0], "B": [b.tolist()], "U": [text(u) for u in U.tolist()]})
+    answers = [result[key][0] for key in ("w", "also") if key in result]
     assert len(answers) == 1 or kind < 2
-    errors = [abs(read_polar(each) + 1.0 / alpha) * abs(alpha) for each in answers]
+    errors = [abs(read_polar(polar) + 1.0 / alpha) * abs(alpha) for polar in answers]
     assert min(errors) < 3e-3 if max(b) < 1e3 else True
 
 

@@ -18,17 +18,17 @@ def numbers(texts: Sequence[str]) -> np.ndarray:
 
 def test_bruel_kjaer_17_227() -> None:
     """J. Vaughan, Static and Dynamic Balancing, Brüel & Kjær 17-227, example 4: two planes."""
-    found = mahovik.balance(influence=BRUEL_KJAER).to_dict()
-    assert found["w"] == ["1.979@236.2", "1.071@121.8"]
-    assert found["left"] == ["0@0", "0@0"]
+    result = mahovik.balance(influence=BRUEL_KJAER).to_dict()
+    assert result["w"] == ["1.979@236.2", "1.071@121.8"]
+    assert result["left"] == ["0@0", "0@0"]
 
 
 def test_feese_grazier() -> None:
     """T. D. Feese, P. E. Grazier, Balance This!, Turbomachinery Symposium 2004: two planes, trial weights stay on."""
-    found = mahovik.balance(influence=FEESE)
-    assert [f"{abs(x):.1f}@{np.degrees(np.angle(x)) % 360:.0f}" for x in found["corrections"]] == ["15.3@3", "6.6@113"]
+    result = mahovik.balance(influence=FEESE)
+    assert [f"{abs(x):.1f}@{np.degrees(np.angle(x)) % 360:.0f}" for x in result["corrections"]] == ["15.3@3", "6.6@113"]
     trial = numbers(["11.1@35", "3.7@135"])
-    assert np.allclose(numbers(found["add"]), found["corrections"] - trial, atol=0.02)
+    assert np.allclose(numbers(result["add"]), result["corrections"] - trial, atol=0.02)
 
 
 def test_kelm_pavelek() -> None:
@@ -37,10 +37,10 @@ def test_kelm_pavelek() -> None:
     Influences are printed with two digits, so amplitudes agree to 3 %. The angle of their second plane is 8 degrees off
     the least squares of the printed figures: theirs leaves more.
     """
-    found, ((problem,), _) = solved(KELM), read_influence(KELM)
-    assert abs(found.w) == pytest.approx([17.5, 30.3], rel=0.03)
+    solution, ((problem,), _) = solved(KELM), read_influence(KELM)
+    assert abs(solution.w) == pytest.approx([17.5, 30.3], rel=0.03)
     printed = problem.A + problem.alpha @ numbers(["17.5@230", "30.3@0"])
-    assert np.linalg.norm(found.left) < np.linalg.norm(printed)
+    assert np.linalg.norm(solution.left) < np.linalg.norm(printed)
 
 
 def test_goodman() -> None:
@@ -55,9 +55,9 @@ def test_goodman() -> None:
 
 def test_foiles_min_max() -> None:
     """Foiles, Allaire, Gunter: four planes, eleven vibrations; their weights are those of min-max."""
-    found, ((problem,), _) = solved(TURBOGENERATOR, "min-max"), read_influence(TURBOGENERATOR)
+    solution, ((problem,), _) = solved(TURBOGENERATOR, "min-max"), read_influence(TURBOGENERATOR)
     printed = numbers(["4.42@88", "2.92@352", "1.588@322", "1.928@304"])
-    assert np.abs(found.w - printed).max() < 0.03 * np.abs(printed).max()
+    assert np.abs(solution.w - printed).max() < 0.03 * np.abs(printed).max()
     theirs = np.abs(problem.A + problem.alpha @ printed).max()
-    assert np.abs(found.left).max() <= theirs
-    assert found.bound == pytest.approx(np.abs(found.left).max(), rel=1e-6)
+    assert np.abs(solution.left).max() <= theirs
+    assert solution.bound == pytest.approx(np.abs(solution.left).max(), rel=1e-6)

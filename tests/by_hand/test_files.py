@@ -68,9 +68,9 @@ def test_natural_frequencies_are_avoided_on_both_sides() -> None:
         *(wheel(name, unbalance={"static": "1 g mm"}) for name in "ab"), suspension=springs, point=[{"name": "eye"}]
     )
 
-    found = vibration(sprung, read_speeds(sprung, 0.0), find_view(sprung, "eye"))
+    result = vibration(sprung, read_speeds(sprung, 0.0), find_view(sprung, "eye"))
     f = 15.0
-    kept = [(round(low, 3), round(high, 3)) for low, high in avoided_bands(found, "modes") if high < 20.0]
+    kept = [(round(low, 3), round(high, 3)) for low, high in avoided_bands(result, "modes") if high < 20.0]
     assert kept == [(0.9 * f, 1.1 * f)] * 2  # along x and y
-    assert avoided_bands(found, ["40Hz", "50..60Hz"]) == [pytest.approx((36.0, 44.0)), (50.0, 60.0)]
+    assert avoided_bands(result, ["40Hz", "50..60Hz"]) == [pytest.approx((36.0, 44.0)), (50.0, 60.0)]
     assert sqrt(k / 20) / (2 * pi) == pytest.approx(f)

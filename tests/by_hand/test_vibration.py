@@ -134,15 +134,15 @@ def test_requirements_count_what_a_solution_leaves_out() -> None:
     """A wheel off the middle, on the torus: what order 2 leaves out is what order 4 has at orders 3 and 4."""
     carrier = stand(wheel("a", position=[0.5, 0, 0], unbalance={"static": "100 g m"}))
     scene, seen = Scene.of(carrier), find_view(carrier, "carrier", "displacement")
-    found = find(scene, read_speeds(carrier, W), seen)
+    solutions = find(scene, read_speeds(carrier, W), seen)
     high, low = balance(scene, [W], order=4), balance(scene, [W], order=2)
     above = np.abs(high.torus.coefficients(seen.full(full_motion(high, high.torus, high.c, high.h)))[3:]).sum(axis=0)
     left = left_out_of(low, seen)
     assert left == pytest.approx(above, rel=0.1, abs=1e-3 * above.max()) and left.max() > 0.0
-    solution = found.whole[0]._replace(left_out=left)
+    solution = solutions.whole[0]._replace(left_out=left)
     (limit,) = read_requirements(["worst 1 um"], seen)
-    verdict = replace(found, whole={0: solution}).judge(limit)
-    assert verdict.value == pytest.approx((found.sums().worst[0] + left).max(), rel=1e-9)
+    verdict = replace(solutions, whole={0: solution}).judge(limit)
+    assert verdict.value == pytest.approx((solutions.sums().worst[0] + left).max(), rel=1e-9)
 
 
 def test_resonances_of_tables_matter_where_a_sum_can_be_largest() -> None:

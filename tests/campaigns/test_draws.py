@@ -79,9 +79,9 @@ def test_a_group_is_at_one_quantile(tmp_path: Path) -> None:
     entry = '"{}" = {{ relative = "{} %", group = "batch" }}\n'
     drawn = values(tmp_path, "[vary]\n" + entry.format("rw*.spin_inertia", 1) + entry.format("carrier.mass", 2))
     *wheels, carrier = (column / np.mean(column) - 1 for column in drawn.values())
-    for own in wheels:
-        assert own == pytest.approx(carrier / 2, abs=2e-3)
-        assert np.corrcoef(own, carrier)[0, 1] == pytest.approx(1)
+    for wheel in wheels:
+        assert wheel == pytest.approx(carrier / 2, abs=2e-3)
+        assert np.corrcoef(wheel, carrier)[0, 1] == pytest.approx(1)
 
 
 def test_correlated_numbers_keep_their_distributions(tmp_path: Path) -> None:

@@ -130,7 +130,9 @@ def test_killed_workers_and_a_killed_client_lose_no_sample(tmp_path: Path) -> No
     client = subprocess.Popen([*command, "--workers", "2"], start_new_session=True)
     wait(lambda: len(list(rows.glob("chunk-*.parquet"))) > 2)
     workers = [
-        each for each in psutil.Process(client.pid).children(recursive=True) if "spawn_main" in " ".join(each.cmdline())
+        process
+        for process in psutil.Process(client.pid).children(recursive=True)
+        if "spawn_main" in " ".join(process.cmdline())
     ]
     workers[0].kill()
     before = len(list(rows.glob("chunk-*.parquet")))
@@ -139,12 +141,12 @@ def test_killed_workers_and_a_killed_client_lose_no_sample(tmp_path: Path) -> No
     client.wait()
     assert len(list(rows.glob("chunk-*.parquet"))) < 40
     assert subprocess.run([*command, "--workers", "2"], check=False).returncode == 0
-    found = {path.name: path.read_bytes() for path in rows.glob("chunk-*.parquet")}
-    assert len(found) == 40
+    chunks = {path.name: path.read_bytes() for path in rows.glob("chunk-*.parquet")}
+    assert len(chunks) == 40
     for k in (0, 7, 39):
         (rows / f"chunk-{k:06d}.parquet").unlink()
     assert subprocess.run([*command, "--workers", "1"], check=False).returncode == 0
-    assert found == {path.name: path.read_bytes() for path in rows.glob("chunk-*.parquet")}
+    assert chunks == {path.name: path.read_bytes() for path in rows.glob("chunk-*.parquet")}
 
 
 def wait(condition: Any) -> None:

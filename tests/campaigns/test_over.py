@@ -36,7 +36,9 @@ def computed(folder: Path, vary: str, over: str, wanted: dict[str, str], stand: 
 
 def stand_of(campaign: Campaign, rows: dict[str, Any], j: int) -> mahovik.Stand:
     """The stand of a sample, from its columns."""
-    return campaign.stand.replace({each.number.path: float(rows[each.number.path][j]) for each in campaign.draw.varied})
+    return campaign.stand.replace(
+        {varied.number.path: float(rows[varied.number.path][j]) for varied in campaign.draw.varied}
+    )
 
 
 def length(vectors: Array) -> Array:
@@ -61,8 +63,8 @@ def test_a_regime_is_that_of_the_model_of_each_sample(tmp_path: Path) -> None:
         "power": '"mean power"\nat = "rw2"',
         "turn": '"peak rotation"\nat = "acc1"',
     }
-    rows, own = computed(tmp_path, SATELLITE, over, wanted, "sat4")
-    for j, stand in enumerate(own):
+    rows, model = computed(tmp_path, SATELLITE, over, wanted, "sat4")
+    for j, stand in enumerate(model):
         run = mahovik.build(stand).simulate(0.05, regime=ramp, mounts=True)
         t, V, force = run["t"], run["V"], run["specific_force"][:, 0]
         r = np.array(stand.points[0].position if stand.points else stand.instruments[0].position)
@@ -165,8 +167,8 @@ def test_states_are_those_of_the_model(tmp_path: Path) -> None:
     (tmp_path / "s.jsonl").write_text("\n".join(lines), encoding="utf-8")
     wanted = {"tau": '"peak torque"\nat = "rw1"', "mount": '"end force"\nat = "rw2"'}
     wanted["force"] = '"peak specific force"\nat = "acc1"'
-    rows, own = computed(tmp_path, SATELLITE, 'states = "s.jsonl"', wanted, "sat4")
-    model = mahovik.build(own[1])
+    rows, sat4 = computed(tmp_path, SATELLITE, 'states = "s.jsonl"', wanted, "sat4")
+    model = mahovik.build(sat4[1])
     x = model.states(phi=[[0, 0, 0, 0], [1, 2, 3, 4]], phi_dot=[[100, 0, 0, 0], [300, 50, 0, 0]])
     phi_ddot = np.array([[0, 0, 0, 0], [1, 2, 3, 4]])
     V_dot = model.forward(x, phi_ddot).V_dot

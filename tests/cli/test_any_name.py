@@ -17,7 +17,7 @@ SIMULATE = ("simulate", DEMO3, "--until", "0.002")
 @pytest.mark.parametrize(
     "arguments",
     [VIBRATION, SIMULATE, ("modes", DEMO3), ("report", DEMO3), ("new", "demo3")],
-    ids=lambda each: each[0],
+    ids=lambda case: case[0],
 )
 def test_a_device_and_a_link_to_one_need_no_ending(arguments: tuple[str, ...], tmp_path: Path) -> None:
     link = tmp_path / "link"

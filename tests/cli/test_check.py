@@ -21,30 +21,32 @@ def table(text: str, head: str) -> dict[str, list[str]]:
     lines = iter(text.splitlines())
     next(line for line in lines if line.startswith(f" {head}"))
     next(lines)
-    found = {}
+    rows = {}
     for line in lines:
         if not line.strip():
             break
         first, *cells = re.split(r" {2,}", line.strip())
-        found[first] = cells
-    return found
+        rows[first] = cells
+    return rows
 
 
 def test_all_of_it_is_in_json() -> None:
-    found = json.loads(run("check", SAT4, "--json").stdout)
-    assert found["mass"] == pytest.approx(60.0)
-    assert sum(each["inertia"] for each in found["principal"]) == pytest.approx(
-        sum(found["inertia"][i][i] for i in range(3))
+    document = json.loads(run("check", SAT4, "--json").stdout)
+    assert document["mass"] == pytest.approx(60.0)
+    assert sum(moment["inertia"] for moment in document["principal"]) == pytest.approx(
+        sum(document["inertia"][i][i] for i in range(3))
     )
-    row = found["unbalance"][1] | found["effects"][1]
+    row = document["unbalance"][1] | document["effects"][1]
     assert (row["static_at"], row["dynamic_at"]) == pytest.approx((math.radians(70), math.radians(-20)))
     assert row["grade"] == "G 0.4" and row["eccentric_velocity"] == pytest.approx(0.3927e-3, rel=1e-4)
-    assert found["torque"]["each"] == [0.2] * 4
-    assert found["momentum"]["direction"] == pytest.approx(48 / math.sqrt(6), rel=1e-4)
+    assert document["torque"]["each"] == [0.2] * 4
+    assert document["momentum"]["direction"] == pytest.approx(48 / math.sqrt(6), rel=1e-4)
     first = {"key": "unbalance.static", "value": "0.15 g cm", "SI": "1.5e-06 kg m", "of": "rw1, rw2, rw3, rw4"}
-    assert first in found["written"]
-    assert {"key": "position", "value": "[0, 40, 260] mm", "SI": "[0, 0.04, 0.26] m", "of": "acc1"} in found["written"]
-    assert "position" not in found["rest"]["state"] and len(found["rest"]["free"]) == 6
+    assert first in document["written"]
+    assert {"key": "position", "value": "[0, 40, 260] mm", "SI": "[0, 0.04, 0.26] m", "of": "acc1"} in document[
+        "written"
+    ]
+    assert "position" not in document["rest"]["state"] and len(document["rest"]["free"]) == 6
 
 
 CUBE = """schema = 1
@@ -66,12 +68,12 @@ unbalance = {{ static = "1 g mm", dynamic = "30 g mm^2", dynamic_at = "ANGLE" }}
 
 @pytest.mark.parametrize(("angle", "residual"), [("0 deg", 1.25), ("180 deg", 1.25), ("90 deg", math.hypot(0.5, 0.75))])
 def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
-    angle: str, residual: float, own_folder: Path
+    angle: str, residual: float, work_folder: Path
 ) -> None:
     """Half of 1 g mm at each of two planes 40 mm apart, and 30 g mm2 over 40 mm: 0.75 g mm; on 1 kg at 1000 rad/s."""
-    (own_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
-    found = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)
-    row = found["unbalance"][0] | found["effects"][0]
+    (work_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
+    document = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)
+    row = document["unbalance"][0] | document["effects"][0]
     assert row["eccentric_velocity"] == pytest.approx(1e-3)
     assert row["plane_velocity"] == pytest.approx(2e-3 * residual)
     assert (row["grade"], row["plane_grade"]) == ("G 1", "G 2.5")
@@ -107,8 +109,8 @@ stiffness = 40
 """
 
 
-def test_the_place_of_a_hold_its_friction_and_stops_are_shown_and_in_json(own_folder: Path) -> None:
-    (own_folder / "cart.toml").write_text(CART, encoding="utf-8")
+def test_the_place_of_a_hold_its_friction_and_stops_are_shown_and_in_json(work_folder: Path) -> None:
+    (work_folder / "cart.toml").write_text(CART, encoding="utf-8")
     lines = [re.split(r" {2,}", line.strip()) for line in run("check", "cart.toml").stdout.splitlines()]
     for expected in (
         ["hold", "pivot in E1", "0.003", "0", "0", "m"],
@@ -119,8 +121,8 @@ def test_the_place_of_a_hold_its_friction_and_stops_are_shown_and_in_json(own_fo
         ["stiffness", "2 N m/deg", "114.592 N m/rad", "hold.stop[0]"],
     ):
         assert expected in lines
-    found = json.loads(run("check", "cart.toml", "--json").stdout)
-    assert {"by": "friction of x", "number": "coulomb", "value": "1.2", "unit": "N"} in found["hold"]
+    document = json.loads(run("check", "cart.toml", "--json").stdout)
+    assert {"by": "friction of x", "number": "coulomb", "value": "1.2", "unit": "N"} in document["hold"]
     assert json.loads(run("check", SAT4, "--json").stdout)["hold"] == []
 
 
@@ -129,9 +131,9 @@ def test_a_machine_without_anything_is_told_what_to_install(tmp_path: Path, monk
     monkeypatch.delenv("CC", raising=False)
     result = run("check", "--tools", "--json")
     assert result.exit_code == 1
-    found = {each["what"]: each for each in json.loads(result.output)["tools"]}
-    assert found["C compiler"] == {
+    tools = {tool["what"]: tool for tool in json.loads(result.output)["tools"]}
+    assert tools["C compiler"] == {
         "what": "C compiler", "serves": "verify, simulate", "found": "", "install": "apt-get install gcc libc6-dev",
     }  # fmt: skip
-    assert found["qemu-system-arm"]["install"] == f"apt-get install {' '.join(TARGETS['m7'].packages)}"
-    assert not any(each["found"] for each in found.values() if not each["what"].startswith("extra"))
+    assert tools["qemu-system-arm"]["install"] == f"apt-get install {' '.join(TARGETS['m7'].packages)}"
+    assert not any(tool["found"] for tool in tools.values() if not tool["what"].startswith("extra"))

@@ -101,15 +101,15 @@ def test_tables_are_not_cut_when_piped() -> None:
     assert "\x1b" not in done.stdout
 
 
-@pytest.mark.parametrize(("given", "used"), [(None, "1"), ("3", "3")])
-def test_linear_algebra_has_one_thread_unless_told_otherwise(given: str | None, used: str) -> None:
+@pytest.mark.parametrize(("asked", "used"), [(None, "1"), ("3", "3")])
+def test_linear_algebra_has_one_thread_unless_told_otherwise(asked: str | None, used: str) -> None:
     program = (
         "import os, sys; sys.argv = ['mahovik', '--version']; from mahovik.__main__ import run\n"
         "try: run()\n"
         "except SystemExit: print([os.environ[f'{of}_NUM_THREADS'] for of in ('OMP', 'OPENBLAS', 'MKL')])"
     )
     environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
-    environment |= {} if given is None else {f"{of}_NUM_THREADS": given for of in ("OMP", "OPENBLAS", "MKL")}
+    environment |= {} if asked is None else {f"{of}_NUM_THREADS": asked for of in ("OMP", "OPENBLAS", "MKL")}
     done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1] == str([used] * 3)

@@ -10,14 +10,14 @@ import pytest
 
 
 @pytest.mark.parametrize(
-    ("words", "found"),
+    ("words", "expected"),
     [
         ("mahovik veri", ["plain,verify"]),
         ("mahovik generate --rea", ["plain,--real"]),
         ("mahovik generate --real ", ["plain,double", "plain,float"]),
     ],
 )
-def test_what_is_completed(words: str, found: list[str]) -> None:
+def test_what_is_completed(words: str, expected: list[str]) -> None:
     """Completion is driven by the variables that the bash script sets."""
     typed = words.split(" ")
     done = subprocess.run(
@@ -36,4 +36,4 @@ def test_what_is_completed(words: str, found: list[str]) -> None:
         text=True,
         check=False,
     )
-    assert done.stdout.splitlines() == found, done.stderr
+    assert done.stdout.splitlines() == expected, done.stderr

@@ -29,7 +29,7 @@ FUNCTIONS = (FunctionCost("forward", 1000, 500, 490, 3000, ()), FunctionCost("in
 @pytest.fixture(autouse=True)
 def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
     """Figures of the functions on every target: to be changed by a test."""
-    found = list(FUNCTIONS)
+    names = list(FUNCTIONS)
 
     def measure(
         stand: Stand,
@@ -41,7 +41,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
         targets = [
             TargetCost(
                 *(target.name, target.title, real, "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
-                *(tuple(found), 5000, {}, 8),
+                *(tuple(names), 5000, {}, 8),
             )
             for target, real in pairs
         ]
@@ -49,7 +49,7 @@ def functions(monkeypatch: pytest.MonkeyPatch) -> list[FunctionCost]:
 
     monkeypatch.setattr(measuring, "measure", measure)
     monkeypatch.setattr(measuring, "require", lambda target: None)
-    return found
+    return names
 
 
 @cache

@@ -35,17 +35,17 @@ def answers(file: str, *lines: dict[str, Any], backend: str = "numpy", status: i
 def test_a_pendulum_falls_as_it_should(file: str, backend: str) -> None:
     angle, u = 0.3, 1.5
     state = {"angles": [0, angle, 0], "u": [u], "phi_ddot": [40.0]}
-    (found,) = answers(file, {**state, "want": ["forward", "points"], "u_dot": [0.7]}, backend=backend)
+    (answer,) = answers(file, {**state, "want": ["forward", "points"], "u_dot": [0.7]}, backend=backend)
     moment = 2.5 * 9.81 * 0.2 * np.sin(angle)  # the mass centre is over the pivot at angle 0
     spin = 0.001
     expected = (moment - spin * 40.0) / (0.02 + 2.5 * 0.2**2 + spin)
-    assert found["u_dot"] == pytest.approx([expected], rel=1e-13)
-    assert found["V_dot"] == pytest.approx([0.2 * expected, 0, 0, 0, expected, 0], rel=1e-13)
+    assert answer["u_dot"] == pytest.approx([expected], rel=1e-13)
+    assert answer["V_dot"] == pytest.approx([0.2 * expected, 0, 0, 0, expected, 0], rel=1e-13)
     # force of the pivot: mass times the acceleration of the mass centre, less the weight, in E1
     weight = 2.5 * 9.81 * np.array([np.sin(angle), 0, -np.cos(angle)])
     force = 2.5 * np.array([0.2 * expected, 0, -0.2 * u**2]) - weight
-    assert found["reaction"][:3] == pytest.approx(force, rel=1e-13, abs=1e-13)
-    assert found["points"]["tip"]["twist"] == pytest.approx([0.3 * u, 0, 0, 0, u, 0], rel=1e-13)
+    assert answer["reaction"][:3] == pytest.approx(force, rel=1e-13, abs=1e-13)
+    assert answer["points"]["tip"]["twist"] == pytest.approx([0.3 * u, 0, 0, 0, u, 0], rel=1e-13)
 
 
 @pytest.mark.parametrize("backend", ["numpy", "c"])
@@ -53,14 +53,14 @@ def test_the_hold_carries_the_carrier_and_what_its_mounts_carry(file: str, backe
     """For a motion that is given: force on the carrier alone, m a - m g of 2 kg at O1, and that of the mount."""
     angle, u, u_dot = 0.3, 1.5, 0.7
     state = {"angles": [0, angle, 0], "u": [u], "u_dot": [u_dot], "phi": [0.7], "phi_dot": [200.0]}
-    (found,) = answers(file, {**state, "want": ["reaction", "mounts", "torque"]}, backend=backend)
+    (answer,) = answers(file, {**state, "want": ["reaction", "mounts", "torque"]}, backend=backend)
     down = 9.81 * np.array([np.sin(angle), 0.0, -np.cos(angle)])
     alone = 2.0 * (np.array([0.2 * u_dot, 0.0, -0.2 * u**2]) - down)
-    (mount,) = np.array(found["mount_wrench"])
+    (mount,) = np.array(answer["mount_wrench"])
     in_E1 = np.array([mount[2], mount[0], mount[1]])  # its axes are y, z, x of E1
-    assert np.array(found["reaction"][:3]) == pytest.approx(alone + in_E1, rel=1e-12, abs=1e-12)
+    assert np.array(answer["reaction"][:3]) == pytest.approx(alone + in_E1, rel=1e-12, abs=1e-12)
     assert in_E1 == pytest.approx(0.25 * alone, rel=1e-12, abs=1e-12)
-    assert mount[3] == pytest.approx(found["tau"][0], rel=1e-12)
+    assert mount[3] == pytest.approx(answer["tau"][0], rel=1e-12)
 
 
 def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -> None:
@@ -74,15 +74,15 @@ def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -
     assert 0.2 * R[0] + R[4] == pytest.approx(-2.5 * 9.81 * 0.2 * np.sin(0.3), rel=1e-12)
     clamped = tmp_path / "clamped.toml"
     clamped.write_text(PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
-    (found,) = answers(str(clamped), {"want": ["reaction"]})
-    assert found["reaction"][2] == pytest.approx(2.5 * 9.81)
+    (answer,) = answers(str(clamped), {"want": ["reaction"]})
+    assert answer["reaction"][2] == pytest.approx(2.5 * 9.81)
 
 
 def test_a_free_carrier_and_two_reactions_in_one_want_are_error_lines(file: str, tmp_path: Path) -> None:
-    (found,) = answers(file, {"want": ["forward", "reaction"]}, status=1)
-    assert found["error"] == 'want: "forward" and "reaction" both give reaction, ask for them in two states'
-    (found,) = answers(file, {"want": ["forward"], "V": [0, 0, 0, 0, 1, 0]}, status=1)
-    assert found["error"] == "V: the carrier is held, expected u, 1 number"
+    (answer,) = answers(file, {"want": ["forward", "reaction"]}, status=1)
+    assert answer["error"] == 'want: "forward" and "reaction" both give reaction, ask for them in two states'
+    (answer,) = answers(file, {"want": ["forward"], "V": [0, 0, 0, 0, 1, 0]}, status=1)
+    assert answer["error"] == "V: the carrier is held, expected u, 1 number"
     free = tmp_path / "free.toml"
     free.write_text(PENDULUM.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
     reaction, speed = answers(str(free), {"want": ["reaction"]}, {"want": ["forward"], "u": [1.0]}, status=1)

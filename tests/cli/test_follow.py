@@ -19,7 +19,7 @@ MOTION = str(stands.path("shaker2").parent / "shaker2_spin.motion.json")
 
 
 @pytest.fixture
-def given(tmp_path: Path) -> list[str]:
+def options(tmp_path: Path) -> list[str]:
     """Arguments that are right, but for those that a test adds."""
     save_programme(shaker()[2], tmp_path / "P.json")
     (tmp_path / "S.toml").write_text(SERVO)
@@ -27,10 +27,10 @@ def given(tmp_path: Path) -> list[str]:
     return ["simulate", STAND, *files]
 
 
-def test_table_and_columns(given: list[str], tmp_path: Path) -> None:
+def test_table_and_columns(options: list[str], tmp_path: Path) -> None:
     """The columns follow the required heave."""
     output = tmp_path / "run.csv"
-    said = run(*given, "--periods", "11", "-o", str(output))
+    said = run(*options, "--periods", "11", "-o", str(output))
     assert said.exit_code == 0, said.output
     assert "over the last 10 of 11 periods; mismatch 0%, seed 1" in said.stdout
     rows = np.genfromtxt(output, delimiter=",", names=True, deletechars="")
@@ -38,20 +38,20 @@ def test_table_and_columns(given: list[str], tmp_path: Path) -> None:
     assert abs(rows["z_[m]"] - rows["required_z_[m]"]).max() < 1e-7
 
 
-def test_a_mismatch_is_a_larger_error(given: list[str]) -> None:
-    plain, wrong = (json.loads(run(*given, "--periods", "11", "--mismatch", x, "--json").stdout) for x in ("0", "1%"))
+def test_a_mismatch_is_a_larger_error(options: list[str]) -> None:
+    plain, wrong = (json.loads(run(*options, "--periods", "11", "--mismatch", x, "--json").stdout) for x in ("0", "1%"))
     assert wrong["error"] > 100 * plain["error"]
     assert wrong["coordinates"]["z"]["peak"] > 0.0
 
 
-def test_a_loop_too_slow_to_be_stable_is_told(given: list[str], tmp_path: Path) -> None:
+def test_a_loop_too_slow_to_be_stable_is_told(options: list[str], tmp_path: Path) -> None:
     (tmp_path / "S.toml").write_text(SERVO.replace("0.5 ms", "12 ms"))
-    assert "unstable" in refused(*given, status=1)
+    assert "unstable" in refused(*options, status=1)
     (tmp_path / "S.toml").write_text(SERVO.replace("0.5 ms", "20 ms"))
-    assert "fewer than 4 samples in a period" in refused(*given)
+    assert "fewer than 4 samples in a period" in refused(*options)
 
 
-def test_a_trim_that_does_not_converge_is_told(given: list[str], tmp_path: Path) -> None:
+def test_a_trim_that_does_not_converge_is_told(options: list[str], tmp_path: Path) -> None:
     wild = TRIM.replace("settling = 10", "settling = 0").replace("averaging = 10", "averaging = 1")
     (tmp_path / "S.toml").write_text(SERVO + wild.replace("gain = 0.8", "gain = 1"))
-    assert "does not converge" in refused(*given)
+    assert "does not converge" in refused(*options)

@@ -69,9 +69,9 @@ def sha256(path: Path) -> str:
 def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
     manifest = json.loads((delivered / "manifest.json").read_text())
     assert manifest["files"] == {n: sha256(delivered / n) for n in sorted(contents(delivered)) if n != "manifest.json"}
-    found = identities(load(DEMO3))
+    hashes = identities(load(DEMO3))
     assert (manifest["stand"], manifest["real"]) == ("demo3", "double")
-    assert (manifest["structure"], manifest["physics"]) == (found.structure, found.physics)
+    assert (manifest["structure"], manifest["physics"]) == (hashes.structure, hashes.physics)
     assert set(manifest) == {"format", "generator", "stand", "structure", "physics", "real", "only", "files"}  # no date
     assert manifest["only"] == [name for name in manifest["only"] if name in DEFAULT]
     assert set(manifest["only"]) == set(DEFAULT) and "demo3_mounts(" not in (delivered / "demo3.h").read_text()
@@ -80,10 +80,10 @@ def test_the_manifest_has_the_hash_of_every_file(delivered: Path) -> None:
 def test_batches_are_added_where_they_are_asked_for_and_taken_away_again(folder: Path) -> None:
     before = contents(folder)
     generate(folder, "--batch")
-    found = contents(folder)
-    assert set(found) == set(before) | {"demo3_batch.c", "demo3_batch.h"}
-    assert {name for name in before if found[name] != before[name]} == {"README.md", "manifest.json"}
-    assert {"demo3_batch.c", "demo3_batch.h"} < set(json.loads(found["manifest.json"])["files"])
+    files = contents(folder)
+    assert set(files) == set(before) | {"demo3_batch.c", "demo3_batch.h"}
+    assert {name for name in before if files[name] != before[name]} == {"README.md", "manifest.json"}
+    assert {"demo3_batch.c", "demo3_batch.h"} < set(json.loads(files["manifest.json"])["files"])
     generate(folder, "--check")
     assert "demo3_batch.c was removed" in generate(folder)
     assert contents(folder) == before

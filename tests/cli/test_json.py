@@ -56,17 +56,17 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
 def commands(group: click.Group = main, name: str = "") -> Iterator[tuple[str, click.Command]]:
     """All commands, with the names of their groups before theirs."""
     context = click.Context(group)
-    for each in group.list_commands(context):
-        command = group.get_command(context, each)
+    for child in group.list_commands(context):
+        command = group.get_command(context, child)
         assert command is not None
         if isinstance(command, click.Group):
-            yield from commands(command, f"{name}{each} ")
+            yield from commands(command, f"{name}{child} ")
         else:
-            yield f"{name}{each}", command
+            yield f"{name}{child}", command
 
 
 @pytest.fixture(autouse=True)
-def files(own_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def files(work_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Files that the cases read."""
     monkeypatch.setattr(all_pieces, "PIECES", (GOOD, BAD))
     monkeypatch.delenv("CI", raising=False)

@@ -110,8 +110,8 @@ def test_a_wrong_number_of_an_fmu_is_named() -> None:
     exported(FREE.replace("inertia = [0.2,", "inertia = [0.25,"), "heavy.fmu", "version=3.0", "kind=me")
     result = run(*judged(FREE, "heavy.fmu", FREE_MAP, "--states", "4", "--explain", "--json"))
     assert result.exit_code == 1
-    (found,) = json.loads(result.stdout)["diagnosis"]["found"]
-    assert (found["number"], found["value"], found["expected"]) == ("carrier.inertia.J11", 0.25, 0.2)
+    (fault,) = json.loads(result.stdout)["diagnosis"]["found"]
+    assert (fault["number"], fault["value"], fault["expected"]) == ("carrier.inertia.J11", 0.25, 0.2)
 
 
 @pytest.mark.slow
@@ -120,8 +120,8 @@ def test_a_wrong_number_of_a_held_fmu_is_named() -> None:
     exported(wrong, "wrong.fmu", "inputs=acceleration")
     result = run(*judged(held_text(), "wrong.fmu", HELD_MAP, "--states", "12", "--explain", "--json"))
     assert result.exit_code == 1
-    (found,) = json.loads(result.stdout)["diagnosis"]["found"]
-    assert (found["number"], found["value"], found["expected"]) == ("carrier.inertia.J22", 0.025, 0.02)
+    (fault,) = json.loads(result.stdout)["diagnosis"]["found"]
+    assert (fault["number"], fault["value"], fault["expected"]) == ("carrier.inertia.J22", 0.025, 0.02)
 
 
 def test_a_joint_has_its_angle_and_its_speed() -> None:
@@ -186,11 +186,11 @@ def test_an_fmu_that_would_write_outside_its_folder_does_not(
     room.mkdir(parents=True)
     monkeypatch.setattr(tempfile, "tempdir", str(room))
     with ZipFile(fmu) as whole, ZipFile(tmp_path / "bad.fmu", "w") as archive:
-        for each in whole.infolist():
-            archive.writestr(each.filename, whole.read(each))
+        for entry in whole.infolist():
+            archive.writestr(entry.filename, whole.read(entry))
         archive.writestr(name, "x")
     run(*judged(FREE, tmp_path / "bad.fmu", FREE_MAP, "--states", "1"))
-    assert [each.name for each in (tmp_path / "room").rglob("*")] == ["inner"]
+    assert [entry.name for entry in (tmp_path / "room").rglob("*")] == ["inner"]
 
 
 def late() -> Iterator[bytes]:

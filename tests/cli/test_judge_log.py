@@ -26,7 +26,7 @@ def functions() -> list[str]:
 
 
 @pytest.fixture(scope="module", autouse=True)
-def run_here_once() -> Iterator[None]:
+def run_selftests_once() -> Iterator[None]:
     """The C of this machine is built and run once for each sweep."""
     original = selftest._hashes
     known: dict[tuple[str, int], Any] = {}
@@ -77,11 +77,11 @@ def rewritten(path: Path, text: str | bytes) -> str:
 
 def test_a_good_log(log: Path) -> None:
     result = run("verify", DEMO3, str(log))
-    found = identities(load(DEMO3))
+    hashes = identities(load(DEMO3))
     assert result.exit_code == 0
     assert result.output.startswith(f"PASS   {log}\n") and "checked: identities, " in result.output
     row = next(line.split() for line in result.output.splitlines() if line.startswith(" demo3 "))
-    assert row == ["demo3", "double", found.structure, found.physics, str(len(functions())), str(SWEEP)]
+    assert row == ["demo3", "double", hashes.structure, hashes.physics, str(len(functions())), str(SWEEP)]
     assert f"sweep of {SWEEP} states, double, by gcc" in result.output
     assert "not checked" not in result.output
 
@@ -185,9 +185,9 @@ def test_a_log_in_utf_16_is_told_so(encoding: str, printed: str, log: Path) -> N
 
 def test_the_verdict_as_json(printed: str) -> None:
     Path("board.log").write_text(printed)
-    found = json.loads(run("verify", DEMO3, "board.log", "--json").stdout)
-    assert [each["functions"] for each in found["runs"]] == [len(functions())]
-    assert found["unchecked"] == []
+    verdict = json.loads(run("verify", DEMO3, "board.log", "--json").stdout)
+    assert [judged["functions"] for judged in verdict["runs"]] == [len(functions())]
+    assert verdict["unchecked"] == []
     Path("board.log").write_text(printed.replace("PASS", "FAIL", 1))
     result = run("verify", DEMO3, "board.log", "--json")
     assert result.exit_code == 1

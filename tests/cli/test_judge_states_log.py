@@ -79,11 +79,11 @@ def log_of(
     """
     rng, hold = np.random.default_rng(5), stand.hold
     S = np.eye(6) if hold is None else twists(hold)
-    found: dict[str, list[float]] = {}
+    columns: dict[str, list[float]] = {}
 
     def add(names: Any, values: Any) -> None:
         for name, x in zip(names, values, strict=True):
-            found.setdefault(name, []).append(float(x))
+            columns.setdefault(name, []).append(float(x))
 
     for k in range(count):
         state, u = state_and_speeds(stand, rng, speeds)
@@ -113,7 +113,7 @@ def log_of(
             add(["t [s]"], [0.01 * k])
         else:
             add([f"hold.reaction.{a}" for a in "xyzkmn"], at.K @ S @ u_dot - right)
-    return found
+    return columns
 
 
 def write(columns: Mapping[str, list[float]]) -> str:
@@ -135,9 +135,9 @@ RIGHT = [("brick", False), ("hinge", False), ("hinge", True), ("ball joint", Tru
 
 @pytest.mark.parametrize(("name", "by_freedoms"), [*RIGHT, ("knife edge", False), ("basis", False), ("clamped", True)])
 def test_a_right_log_agrees(name: str, by_freedoms: bool) -> None:
-    found = judged(log_of(stand_of(name), 6, by_freedoms=by_freedoms), status=0)
+    verdict = judged(log_of(stand_of(name), 6, by_freedoms=by_freedoms), status=0)
     motion = ["V_dot"] if name == "brick" else ["u_dot", "V_dot", "reaction"]
-    assert [row["quantity"] for row in found["rows"]] == (["reaction"] if name == "clamped" else motion)
+    assert [row["quantity"] for row in verdict["rows"]] == (["reaction"] if name == "clamped" else motion)
 
 
 def lifted(right: Any, at: Pieces) -> None:
@@ -178,13 +178,13 @@ def slow(*values: object) -> Any:
 )
 def test_a_wrong_term_is_named(name: str, change: Change, rows: int, by_freedoms: bool, term: Any) -> None:
     """In the motion along the freedoms, and in the reaction, which is that of the motion in the log."""
-    found = judged(log_of(stand_of(name), rows, change, by_freedoms), "--explain", status=1)["diagnosis"]
+    diagnosis = judged(log_of(stand_of(name), rows, change, by_freedoms), "--explain", status=1)["diagnosis"]
     component, words, factor, expected, coefficient = term
-    for each in found["found"]:
-        assert (each["component"], each["term"], each["coefficient"]) == (component, words, coefficient)
-        assert (each["factor"], each["expected"]) == pytest.approx((factor, expected), abs=1e-9)
+    for fault in diagnosis["found"]:
+        assert (fault["component"], fault["term"], fault["coefficient"]) == (component, words, coefficient)
+        assert (fault["factor"], fault["expected"]) == pytest.approx((factor, expected), abs=1e-9)
     wants = {"brick": ["forward"], "clamped": ["reaction"]}.get(name, ["forward", "reaction"])
-    assert found["verdict"] == "named" and [each["want"] for each in found["found"]] == wants
+    assert diagnosis["verdict"] == "named" and [fault["want"] for fault in diagnosis["found"]] == wants
 
 
 def test_a_log_of_few_digits_is_explained_within_its_tolerance() -> None:

@@ -17,17 +17,17 @@ def test_about_a_state(tmp_path: Path) -> None:
     state.write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.1], "phi_dot": [10, 0], "phi_ddot": [5, 0]}), encoding="utf-8")
     target = tmp_path / "model.json"
     assert run("modes", SHAKER2, *FREE, "--at", str(state), "--points", "carrier", "-o", str(target)).exit_code == 0
-    found = json.loads(target.read_text(encoding="utf-8"))
-    assert found["state"]["phi_ddot"] == [5.0, 0.0]
-    assert found["state"]["tau"][0] != 0.0
-    assert found["A"][0][1] == 0.1  # -<omega>
-    assert found["points"] == ["carrier"]
+    model = json.loads(target.read_text(encoding="utf-8"))
+    assert model["state"]["phi_ddot"] == [5.0, 0.0]
+    assert model["state"]["tau"][0] != 0.0
+    assert model["A"][0][1] == 0.1  # -<omega>
+    assert model["points"] == ["carrier"]
     rest = tmp_path / "rest.json"
     rest.write_text(json.dumps(json.loads(run("check", SHAKER2, "--json").stdout)["rest"]["state"]), encoding="utf-8")
     assert run("modes", SHAKER2, "--at", str(rest), "-o", str(target)).exit_code == 0
-    found = json.loads(target.read_text(encoding="utf-8"))
-    assert len(found["states"]) == 12
-    assert found["points"] == ["carrier"]  # shaker2 has no points
+    model = json.loads(target.read_text(encoding="utf-8"))
+    assert len(model["states"]) == 12
+    assert model["points"] == ["carrier"]  # shaker2 has no points
 
 
 def test_an_unstable_pose_is_named(tmp_path: Path) -> None:

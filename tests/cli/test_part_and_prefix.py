@@ -81,10 +81,10 @@ def test_a_part_runs_on_targets_and_its_branches_are_counted(part: Path, tmp_pat
 def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path) -> None:
     result = run("verify", SHAKER2, str(part), "--states", "9", "--json")
     assert result.exit_code == 0, result.output
-    found = json.loads(result.stdout)
-    assert found["stand"] == "shakerp"
-    assert found["judged"] == f"C in {part}, only forward, torque"
-    verdicts = {(row["judged"], row["quantity"]): row["verdict"] for row in found["rows"]}
+    report = json.loads(result.stdout)
+    assert report["stand"] == "shakerp"
+    assert report["judged"] == f"C in {part}, only forward, torque"
+    verdicts = {(row["judged"], row["quantity"]): row["verdict"] for row in report["rows"]}
     assert verdicts["forward", "V_dot"] == verdicts["torque", "tau"] == "ok"
     assert verdicts["", "interpreter = C, bit for bit"] == verdicts["", "bad inputs refused"] == "ok"
     absent = {want for (want, quantity), verdict in verdicts.items() if verdict == "not compared"}
@@ -121,8 +121,8 @@ def test_what_is_wrong_in_the_log_of_a_part_is_found(old: str, new: str, words: 
     text, count = re.subn(old, new, log.read_text(), count=1)
     assert count == 1
     (tmp_path / "spoiled.log").write_text(text)
-    given = ("verify", SHAKER2, str(tmp_path / "spoiled.log"), "--only", "forward,torque")
-    assert words in refused(*given, status=1)
+    command = ("verify", SHAKER2, str(tmp_path / "spoiled.log"), "--only", "forward,torque")
+    assert words in refused(*command, status=1)
 
 
 def test_the_stand_under_another_name_is_known_by_its_physics(part: Path, tmp_path: Path) -> None:

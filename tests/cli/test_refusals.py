@@ -100,9 +100,9 @@ CASES = [
 
 
 @pytest.fixture(autouse=True)
-def files(own_folder: Path) -> set[str]:
+def files(work_folder: Path) -> set[str]:
     """Files that the commands read."""
-    save_programme(shaker()[2], own_folder / "p.json")
+    save_programme(shaker()[2], work_folder / "p.json")
     Path("servo.toml").write_text(SERVO)
     Path("twice.json").write_text('{"phi": [0, 0, 0], "phi": [1, 0, 0]}')
     Path("twice.py").touch()
@@ -110,7 +110,7 @@ def files(own_folder: Path) -> set[str]:
     for name in ("tau", "state"):
         Path(f"{name}.json").write_text(json.dumps({"tau": [1.0, 2.0]}))
     Path("wheel.csv").write_text("order [-],radial force [N/(rad/s)^2]\n1,1.5e-6\n")
-    return {path.name for path in own_folder.iterdir()}
+    return {path.name for path in work_folder.iterdir()}
 
 
 @pytest.mark.parametrize(("command", "options", "words"), CASES, ids=[f"{case[0]} {case[1]}" for case in CASES])

@@ -35,9 +35,9 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def binary(flown: Path, tmp_path: Path) -> Path:
     """The same log as bytes, to be damaged."""
-    found = tmp_path / "binary.log"
-    found.write_bytes(b"".join(bytes.fromhex(line[1:]) for line in flown.read_text().splitlines()))
-    return found
+    target = tmp_path / "binary.log"
+    target.write_bytes(b"".join(bytes.fromhex(line[1:]) for line in flown.read_text().splitlines()))
+    return target
 
 
 def test_columns_of_states_and_a_line_of_a_step(flown: Path) -> None:
@@ -112,8 +112,8 @@ def test_refusals_are_one_line(arguments: tuple[str, ...], words: str, status: i
 
 
 def test_the_verdict_as_json(flown: Path, binary: Path) -> None:
-    found = json.loads(run("replay", DEMO3, "--log", str(flown), "--json", "--step", "5").stdout)
-    assert (found["stand"], found["steps_equal"], found["steps_refused"], found["differs_at"]) == (
+    verdict = json.loads(run("replay", DEMO3, "--log", str(flown), "--json", "--step", "5").stdout)
+    assert (verdict["stand"], verdict["steps_equal"], verdict["steps_refused"], verdict["differs_at"]) == (
         "demo3",
         721,
         1,

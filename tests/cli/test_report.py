@@ -31,7 +31,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     folder = tmp_path_factory.mktemp("report")
     result = run("report", DEMO3, "-o", str(folder / "r.html"))
     assert result.exit_code == 0, result.output
-    assert [each.name for each in folder.iterdir()] == ["r.html"]
+    assert [file.name for file in folder.iterdir()] == ["r.html"]
     yield (folder / "r.html").read_text(encoding="utf-8")
 
 
@@ -71,10 +71,10 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 1
     assert "error: verification: FAILED: " in result.stdout
-    found = Path("r.html").read_text(encoding="utf-8")
-    assert read(found).wrong == []
-    assert "FAIL verification: FAILED" in words(found[: found.index("<main>")])
-    assert '<div class="failure" role="alert">' in found and '<span class="bad">FAILED' in found
+    html = Path("r.html").read_text(encoding="utf-8")
+    assert read(html).wrong == []
+    assert "FAIL verification: FAILED" in words(html[: html.index("<main>")])
+    assert '<div class="failure" role="alert">' in html and '<span class="bad">FAILED' in html
 
 
 def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -86,7 +86,7 @@ def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> 
     result = run("report", DEMO3, "-o", "r.html")
     assert result.exit_code == 130
     assert result.stderr == "error: interrupted; no file is half written\n"
-    assert [each.name for each in Path().iterdir()] == ["r.html"]
+    assert [file.name for file in Path().iterdir()] == ["r.html"]
     assert Path("r.html").read_text(encoding="utf-8") == "before"
 
 

@@ -14,10 +14,10 @@ from mahovik.contract.functions import wants_of, wants_of_carrier
 def test_json_in_float() -> None:
     result = run("verify", DEMO3, "--rigorous", "--states", "3", "--real", "float", "--json")
     assert result.exit_code == 0
-    found = json.loads(result.stdout)
-    assert (found["passed"], found["states"], found["judged"]) == (True, 3, "float C")
-    assert {row["judged"] for row in found["rows"]} == set(wants_of("rigorous")) & set(wants_of_carrier(held=False))
-    forward = next(row for row in found["rows"] if row["judged"] == "forward")
+    report = json.loads(result.stdout)
+    assert (report["passed"], report["states"], report["judged"]) == (True, 3, "float C")
+    assert {row["judged"] for row in report["rows"]} == set(wants_of("rigorous")) & set(wants_of_carrier(held=False))
+    forward = next(row for row in report["rows"] if row["judged"] == "forward")
     assert (forward["quantity"], forward["verdict"]) == ("V_dot", "ok")
     assert 0 < forward["value"] < forward["limit"] == 1e-5
 

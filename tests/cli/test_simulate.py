@@ -30,21 +30,21 @@ def columns(name: str) -> dict[str, list[float]]:
 def test_columns_with_units() -> None:
     result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", "run.csv", "--mounts")
     assert result.exit_code == 0, result.output
-    found = columns("run.csv")
-    assert (len(found), len(found["t [s]"])) == (100, 11)
-    assert list(found)[:8] == ["t [s]", "x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz"]
-    assert {"v_x [m/s]", "omega_z [rad/s]", "phi w1 [rad]", "phi_dot w8 [rad/s]", "tau w1 [N m]"} <= set(found)
-    assert {"mount_X w1 [N]", "mount_N w8 [N m]"} <= set(found)
-    assert found["t [s]"][-1] == 0.01
-    assert found["mount_K w3 [N m]"] == pytest.approx(found["tau w3 [N m]"], rel=1e-9, abs=1e-12)
+    run_columns = columns("run.csv")
+    assert (len(run_columns), len(run_columns["t [s]"])) == (100, 11)
+    assert list(run_columns)[:8] == ["t [s]", "x [m]", "y [m]", "z [m]", "qw", "qx", "qy", "qz"]
+    assert {"v_x [m/s]", "omega_z [rad/s]", "phi w1 [rad]", "phi_dot w8 [rad/s]", "tau w1 [N m]"} <= set(run_columns)
+    assert {"mount_X w1 [N]", "mount_N w8 [N m]"} <= set(run_columns)
+    assert run_columns["t [s]"][-1] == 0.01
+    assert run_columns["mount_K w3 [N m]"] == pytest.approx(run_columns["tau w3 [N m]"], rel=1e-9, abs=1e-12)
 
 
 def test_starts_from_a_state() -> None:
     Path("s.json").write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.5], "phi_dot": [10, 20, 30]}))
     run("simulate", DEMO3, "--until", "0.01", "--start", "s.json", "-o", "run.csv")
-    found = columns("run.csv")
-    assert found["v_x [m/s]"][0] == 1.0
-    assert found["phi_dot w2 [rad/s]"] == [20.0] * 11
+    run_columns = columns("run.csv")
+    assert run_columns["v_x [m/s]"][0] == 1.0
+    assert run_columns["phi_dot w2 [rad/s]"] == [20.0] * 11
 
 
 def test_times_have_units() -> None:
@@ -57,7 +57,7 @@ def test_times_have_units() -> None:
 
 
 def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monkeypatch: pytest.MonkeyPatch) -> None:
-    def never(*given: object) -> None:
+    def never(*arguments: object) -> None:
         pytest.fail("computed")
 
     monkeypatch.setattr("mahovik.use.study.rest.rest", never)
@@ -65,11 +65,11 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monk
     assert "a part of the path is a file" in refused("simulate", DEMO3, "--until", "1", "-o", "file/x/a.csv")
     assert "/proc/a.csv: cannot be written" in refused("simulate", DEMO3, "--until", "1", "-o", "/proc/a.csv")
     probe(Path("new/folder/a.csv"))
-    assert sorted(each.name for each in Path().iterdir()) == ["file"]
+    assert sorted(path.name for path in Path().iterdir()) == ["file"]
 
 
 @pytest.mark.parametrize("moment", ["import", "options"])
-def test_ctrl_c_before_the_command_begins(moment: str, own_folder: Path) -> None:
+def test_ctrl_c_before_the_command_begins(moment: str, work_folder: Path) -> None:
     """While modules are imported, and while click reads its options."""
     stop = "def stop(*given, **more): raise KeyboardInterrupt\n"
     where = {
@@ -78,7 +78,7 @@ def test_ctrl_c_before_the_command_begins(moment: str, own_folder: Path) -> None
         "options": "import click; click.Group.make_context = stop\n",
     }[moment]
     command = [sys.executable, "-c", f"{stop}{where}from mahovik.__main__ import run\nrun()", "rest", DEMO3]
-    done = subprocess.run(command, capture_output=True, text=True, cwd=own_folder, check=False)
+    done = subprocess.run(command, capture_output=True, text=True, cwd=work_folder, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted; no file is half written\n")
 
 
@@ -99,7 +99,7 @@ def test_parquet_holds_what_csv_does() -> None:
         result = run("simulate", BENCH8, "--until", "0.01", "--regime", regime(), "-o", name, "--mounts")
         assert result.exit_code == 0, result.output
     table = parquet.read_table("run.parquet").to_pydict()
-    found = {name.partition(" [")[0]: values for name, values in columns("run.csv").items()}
-    assert sorted(table) == sorted(found)
-    assert table == found
+    expected = {name.partition(" [")[0]: values for name, values in columns("run.csv").items()}
+    assert sorted(table) == sorted(expected)
+    assert table == expected
     assert len(set(table["tau w1"])) > 5  # numbers with all their digits, not zeros

@@ -46,8 +46,8 @@ CASES = {
 
 
 @pytest.mark.parametrize("arguments", CASES, ids=" ".join)
-def test_a_command_imports_only_what_it_needs(arguments: tuple[str, ...], own_folder: Path) -> None:
-    (own_folder / "log").write_text("")
+def test_a_command_imports_only_what_it_needs(arguments: tuple[str, ...], work_folder: Path) -> None:
+    (work_folder / "log").write_text("")
     done = subprocess.run(
         [sys.executable, "-c", CODE, *arguments], input="", capture_output=True, text=True, check=False
     )

@@ -28,9 +28,9 @@ def test_a_wrong_one_is_refused_by_name(programme: str, tmp_path: Path) -> None:
     save_programme(replace(shaker()[2], winding=(1, 1)), tmp_path / "q.json")
     result = run("verify", SHAKER, *OF_SPIN, str(tmp_path / "q.json"), "--json")
     assert result.exit_code == 1
-    found = json.loads(result.stdout)
-    assert not found["passed"]
-    assert {each["item"] for each in found["findings"] if each["verdict"] == "FAILED"} == {
+    report = json.loads(result.stdout)
+    assert not report["passed"]
+    assert {finding["item"] for finding in report["findings"] if finding["verdict"] == "FAILED"} == {
         "winding",
         "residual",
         "simulation",

@@ -18,28 +18,28 @@ SWEEP = ("vibration", SAT4, "--speed", "rw1=0..6000rpm", "--at", "acc1", "--step
 
 def test_a_sweep_is_a_file_of_numbers_and_a_document(tmp_path: Path) -> None:
     target = tmp_path / "v.csv"
-    found = json.loads(run(*SWEEP, "--quantity", "acceleration", "-o", str(target), "--json").stdout)
+    sweep = json.loads(run(*SWEEP, "--quantity", "acceleration", "-o", str(target), "--json").stdout)
     rows = list(csv.DictReader(target.read_text(encoding="utf-8").splitlines()))
-    assert [float(row["speeds [rad/s]"]) for row in rows] == found["speeds"]
-    assert [float(row["worst z [m/s2]"]) for row in rows] == [row[2] for row in found["worst"]]
-    assert found["rms"][-1][2] == pytest.approx(4.0 * found["rms"][2][2], rel=1e-2) and found["units"]["rms"] == "m/s2"
-    largest = found["largest"]
-    assert largest["speed"] == found["speeds"][-1] and largest["quantity"] == "acceleration"
-    assert largest["value"] == pytest.approx(2**0.5 * sum(x * x for x in found["rms"][-1]) ** 0.5, rel=1e-2)
+    assert [float(row["speeds [rad/s]"]) for row in rows] == sweep["speeds"]
+    assert [float(row["worst z [m/s2]"]) for row in rows] == [row[2] for row in sweep["worst"]]
+    assert sweep["rms"][-1][2] == pytest.approx(4.0 * sweep["rms"][2][2], rel=1e-2) and sweep["units"]["rms"] == "m/s2"
+    largest = sweep["largest"]
+    assert largest["speed"] == sweep["speeds"][-1] and largest["quantity"] == "acceleration"
+    assert largest["value"] == pytest.approx(2**0.5 * sum(x * x for x in sweep["rms"][-1]) ** 0.5, rel=1e-2)
 
 
 def test_one_set_of_speeds_is_a_line_a_wheel_and_order() -> None:
-    found = json.loads(run(*ONE, "--json").stdout)
-    first = {line["wheel"]: line for line in found["orders"] if line["order"] == 1}
+    vibration = json.loads(run(*ONE, "--json").stdout)
+    first = {line["wheel"]: line for line in vibration["orders"] if line["order"] == 1}
     assert first["rw2"]["frequency"] == pytest.approx(2987 / 60)
-    total = [sum(line["amplitude"][i] for line in found["orders"]) for i in range(3)]
-    assert found["worst"] == pytest.approx(total, rel=1e-4) and len(first["rw1"]["amplitude"]) == 3
+    total = [sum(line["amplitude"][i] for line in vibration["orders"]) for i in range(3)]
+    assert vibration["worst"] == pytest.approx(total, rel=1e-4) and len(first["rw1"]["amplitude"]) == 3
 
 
 def test_a_line_of_sight_is_the_angle_where_its_matrix_says_so(tmp_path: Path) -> None:
     file = tmp_path / "sight.csv"
     file.write_text("acc1 rx [-],acc1 ry [-],carrier x [rad/m]\n1,0,0\n0,2,0\n")
-    sight, angle = (json.loads(run(*each, "--json").stdout) for each in ((*ONE[:-2], "--sight", str(file)), ONE))
+    sight, angle = (json.loads(run(*command, "--json").stdout) for command in ((*ONE[:-2], "--sight", str(file)), ONE))
     x, y, _ = angle["rms"]
     assert sight["rms"] == pytest.approx([x, 2 * y, 0.0], rel=1e-9)
 
@@ -80,21 +80,23 @@ def undamped(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[str, str, 
 
 def test_an_undamped_resonance_is_refused(undamped: tuple[str, str, str]) -> None:
     option, value, name = undamped
-    given = ("--speed", "all=3000rpm", "--at", "acc1", option, value, "--require", "rms 1e9 arcsec")
-    said = refused("vibration", SAT4, *given, status=1)
+    command = ("--speed", "all=3000rpm", "--at", "acc1", option, value, "--require", "rms 1e9 arcsec")
+    said = refused("vibration", SAT4, *command, status=1)
     assert said.count("\n") == 1
     assert name in said and "1 x rw1 at 50 Hz" in said and "damping above 0" in said
 
 
 def test_in_a_sweep_the_speed_is_a_problem_and_the_requirement_fails(undamped: tuple[str, str, str]) -> None:
     option, value, name = undamped
-    given = ("--speed", "all=2990..3010rpm", "--steps", "3", "--at", "acc1", option, value)
+    command = ("--speed", "all=2990..3010rpm", "--steps", "3", "--at", "acc1", option, value)
     limit = ("--require", "rms 1e9 arcsec", "--require", "worst 1e9 arcsec 100..200Hz")
-    said = run("vibration", SAT4, *given, *limit, "--json")
-    found = json.loads(said.stdout)
+    said = run("vibration", SAT4, *command, *limit, "--json")
+    document = json.loads(said.stdout)
     assert said.exit_code == 1 and "RuntimeWarning" not in said.stderr
-    assert [(each["met"], each["value"]) for each in found["requirements"]] == [(False, None)] * 2
-    at = found["rms"].index([None] * 3)
-    assert found["speeds"][at] == pytest.approx(314.159265, rel=1e-6)
-    assert any(name in message for message in found["messages"])
-    assert all(x > 0.0 for row in found["rms"][:at] + found["rms"][at + 1 :] for x in row)
+    assert [(requirement["met"], requirement["value"]) for requirement in document["requirements"]] == [
+        (False, None)
+    ] * 2
+    at = document["rms"].index([None] * 3)
+    assert document["speeds"][at] == pytest.approx(314.159265, rel=1e-6)
+    assert any(name in message for message in document["messages"])
+    assert all(x > 0.0 for row in document["rms"][:at] + document["rms"][at + 1 :] for x in row)

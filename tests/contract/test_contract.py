@@ -26,8 +26,8 @@ def public_functions() -> Iterator[Function]:
         for phase_input in ("angle", "sincos"):
             stand = replace(with_all_inputs(load(path(name))), phase_input=phase_input, tasks=())
             held = replace(stand, hold=Hold((FREEDOMS["yaw"],), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3))
-            for each in (stand, held):
-                yield from (f for f in lower(each, DOUBLE).functions if f.public)
+            for part in (stand, held):
+                yield from (f for f in lower(part, DOUBLE).functions if f.public)
     ball = Hold(tuple(FREEDOMS[way] for way in ("roll", "pitch", "yaw")), (0.0,) * 3, (0.0,) * 3, (0.0,) * 3)
     yield from (f for f in lower(replace(load(path("demo3")), hold=ball), DOUBLE).functions if f.public)
 

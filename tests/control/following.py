@@ -42,16 +42,16 @@ def servo(trim: bool = False, text: str = SERVO) -> Servo:
 @cache
 def design() -> TrimDesign:
     """Design of the trim by the heave alone."""
-    own = servo(trim=True)
-    assert own.trim is not None
+    follower = servo(trim=True)
+    assert follower.trim is not None
     stand, motion, programme = shaker()
-    return design_trim(stand, motion, programme, own.trim)
+    return design_trim(stand, motion, programme, follower.trim)
 
 
 @cache
 def run(share: float, trim: bool) -> Record:
     """Seed 2, from the settled motion; with a trim after ROUNDS corrections."""
-    own = servo(trim)
+    follower = servo(trim)
     periods = ROUNDS * 21 + 10 if trim else 12
     real = with_mismatch(shaker()[0], share, 2)
-    return close_loop(Case(wanted(), real, own, periods, design() if trim else None))
+    return close_loop(Case(wanted(), real, follower, periods, design() if trim else None))

@@ -73,34 +73,34 @@ def heavier(share: float) -> Stand:
 @pytest.mark.parametrize("kind", ["attitude", "sight"])
 def test_a_slew_from_rest_ends_where_demanded(kind: str) -> None:
     record = close_loop(case(kind))
-    found = errors_of(record)
+    errors = errors_of(record)
     assert record.stopped is None
-    assert found.amplitude[3:].max() > 0.1
+    assert errors.amplitude[3:].max() > 0.1
     assert np.abs(record.V[0]).max() == 0.0
-    assert found.slew is not None
-    assert found.slew["angle"] < 0.1 * ARCSEC
-    assert found.slew["rate"] < ARCSEC
-    assert found.share_end is not None
-    assert 0.0 < found.share_end <= found.share < 1e-5
+    assert errors.slew is not None
+    assert errors.slew["angle"] < 0.1 * ARCSEC
+    assert errors.slew["rate"] < ARCSEC
+    assert errors.share_end is not None
+    assert 0.0 < errors.share_end <= errors.share < 1e-5
 
 
 @pytest.mark.slow
 def test_a_stand_with_more_inertia_turns_less_by_the_law_of_momentum() -> None:
-    found = errors_of(close_loop(case("attitude", heavier(0.02))))
-    assert found.slew is not None
-    assert found.slew["angle"] == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
-    assert found.share_end == pytest.approx(found.share, rel=1e-3)
+    errors = errors_of(close_loop(case("attitude", heavier(0.02))))
+    assert errors.slew is not None
+    assert errors.slew["angle"] == pytest.approx(ANGLE * (1.0 - 1.0 / 1.02), rel=1e-4)
+    assert errors.share_end == pytest.approx(errors.share, rel=1e-3)
 
 
 @pytest.fixture
 def files(tmp_path: Path) -> dict[str, str]:
     """The satellite, a slew of its attitude, its programme and servos, as files."""
-    found = {name: str(tmp_path / name) for name in ("sat.toml", "P.json", "M.json", "S.toml")}
-    Path(found["sat.toml"]).write_text(dumps(stand()))
-    Path(found["M.json"]).write_text(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys_of("attitude")))
-    Path(found["S.toml"]).write_text(SERVO)
-    save_programme(planned("attitude").programme, found["P.json"])
-    return found
+    paths = {name: str(tmp_path / name) for name in ("sat.toml", "P.json", "M.json", "S.toml")}
+    Path(paths["sat.toml"]).write_text(dumps(stand()))
+    Path(paths["M.json"]).write_text(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys_of("attitude")))
+    Path(paths["S.toml"]).write_text(SERVO)
+    save_programme(planned("attitude").programme, paths["P.json"])
+    return paths
 
 
 def arguments(files: dict[str, str]) -> list[str]:

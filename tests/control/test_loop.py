@@ -33,11 +33,11 @@ Z = 2
 @pytest.mark.slow
 def test_without_mismatch_only_sampling_is_left() -> None:
     record = run(0.0, trim=False)
-    found = errors_of(record)
+    errors = errors_of(record)
     assert record.stopped is None
-    assert found.share < 1e-5
-    assert found.apart.max() < 1e-5
-    assert found.amplitude[Z] == pytest.approx(0.577162538232e-3, rel=1e-3)
+    assert errors.share < 1e-5
+    assert errors.apart.max() < 1e-5
+    assert errors.amplitude[Z] == pytest.approx(0.577162538232e-3, rel=1e-3)
 
 
 @pytest.mark.slow
@@ -57,10 +57,10 @@ def test_both_plants_go_the_same_way() -> None:
     state = starting_state(case)
     ends = []
     for backend in ("c", "scipy"):
-        own = plant(case.real, state, backend)
+        course = plant(case.real, state, backend)
         for n in range(5):
-            own.advance(np.array([0.02, -0.01 * n]), n * 1e-3, (n + 1) * 1e-3)
-        ends.append(np.concatenate([own.position, own.attitude, own.V, own.phi, own.phi_dot]))
+            course.advance(np.array([0.02, -0.01 * n]), n * 1e-3, (n + 1) * 1e-3)
+        ends.append(np.concatenate([course.position, course.attitude, course.V, course.phi, course.phi_dot]))
     assert np.abs(ends[0] - ends[1]).max() < 1e-8
     assert np.abs(ends[0][-2:] - np.array(state.phi_dot)).max() > 1e-3  # something happened
 
@@ -91,14 +91,14 @@ def test_a_run_up_is_followed_from_rest() -> None:
 
 def test_encoders_count_and_keep_the_sign() -> None:
     stand = shaker()[0]
-    own = replace(stand.flywheels[0], encoder=Encoder(-100, 7.0, 1e-4))
-    read = Encoders(replace(stand, flywheels=(own, stand.flywheels[1])))
+    wheel = replace(stand.flywheels[0], encoder=Encoder(-100, 7.0, 1e-4))
+    read = Encoders(replace(stand, flywheels=(wheel, stand.flywheels[1])))
     assert read.latency.tolist() == [1e-4, 0.0]
     angles = np.linspace(-3.0, 3.0, 50)
-    found = np.array([read.read(np.array([phi, phi])) for phi in angles])
-    assert np.abs(found[:, 0] - angles).max() <= np.pi / 100 * (1 + 1e-9)
-    assert np.abs(found[:, 0] - angles).max() > 0.5 * np.pi / 100
-    assert np.array_equal(found[:, 1], angles)
+    counts = np.array([read.read(np.array([phi, phi])) for phi in angles])
+    assert np.abs(counts[:, 0] - angles).max() <= np.pi / 100 * (1 + 1e-9)
+    assert np.abs(counts[:, 0] - angles).max() > 0.5 * np.pi / 100
+    assert np.array_equal(counts[:, 1], angles)
 
 
 def test_a_finite_programme_is_not_tabulated_again() -> None:
@@ -117,32 +117,32 @@ BENCH8 = load(examples.path("bench8"))
 @given(stands(max_flywheels=4), st.integers(0, 99))
 def test_any_stand_stays_one_and_near(stand: Stand, seed: int) -> None:
     """The checks of the stand file hold inside `with_mismatch`; masses and positions are within the share."""
-    found = with_mismatch(stand, SHARE, seed)
-    for own, other in zip(stand.bodies, found.bodies, strict=True):
-        assert abs(other.mass / own.mass - 1.0) <= SHARE
-        c = np.array(own.center_of_mass)
+    changed = with_mismatch(stand, SHARE, seed)
+    for body, other in zip(stand.bodies, changed.bodies, strict=True):
+        assert abs(other.mass / body.mass - 1.0) <= SHARE
+        c = np.array(body.center_of_mass)
         assert np.linalg.norm(np.array(other.center_of_mass) - c) <= SHARE * np.linalg.norm(c) * (1 + 1e-12)
-        moment = np.trace(inertia_about_center(own))
+        moment = np.trace(inertia_about_center(body))
         assert abs(np.trace(inertia_about_center(other)) / moment - 1.0) <= SHARE + 1e-12
 
 
 def test_every_number_that_is_measured_is_wrong() -> None:
     """No flywheel keeps mass, centre, inertia, place or axis, nor the suspension its stiffness."""
-    found = with_mismatch(BENCH8, SHARE, 1)
-    for own, other in zip(BENCH8.flywheels, found.flywheels, strict=True):
-        assert own.mass != other.mass
-        assert own.center_of_mass != other.center_of_mass
-        assert np.abs(inertia_about_center(own) - inertia_about_center(other)).diagonal().min() > 0.0
-        assert own.position != other.position
-        turned = placement(own)[1].T @ placement(other)[1]
+    changed = with_mismatch(BENCH8, SHARE, 1)
+    for wheel, other in zip(BENCH8.flywheels, changed.flywheels, strict=True):
+        assert wheel.mass != other.mass
+        assert wheel.center_of_mass != other.center_of_mass
+        assert np.abs(inertia_about_center(wheel) - inertia_about_center(other)).diagonal().min() > 0.0
+        assert wheel.position != other.position
+        turned = placement(wheel)[1].T @ placement(other)[1]
         angle = np.arccos(np.clip((np.trace(turned) - 1.0) / 2.0, -1.0, 1.0))
         assert 0.0 < angle <= SHARE
-        assert (own.motor, own.encoder, own.name) == (other.motor, other.encoder, other.name)
-    hung, moved = BENCH8.law(Suspension), found.law(Suspension)
+        assert (wheel.motor, wheel.encoder, wheel.name) == (other.motor, other.encoder, other.name)
+    hung, moved = BENCH8.law(Suspension), changed.law(Suspension)
     assert hung is not None
     assert moved is not None
     assert hung.stiffness != moved.stiffness
-    assert (BENCH8.gravity, BENCH8.name) == (found.gravity, found.name)
+    assert (BENCH8.gravity, BENCH8.name) == (changed.gravity, changed.name)
 
 
 @pytest.mark.parametrize("share", [-0.01, 0.5, float("nan")])
@@ -152,6 +152,6 @@ def test_a_share_out_of_range_is_refused(share: float) -> None:
 
 
 def test_the_design_tells_how_fast_and_how_sure() -> None:
-    own = design()
-    assert 0.2 < own.radius < 1.0
-    assert 0.0 < own.margin < 1.0
+    servo = design()
+    assert 0.2 < servo.radius < 1.0
+    assert 0.0 < servo.margin < 1.0

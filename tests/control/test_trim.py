@@ -47,8 +47,8 @@ def corrected(programme: Programme, term: int, size: float) -> Programme:
 
 def heave(orbit: Orbit, mechanics: Mechanics, programme: Programme, start: np.ndarray) -> np.ndarray:
     """Mean, cos, sin, cos 2, sin 2 of z in the motion that begins so, by the whole equations."""
-    given = drive(mechanics, *programme.at(orbit.t))
-    y = course(orbit.chart, given, orbit.t[1], start, orbit.y, None).y[:-1]
+    accelerations = drive(mechanics, *programme.at(orbit.t))
+    y = course(orbit.chart, accelerations, orbit.t[1], start, orbit.y, None).y[:-1]
     z = orbit.chart.twists(y).O1[:, 2]
     a = 2 * np.pi * np.arange(len(z)) / len(z)
     waves = [np.ones(len(z)) / 2, np.cos(a), np.sin(a), np.cos(2 * a), np.sin(2 * a)]
@@ -66,16 +66,16 @@ def test_response_is_the_derivative_of_the_settled_motion(term: int) -> None:
         other = corrected(programme, term, sign * STEP)
         ends.append(heave(orbit, mechanics, other, settled_state(mechanics, motion, other, count)))
     expected = (ends[0] - ends[1]) / (2.0 * STEP)
-    found = design().response[:, TERMS + term]
-    assert np.abs(found - expected).max() < 1e-5 * np.abs(design().response).max()
+    measured = design().response[:, TERMS + term]
+    assert np.abs(measured - expected).max() < 1e-5 * np.abs(design().response).max()
 
 
 def trimmed(gain: float, settling: int, averaging: int) -> TrimDesign:
     """Design of a trim by the heave alone."""
-    own = servo(trim=True).trim
-    assert own is not None
+    trim = servo(trim=True).trim
+    assert trim is not None
     stand, motion, programme = shaker()
-    return design_trim(stand, motion, programme, replace(own, gain=gain, settling=settling, averaging=averaging))
+    return design_trim(stand, motion, programme, replace(trim, gain=gain, settling=settling, averaging=averaging))
 
 
 def test_a_settled_trim_leaves_what_its_gain_leaves() -> None:
@@ -91,11 +91,11 @@ def test_a_trim_that_does_not_converge_is_refused() -> None:
 
 
 def test_corrections_take_the_error_away_and_leave_the_mean() -> None:
-    own = design()
+    servo = design()
     E = np.array([7.0, 1.0, -2.0, 0.5, 0.3]) * 1e-5
-    left = own.unreachable_part(E)
+    left = servo.unreachable_part(E)
     assert np.abs(left[1:]).max() < 1e-12
-    assert not np.any(own.matrix[:, 0])
+    assert not np.any(servo.matrix[:, 0])
 
 
 HEAD = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "20 Hz"\n'
@@ -103,24 +103,24 @@ HEAD = 'schema = 1\nsample_period = "1 ms"\nbandwidth = "20 Hz"\n'
 
 def required(stand: Stand, period: float, **more: object) -> RequiredMotion:
     """A required motion by its harmonics."""
-    given = {"schema": 1, "name": "move", "type": "periodic", "period": period, **more}
-    return read_motion(json.dumps(given), stand)
+    document = {"schema": 1, "name": "move", "type": "periodic", "period": period, **more}
+    return read_motion(json.dumps(document), stand)
 
 
 def programme_of(stand: Stand, wanted: RequiredMotion, phi: Fourier, winding: tuple[int, ...]) -> Programme:
     """A programme of these angles, with the identities of the stand."""
-    own, names = identities(stand), tuple(each.name for each in stand.flywheels)
+    hashes, names = identities(stand), tuple(wheel.name for wheel in stand.flywheels)
     bias = np.zeros_like(wanted.mean)
     return Programme(
-        stand.name, own.structure, own.physics, "move", names, True, wanted.span, bias, winding, phi,
+        stand.name, hashes.structure, hashes.physics, "move", names, True, wanted.span, bias, winding, phi,
     )  # fmt: skip
 
 
 def trim_of(stand: Stand, keys: str) -> Trim:
     """A trim by its keys."""
-    found = read_servo(f"{HEAD}[trim]\n{keys}\n", stand).trim
-    assert found is not None
-    return found
+    trim = read_servo(f"{HEAD}[trim]\n{keys}\n", stand).trim
+    assert trim is not None
+    return trim
 
 
 def test_a_pendulum_answers_by_its_closed_formula() -> None:
@@ -132,8 +132,8 @@ def test_a_pendulum_answers_by_its_closed_formula() -> None:
     for k in (1, 2, 3):
         w = 2 * np.pi / PERIOD * k
         h = SPIN * w**2 / (MASS * 9.81 * ARM - WHOLE * w**2 + 1j * FRICTION * w)
-        found = design.response[2 * k - 1 : 2 * k + 1, 2 * k - 1 : 2 * k + 1]
-        assert found == pytest.approx(np.array([[h.real, h.imag], [-h.imag, h.real]]), rel=1e-8)
+        block = design.response[2 * k - 1 : 2 * k + 1, 2 * k - 1 : 2 * k + 1]
+        assert block == pytest.approx(np.array([[h.real, h.imag], [-h.imag, h.real]]), rel=1e-8)
     assert design.unit == pytest.approx(np.sqrt(MASS / WHOLE))
     error = np.array([0, 1e-3, 2e-3, -1e-3, 0, 0, 5e-4])
     assert design.response @ design.matrix @ error == pytest.approx(0.5 * error, rel=1e-9, abs=1e-15)

@@ -41,8 +41,8 @@ def remainders(difference: Iterable[sp.Expr], relations: Sequence[sp.Expr] = ())
     symbols = sorted(set().union(*(e.free_symbols for e in (*elements, *basis))), key=str)
     ring = PolyRing(symbols or [sp.Symbol("none")], sp.QQ, grevlex)
     divisors = [ring.from_expr(g) for g in basis]
-    found = [_element(e, ring, {}) for e in elements]
-    return [r.as_expr() for r in (e.rem(divisors) if divisors else e for e in found) if r]
+    rests = [_element(e, ring, {}) for e in elements]
+    return [r.as_expr() for r in (e.rem(divisors) if divisors else e for e in rests) if r]
 
 
 @lru_cache(maxsize=32)
@@ -59,18 +59,18 @@ def _element(e: sp.Expr, ring: PolyRing, known: dict[sp.Expr, PolyElement]) -> P
     if e in known:
         return known[e]
     if e.is_Symbol:
-        found = ring(e)
+        polynomial = ring(e)
     elif e.is_Rational:
-        found = ring.ground_new(sp.QQ(e.p, e.q))
+        polynomial = ring.ground_new(sp.QQ(e.p, e.q))
     elif e.is_Add:
-        found = sum((_element(a, ring, known) for a in e.args), ring.zero)
+        polynomial = sum((_element(a, ring, known) for a in e.args), ring.zero)
     elif e.is_Mul:
-        found = ring.one
+        polynomial = ring.one
         for a in e.args:
-            found = found * _element(a, ring, known)
+            polynomial = polynomial * _element(a, ring, known)
     elif e.is_Pow and e.exp.is_Integer and e.exp > 0:
-        found = _element(e.base, ring, known) ** int(e.exp)
+        polynomial = _element(e.base, ring, known) ** int(e.exp)
     else:
         raise TypeError(f"{e} is no polynomial")
-    known[e] = found
-    return found
+    known[e] = polynomial
+    return polynomial

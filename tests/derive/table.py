@@ -30,19 +30,19 @@ def carried(w: flywheel.Generic, part: flywheel.Inertia) -> tuple[sp.Matrix, sp.
 
 def row(w: flywheel.Generic) -> Binding:
     """Columns mu_0 .. t_s of one flywheel in its symbols."""
-    found: Binding = {}
+    binding: Binding = {}
     for harmonic, part in flywheel.spun_inertia(w).items():
         mu, J, t = carried(w, part)
-        found |= bind(f"mu_{harmonic}", mu) | bind(f"J_{harmonic}", J) | bind(f"t_{harmonic}", t)
-    return found
+        binding |= bind(f"mu_{harmonic}", mu) | bind(f"J_{harmonic}", J) | bind(f"t_{harmonic}", t)
+    return binding
 
 
 def weights() -> Binding:
     """c2 ... dds in c, s, phi_dot, phi_ddot."""
-    found: Binding = {}
+    binding: Binding = {}
     for name, value in accumulate.weights().items():
-        found[sp.Symbol(name)] = value.xreplace(found)
-    return found
+        binding[sp.Symbol(name)] = value.xreplace(binding)
+    return binding
 
 
 def sums(w: flywheel.Generic) -> accumulate.Sums:

@@ -74,9 +74,9 @@ def test_B_gives_omega(sequence: str) -> None:
 @pytest.mark.parametrize("sequence", SEQUENCES)
 def test_D_is_the_rate_of_A(sequence: str) -> None:
     """D = A' of (10) along the motion, with omega = B (psi', theta', phi')."""
-    found = derived.attitude(sequence)
+    formulas = derived.attitude(sequence)
     A, D = derived.kinematics(sequence)
-    omega = found.B * sp.Matrix(derived.rates)
+    omega = formulas.B * sp.Matrix(derived.rates)
     known = {sp.Symbol(f"omega[{i}]"): omega[i] for i in range(3)}
     known |= {sp.Symbol(f"C[{i}]"): x for i, x in enumerate(named(product(sequence)))}
     rate = along_the_motion(unnamed(A.xreplace(known)))
@@ -96,11 +96,11 @@ def test_A_maps_rates_to_the_twist(sequence: str) -> None:
 @pytest.mark.parametrize("sequence", SEQUENCES)
 def test_B_inverse(sequence: str) -> None:
     """B B^-1 = B^-1 B = E where the singular function is not 0, and det B = +-1 times that function."""
-    found = derived.attitude(sequence)
-    relations = (*CIRCLES, sp.Symbol("singular_inv") * found.singular - 1)
-    assert remainders(found.B * found.B_inverse - sp.eye(3), relations) == []
-    assert remainders(found.B_inverse * found.B - sp.eye(3), relations) == []
-    assert remainders([found.B.det() ** 2 - found.singular**2], CIRCLES) == []
+    formulas = derived.attitude(sequence)
+    relations = (*CIRCLES, sp.Symbol("singular_inv") * formulas.singular - 1)
+    assert remainders(formulas.B * formulas.B_inverse - sp.eye(3), relations) == []
+    assert remainders(formulas.B_inverse * formulas.B - sp.eye(3), relations) == []
+    assert remainders([formulas.B.det() ** 2 - formulas.singular**2], CIRCLES) == []
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)

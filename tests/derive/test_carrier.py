@@ -23,35 +23,35 @@ DOUBLE_PHASE = {sp.Symbol("c2"): c * c - s * s, sp.Symbol("s2"): 2 * s * c}
 
 def rigid() -> tuple[sp.Matrix, sp.Matrix]:
     """Spatial inertia of a general carrier and a general symmetric added mass, 6x6."""
-    own = Theta(sp.Symbol("m1"), vector("b1"), symmetric("J1"))
+    body = Theta(sp.Symbol("m1"), vector("b1"), symmetric("J1"))
     entries = {}
     for i in range(6):
         for j in range(i, 6):
             entries[i, j] = entries[j, i] = sp.Symbol(f"Lambda[{6 * i + j}]")
-    return own, sp.Matrix(6, 6, lambda i, j: entries[i, j])
+    return body, sp.Matrix(6, 6, lambda i, j: entries[i, j])
 
 
 def sums_of_all(added_mass: bool) -> tuple[dict[sp.Symbol, sp.Expr], sp.Matrix]:
     """Carrier, one flywheel and added mass: the sums' values, and the constant part of K that is not a flywheel's."""
-    own, Lambda = rigid()
+    body, Lambda = rigid()
     if not added_mass:
         Lambda = sp.zeros(6)
     one = table.sums(W)
-    mass = own[0, 0] + W.m
-    inertia = sp.Matrix([(own + Lambda)[3 + i, 3 + j] for i, j in SYMMETRIC])
+    mass = body[0, 0] + W.m
+    inertia = sp.Matrix([(body + Lambda)[3 + i, 3 + j] for i, j in SYMMETRIC])
     known = {sp.Symbol("m"): mass}
     known |= table.bind("A", sp.Matrix([(mass * sp.eye(3) + Lambda[:3, :3])[pair] for pair in SYMMETRIC]))
     known |= table.bind("G", sp.Matrix(list(Lambda[3:, :3])))
     known |= table.bind("mu", vector("b1") + one.mu) | table.bind("J", inertia + one.J)
     for name in ("mu_dot", "J_dot", "h_rel", "a_rel", "g_rel"):
         known |= table.bind(name, getattr(one, name))
-    return known, own + Lambda
+    return known, body + Lambda
 
 
 def literal() -> flywheel.Literal:
     """The flywheel's terms as printed, with c and s."""
-    found = flywheel.literal(W, V)
-    return flywheel.Literal(*(trigonometric(x, W.phi) for x in (found.K, found.K_dot, found.I, found.J)))
+    sums = flywheel.literal(W, V)
+    return flywheel.Literal(*(trigonometric(x, W.phi) for x in (sums.K, sums.K_dot, sums.I, sums.J)))
 
 
 @pytest.mark.slow
@@ -80,9 +80,9 @@ def test_momentum_is_2(added_mass: bool) -> None:
 
 def test_relative_rates_are_the_last_sums_of_5() -> None:
     """(a_rel, g_rel) = Ls Theta_s f phi'' + Ls [<e>] Theta_s f phi'^2: the speed is squared."""
-    found, paper = table.sums(W), literal()
+    sums, paper = table.sums(W), literal()
     squared = (trigonometric(flywheel.literal(W, sp.zeros(6, 1)).J, W.phi)) * W.phi_dot
-    assert remainders(found.a_rel.col_join(found.g_rel) - paper.I * PHI_DDOT - squared, SO3) == []
+    assert remainders(sums.a_rel.col_join(sums.g_rel) - paper.I * PHI_DDOT - squared, SO3) == []
 
 
 def test_reduced_inertia_is_the_schur_complement() -> None:
@@ -109,18 +109,18 @@ def test_weights_are_derivatives_along_the_motion() -> None:
         sp.cos(phi): sp.Symbol("c"),
         sp.sin(phi): sp.Symbol("s"),
     }
-    found = table.weights()
-    assert set(wanted) == {s.name for s in found} == set(accumulate.weights())
+    weights = table.weights()
+    assert set(wanted) == {s.name for s in weights} == set(accumulate.weights())
     for name, value in wanted.items():
         named = sp.expand_trig(value).subs(names)
-        assert remainders([found[sp.Symbol(name)] - named], SO3[:1]) == [], name
+        assert remainders([weights[sp.Symbol(name)] - named], SO3[:1]) == [], name
 
 
 def test_terms_in_mounting_axes_are_the_literal_ones() -> None:
     """K, K*, I, J for O = 0, R = E; K* without its factor phi', in the double phase."""
     w = flywheel.generic()
-    own = flywheel.Generic(w.m, w.b, w.J, sp.zeros(3, 1), sp.eye(3), w.phi, w.phi_dot)
-    literal, shown = flywheel.literal(own, carrier.V), in_mounting_axes()
+    along_axis = flywheel.Generic(w.m, w.b, w.J, sp.zeros(3, 1), sp.eye(3), w.phi, w.phi_dot)
+    literal, shown = flywheel.literal(along_axis, carrier.V), in_mounting_axes()
     K_dot = shown.K_dot.xreplace(DOUBLE_PHASE) * w.phi_dot
     for printed, form in ((literal.K, shown.K), (literal.K_dot, K_dot), (literal.I, shown.I), (literal.J, shown.J)):
         assert remainders(trigonometric(printed, w.phi) - form, circle(c, s)) == []

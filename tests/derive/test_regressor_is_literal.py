@@ -33,9 +33,9 @@ def by_columns() -> sp.Matrix:
     N, e1, v, omega = turned_axes(), sp.Matrix([1, 0, 0]), carrier.v, carrier.omega
     v_dot, omega_dot = flywheel.V_dot[:3, :], flywheel.V_dot[3:, :]
     proper = v_dot + cross(omega) * (v + cross(omega) * W.O) + cross(omega_dot) * W.O - G
-    own = N.T * omega
-    acceleration = N.T * omega_dot - W.phi_dot * cross(e1) * own + flywheel.phi_ddot * e1
-    known = bind("d", N.T * proper) | bind("w", own + W.phi_dot * e1) | bind("a", acceleration)
+    column = N.T * omega
+    acceleration = N.T * omega_dot - W.phi_dot * cross(e1) * column + flywheel.phi_ddot * e1
+    known = bind("d", N.T * proper) | bind("w", column + W.phi_dot * e1) | bind("a", acceleration)
     return regressor.body_columns().xreplace(known) * PARAMETERS
 
 

@@ -23,8 +23,8 @@ SO3 = (*CIRCLE, *rotation(W.R))
 @pytest.fixture(scope="module")
 def literal() -> flywheel.Literal:
     """The paper's terms, with c and s."""
-    found = flywheel.literal(W, carrier.V)
-    return flywheel.Literal(*(trigonometric(x, W.phi) for x in (found.K, found.K_dot, found.I, found.J)))
+    sums = flywheel.literal(W, carrier.V)
+    return flywheel.Literal(*(trigonometric(x, W.phi) for x in (sums.K, sums.K_dot, sums.I, sums.J)))
 
 
 @pytest.fixture(scope="module")
@@ -71,9 +71,9 @@ def test_J(literal: flywheel.Literal, columns: accumulate.Columns) -> None:
 @pytest.mark.slow
 def test_literal_K_dot_is_the_derivative_of_K() -> None:
     """(6) is d/dt of (2) at the phase's rate, for the factors as they are printed: R needs no property at all."""
-    found = flywheel.literal(W, carrier.V)
-    rate = found.K.diff(W.phi) * W.phi_dot
-    assert remainders(trigonometric(rate - found.K_dot, W.phi), CIRCLE) == []
+    sums = flywheel.literal(W, carrier.V)
+    rate = sums.K.diff(W.phi) * W.phi_dot
+    assert remainders(trigonometric(rate - sums.K_dot, W.phi), CIRCLE) == []
 
 
 def test_spun_inertia_sums_to_the_turned_inertia() -> None:

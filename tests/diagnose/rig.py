@@ -70,20 +70,20 @@ class Rig:
         self.fault, self.file = fault, file
         self.parts = [self._part(file["carrier"], "carrier", np.zeros(3), np.eye(3))]
         mounts = {"carrier": (np.zeros(3), np.eye(3))}
-        for each in file["instrument"]:
-            mounts[each["name"]] = np.array(each["position"]), ship(*each["angles"])
-            self.parts.append(self._part(each, each["name"], *mounts[each["name"]]))
-        for s, each in enumerate(file["flywheel"]):
-            O, C = mounts[each.get("mount", "carrier")]
-            if "axis" in each:
-                e = np.array(each["axis"]) / np.linalg.norm(each["axis"])
-                second = np.array(each["zero"]) - e * (e @ np.array(each["zero"]))
+        for part in file["instrument"]:
+            mounts[part["name"]] = np.array(part["position"]), ship(*part["angles"])
+            self.parts.append(self._part(part, part["name"], *mounts[part["name"]]))
+        for s, part in enumerate(file["flywheel"]):
+            O, C = mounts[part.get("mount", "carrier")]
+            if "axis" in part:
+                e = np.array(part["axis"]) / np.linalg.norm(part["axis"])
+                second = np.array(part["zero"]) - e * (e @ np.array(part["zero"]))
                 second /= np.linalg.norm(second)
-                own = np.column_stack([e, second, np.cross(e, second)])
+                axes = np.column_stack([e, second, np.cross(e, second)])
             else:
-                psi, theta, zero = each["angles"]
-                own = ship(psi, theta, 0.0) @ turn(0, zero)
-            self.parts.append(self._part(each, each["name"], O + C @ np.array(each["position"]), C @ own, s))
+                psi, theta, zero = part["angles"]
+                axes = ship(psi, theta, 0.0) @ turn(0, zero)
+            self.parts.append(self._part(part, part["name"], O + C @ np.array(part["position"]), C @ axes, s))
 
     def _part(self, table: Mapping[str, Any], name: str, place: Array, axes: Array, rotor: int = -1) -> Part:
         J, c, m = np.array(table["inertia"], dtype=float), np.array(table["center_of_mass"]), table["mass"]
@@ -139,8 +139,8 @@ class Rig:
             arm = arm - (0 if fault == "weight" and s >= 0 else np.cross(r, k.mass * g))
             total += np.concatenate([force, np.cross(k.place, force) + arm])
             if s >= 0:
-                own = arm + (ARMATURE * rates[s] * e if fault == "armature" else 0)
-                mounts[s] = np.concatenate([k.axes.T @ force, k.axes.T @ own])
+                momentum = arm + (ARMATURE * rates[s] * e if fault == "armature" else 0)
+                mounts[s] = np.concatenate([k.axes.T @ force, k.axes.T @ momentum])
         return total - self.applied(state, R, V, V_dot), mounts
 
     def applied(self, state: Mapping[str, Any], R: Array, V: Array, V_dot: Array) -> Array:
@@ -154,17 +154,17 @@ class Rig:
         damping = np.diag(damping) if damping.ndim == 1 else damping
         if fault == "transposed":
             stiffness = stiffness.T
-        found = -stiffness @ x - damping @ V
+        wrench = -stiffness @ x - damping @ V
         up = np.array(file["gravity"]) * -file["carrier"]["buoyancy"]["displaced_mass"]
         up = up if fault == "buoyancy" else R.T @ up
-        found += np.concatenate([up, np.cross(file["carrier"]["buoyancy"]["center"], up)])
+        wrench += np.concatenate([up, np.cross(file["carrier"]["buoyancy"]["center"], up)])
         added = np.array(file["carrier"]["added_mass"]) * (-1 if fault == "added mass" else 1)
         p, h = np.split(added @ V, 2)
-        found -= added @ V_dot + np.concatenate([np.cross(V[3:], p), np.cross(V[3:], h) + np.cross(V[:3], p)])
-        given = np.array(state.get("wrench", {}).get("carrier", np.zeros(6)))
+        wrench -= added @ V_dot + np.concatenate([np.cross(V[3:], p), np.cross(V[3:], h) + np.cross(V[:3], p)])
+        applied = np.array(state.get("wrench", {}).get("carrier", np.zeros(6)))
         if fault == "wrench":
-            given = np.concatenate([R.T @ given[:3], R.T @ given[3:]])
-        return np.asarray(found + given)
+            applied = np.concatenate([R.T @ applied[:3], R.T @ applied[3:]])
+        return np.asarray(wrench + applied)
 
     def answer(self, state: Mapping[str, Any], want: str) -> dict[str, Any]:
         """The values of a want; every equation is linear in the accelerations."""
@@ -181,9 +181,9 @@ class Rig:
 
         n = 6 + N if want == "coupled" else 6
         start = rest(np.zeros(n))
-        x = np.linalg.solve(np.column_stack([rest(each) - start for each in np.eye(n)]), -start)
-        found = {"V_dot": x[:6].tolist()}
-        return found if want == "forward" else {**found, "phi_ddot": x[6:].tolist()}
+        x = np.linalg.solve(np.column_stack([rest(column) - start for column in np.eye(n)]), -start)
+        answer = {"V_dot": x[:6].tolist()}
+        return answer if want == "forward" else {**answer, "phi_ddot": x[6:].tolist()}
 
 
 WANTS = ("forward", "torque", "coupled", "mounts")
@@ -196,10 +196,10 @@ def main() -> None:
     for line in sys.stdin:
         state = json.loads(line)
         if set(state["want"]) <= set(WANTS):
-            found = {key: x for want in state["want"] for key, x in rig.answer(state, want).items()}
+            answer = {key: x for want in state["want"] for key, x in rig.answer(state, want).items()}
         else:
-            found = {"error": f"no want {state['want']}"}
-        print(json.dumps({"id": state["id"], **found}), flush=True)
+            answer = {"error": f"no want {state['want']}"}
+        print(json.dumps({"id": state["id"], **answer}), flush=True)
 
 
 if __name__ == "__main__":

@@ -30,9 +30,9 @@ BY_NAME = {reading.name: reading for reading in READINGS}
 @cache
 def stand() -> Stand:
     """Two flywheels, one of them on an instrument, in a stream and with every wrench."""
-    found = random_stand(np.random.default_rng(5), 2, replace(EVERYTHING, instruments=1, angles="aircraft"), "small")
-    first, second = found.flywheels
-    return replace(found, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
+    example = random_stand(np.random.default_rng(5), 2, replace(EVERYTHING, instruments=1, angles="aircraft"), "small")
+    first, second = example.flywheels
+    return replace(example, flywheels=(replace(first, mount="carrier"), replace(second, mount="i1")))
 
 
 @cache
@@ -58,7 +58,7 @@ def of(other: Stand, digits: int | None = None) -> Diagnosis:
 
 def rounded(value: Any, digits: int) -> Any:
     if isinstance(value, Mapping):
-        return {name: rounded(each, digits) for name, each in value.items()}
+        return {name: rounded(item, digits) for name, item in value.items()}
     return np.vectorize(lambda x: float(f"{x:.{digits}g}"))(value).tolist()
 
 
@@ -67,49 +67,51 @@ QUICK = READINGS[::16]
 
 @pytest.mark.parametrize(
     "reading",
-    [*QUICK, *(pytest.param(each, marks=pytest.mark.slow) for each in READINGS if each not in QUICK)],
+    [*QUICK, *(pytest.param(case, marks=pytest.mark.slow) for case in READINGS if case not in QUICK)],
     ids=lambda reading: reading.name,
 )
 def test_a_wrong_reading_is_named(reading: Reading) -> None:
-    found = planted(reading)
-    assert found.verdict in ("named", "none")
-    if found.verdict == "named":
-        (cause,) = found.causes
+    diagnosis = planted(reading)
+    assert diagnosis.verdict in ("named", "none")
+    if diagnosis.verdict == "named":
+        (cause,) = diagnosis.causes
         assert reading.name in (cause.name, *cause.like)
 
 
 def test_the_flywheel_that_has_it_is_named() -> None:
-    reading = next(each for each in readings_of(stand()) if each.words == "phase of the opposite sense (w2 alone)")
-    found = planted(reading)
-    assert [cause.name for cause in found.causes] == ["phase of the opposite sense (w2 alone)"]
+    reading = next(
+        candidate for candidate in readings_of(stand()) if candidate.words == "phase of the opposite sense (w2 alone)"
+    )
+    diagnosis = planted(reading)
+    assert [cause.name for cause in diagnosis.causes] == ["phase of the opposite sense (w2 alone)"]
 
 
 @pytest.mark.parametrize("factor", [pytest.param(0.5, marks=pytest.mark.slow), 1.0 + 1e-7])
 def test_all_of_gravity_by_a_factor_is_no_single_number(factor: float) -> None:
     """In double a difference of 1e-7 is no rounding of float; what three numbers leave is said."""
-    found = of(replace(stand(), gravity=vec(factor * x for x in stand().gravity)))
-    assert found.verdict != "none"
-    assert found.precision is not None and found.precision.name == "double"
-    assert not any("nothing is left" in line for line in sentences(found))
+    diagnosis = of(replace(stand(), gravity=vec(factor * x for x in stand().gravity)))
+    assert diagnosis.verdict != "none"
+    assert diagnosis.precision is not None and diagnosis.precision.name == "double"
+    assert not any("nothing is left" in line for line in sentences(diagnosis))
 
 
 def test_two_numbers_at_once() -> None:
     carrier = stand().carrier
     c = carrier.center_of_mass
-    found = of(
+    diagnosis = of(
         replace(stand(), carrier=replace(carrier, mass=1.02 * carrier.mass, center_of_mass=(c[0] + 0.01, *c[1:])))
     )
-    assert found.verdict == "named"
-    assert {cause.name for cause in found.causes} == {"carrier.mass", "carrier.center_of_mass[0]"}
+    assert diagnosis.verdict == "named"
+    assert {cause.name for cause in diagnosis.causes} == {"carrier.mass", "carrier.center_of_mass[0]"}
 
 
 def test_a_number_is_named_to_the_digits_that_are_printed() -> None:
-    wheel, *others = stand().flywheels
-    found = of(replace(stand(), flywheels=(replace(wheel, mass=1.01 * wheel.mass), *others)), digits=7)
-    assert found.precision is not None and found.precision.name == "7 digits"
-    assert found.verdict == "named"
-    assert found.causes[0].name == f"{wheel.name}.mass"
-    assert "rounding (7 digits)" in sentences(found)[0]
+    wheel, *rest = stand().flywheels
+    diagnosis = of(replace(stand(), flywheels=(replace(wheel, mass=1.01 * wheel.mass), *rest)), digits=7)
+    assert diagnosis.precision is not None and diagnosis.precision.name == "7 digits"
+    assert diagnosis.verdict == "named"
+    assert diagnosis.causes[0].name == f"{wheel.name}.mass"
+    assert "rounding (7 digits)" in sentences(diagnosis)[0]
 
 
 def test_correct_programs_have_no_fault() -> None:
@@ -121,16 +123,16 @@ def test_correct_programs_have_no_fault() -> None:
 
 def test_a_correct_program_in_float_has_no_fault() -> None:
     model = Reference(stand())
-    found = diagnoser().diagnose(lambda request: as_float(model(request.state, request.want[0])))
-    assert found.verdict == "none"
-    assert sentences(found) == [
+    diagnosis = diagnoser().diagnose(lambda request: as_float(model(request.state, request.want[0])))
+    assert diagnosis.verdict == "none"
+    assert sentences(diagnosis) == [
         "no fault: nothing differs by more than rounding (float) at the states of the diagnosis"
     ]
 
 
 def as_float(value: Any) -> Any:
     if isinstance(value, Mapping):
-        return {name: as_float(each) for name, each in value.items()}
+        return {name: as_float(item) for name, item in value.items()}
     return np.asarray(value, dtype=np.float32).astype(np.float64)
 
 
@@ -144,8 +146,8 @@ def test_precision_is_read_off_the_answers() -> None:
 
 def test_a_program_without_answers() -> None:
     garbage: dict[str, Any] = {"V_dot": "many", "tau": [[1]], "K": None}
-    for found in (diagnoser().diagnose(lambda _: {}), diagnoser().diagnose(lambda _: garbage)):
-        assert (found.verdict, found.precision) == ("unnamed", None)
+    for diagnosis in (diagnoser().diagnose(lambda _: {}), diagnoser().diagnose(lambda _: garbage)):
+        assert (diagnosis.verdict, diagnosis.precision) == ("unnamed", None)
 
 
 def test_a_fault_of_one_function_alone_says_so() -> None:
@@ -156,9 +158,9 @@ def test_a_fault_of_one_function_alone_says_so() -> None:
         (want,) = request.want
         return (wrong if want == "torque" else right)(request.state, want)
 
-    found = diagnoser().diagnose(answer)
-    assert found.causes[0].only_in == ("torque",)
-    assert "  only in torque: what else it would spoil is right" in sentences(found)
+    diagnosis = diagnoser().diagnose(answer)
+    assert diagnosis.causes[0].only_in == ("torque",)
+    assert "  only in torque: what else it would spoil is right" in sentences(diagnosis)
 
 
 def test_a_diagnosis_as_data() -> None:
@@ -182,12 +184,12 @@ def test_missing_numbers_are_said_beside_a_fault_too() -> None:
                 values["tau"] = values["tau"][:1]
             return values
 
-        found = diagnoser().diagnose(answer)
-        assert found.missing == ("forward: V_dot", "torque: tau")
-        assert sentences(found)[0] == "numbers are missing in forward: V_dot and torque: tau: they are left out"
-        assert "no fault" not in " ".join(sentences(found))
-        assert found.verdict == ("named" if reading else "unnamed")
-        assert as_object(found)["missing"] == list(found.missing)
+        diagnosis = diagnoser().diagnose(answer)
+        assert diagnosis.missing == ("forward: V_dot", "torque: tau")
+        assert sentences(diagnosis)[0] == "numbers are missing in forward: V_dot and torque: tau: they are left out"
+        assert "no fault" not in " ".join(sentences(diagnosis))
+        assert diagnosis.verdict == ("named" if reading else "unnamed")
+        assert as_object(diagnosis)["missing"] == list(diagnosis.missing)
 
 
 # ---- held carriers ----

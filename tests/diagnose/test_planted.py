@@ -98,13 +98,13 @@ def diagnosis_of(rig: Rig) -> Diagnosis:
     """Diagnosis of a program, as `judge --explain` makes it."""
 
     def answer(request: Request) -> Mapping[str, Any]:
-        given = {key: value for key, value in vars(request.state).items() if value is not None}
-        return rig.answer({**given, "wrench": dict(request.state.wrench)}, request.want[0])
+        inputs = {key: value for key, value in vars(request.state).items() if value is not None}
+        return rig.answer({**inputs, "wrench": dict(request.state.wrench)}, request.want[0])
 
-    found = diagnoser().diagnose(answer)
-    if found.wrong and not (found.verdict == "named" and len(found.causes) == 1):
-        found = found.with_terms(term_search(found.wrong).find(answer))
-    return found
+    diagnosis = diagnoser().diagnose(answer)
+    if diagnosis.wrong and not (diagnosis.verdict == "named" and len(diagnosis.causes) == 1):
+        diagnosis = diagnosis.with_terms(term_search(diagnosis.wrong).find(answer))
+    return diagnosis
 
 
 def marked(names: Mapping[str, Any]) -> list[Any]:
@@ -113,28 +113,28 @@ def marked(names: Mapping[str, Any]) -> list[Any]:
 
 @pytest.mark.parametrize("fault", marked(FAULTS))
 def test_a_fault_in_the_code_is_named(fault: str) -> None:
-    found, expected = diagnosis_of(Rig(tomllib.loads(TEXT), fault)), FAULTS[fault]
-    assert found.verdict == "named", sentences(found)
+    diagnosis, expected = diagnosis_of(Rig(tomllib.loads(TEXT), fault)), FAULTS[fault]
+    assert diagnosis.verdict == "named", sentences(diagnosis)
     if isinstance(expected, str):
-        (cause,) = found.causes
+        (cause,) = diagnosis.causes
         assert expected in (cause.name, *cause.like)
         return
-    assert found.terms is not None
+    assert diagnosis.terms is not None
     body, term, factor, right = expected
     if factor is None:
-        own = {(each.component, each.term) for each in found.terms.terms if each.want == "torque"}
-        assert own == {(body, term), ("w2", "w2.acceleration")}
+        torque_terms = {(part.component, part.term) for part in diagnosis.terms.terms if part.want == "torque"}
+        assert torque_terms == {(body, term), ("w2", "w2.acceleration")}
         return
-    for each in found.terms.terms:
-        assert (each.component, each.term) == (body, term)
-        assert each.factor == pytest.approx(factor, abs=1e-6) and each.expected == right
+    for part in diagnosis.terms.terms:
+        assert (part.component, part.term) == (body, term)
+        assert part.factor == pytest.approx(factor, abs=1e-6) and part.expected == right
 
 
 @pytest.mark.parametrize("path", marked(NUMBERS))
 def test_a_wrong_number_is_named_with_its_value(path: str) -> None:
-    found = diagnosis_of(Rig(with_number(path, NUMBERS[path])))
-    (cause,) = found.causes
-    assert found.verdict == "named" and cause.number is not None
+    diagnosis = diagnosis_of(Rig(with_number(path, NUMBERS[path])))
+    (cause,) = diagnosis.causes
+    assert diagnosis.verdict == "named" and cause.number is not None
     assert path in (cause.name, *cause.like)
     assert cause.name != path or cause.number[0] == NUMBERS[path]
 
@@ -149,9 +149,9 @@ def test_the_command_names_a_number(tmp_path: Path) -> None:
     wrong.write_text(TEXT.replace("mass = 2.0\n", "mass = 2.01\n"), encoding="utf-8")
     file = tmp_path / "rig.toml"
     file.write_text(TEXT, encoding="utf-8")
-    found = mahovik.judge(file, with_=f"{sys.executable} {HERE / 'rig.py'} {wrong}", explain=True, states=20)
-    assert "carrier.mass: 2.01 kg explains the error to rounding (double); the file has 2" in found.messages
-    diagnosis = found["diagnosis"]
+    result = mahovik.judge(file, with_=f"{sys.executable} {HERE / 'rig.py'} {wrong}", explain=True, states=20)
+    assert "carrier.mass: 2.01 kg explains the error to rounding (double); the file has 2" in result.messages
+    diagnosis = result["diagnosis"]
     assert diagnosis["found"] == [
         {"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg", "share": 1.0}
     ]

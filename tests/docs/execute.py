@@ -41,8 +41,8 @@ class Step:
 
 def steps(page: Path) -> Iterator[Step]:
     """All blocks of a page that are to be run, in order."""
-    found = blocks(page)
-    for block, following in zip_longest(found, found[1:]):
+    fences = blocks(page)
+    for block, following in zip_longest(fences, fences[1:]):
         if block.language in COMMANDS and not block.file:
             shows = following is not None and (following.language, following.section) == ("text", block.section)
             shown = following.text if shows else None

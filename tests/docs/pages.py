@@ -30,13 +30,13 @@ class Block:
 
 def blocks(page: Path) -> list[Block]:
     """Fenced blocks of a page, in order."""
-    found: list[Block] = []
+    fences: list[Block] = []
     text, end, section = page.read_text(encoding="utf-8"), 0, 0
     for fence in re.finditer(r"^```([^\n]*)\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         section += len(re.findall(r"^#", text[end : fence.start()], re.MULTILINE))
-        found.append(Block(page, len(found), _word(fence[1], 0), fence[2], _word(fence[1], 1), section))
+        fences.append(Block(page, len(fences), _word(fence[1], 0), fence[2], _word(fence[1], 1), section))
         end = fence.end()
-    return found
+    return fences
 
 
 def _word(head: str, number: int) -> str:

@@ -58,13 +58,13 @@ def test_files_of_the_package_named_on_a_page_exist(name: str) -> None:
     folders = [
         PACKAGE,
         *(
-            PACKAGE / each
-            for each in ("core", "core/stand", "proof/reference", "proof/second", "laws/fin", "laws/cross_flow")
+            PACKAGE / path
+            for path in ("core", "core/stand", "proof/reference", "proof/second", "laws/fin", "laws/cross_flow")
         ),
     ]
     named = set(re.findall(r"`([a-z][\w/]*\.py)`", prose(ROOT / "docs" / f"{name}.md")))
-    files = {each for each in named if not each.startswith(("tools/", "tests/"))}
-    assert [each for each in files if not any((folder / each).is_file() for folder in folders)] == []
+    files = {path for path in named if not path.startswith(("tools/", "tests/"))}
+    assert [path for path in files if not any((folder / path).is_file() for folder in folders)] == []
 
 
 # ---- C ----

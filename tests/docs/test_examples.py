@@ -45,8 +45,8 @@ TOOLS = {
 
 def reason(page: Path, text: str) -> str | None:
     """Why a block is not run; None: it is."""
-    found = [why for (where, start), why in NOT_RUN.items() if where == name(page) and text.startswith(start)]
-    return found[0] if found else None
+    reasons = [why for (where, start), why in NOT_RUN.items() if where == name(page) and text.startswith(start)]
+    return reasons[0] if reasons else None
 
 
 def runnable(page: Path) -> bool:
@@ -107,13 +107,13 @@ def test_commands_in_sentences_exist(page: Path) -> None:
 
 def resolved(words: list[str]) -> tuple[click.Command, list[str]]:
     """The command that words name, and the words after it."""
-    found: click.Command = main
-    context = click.Context(found)
-    while words and isinstance(found, click.Group) and re.fullmatch(r"[a-z][a-z-]*", words[0]):
-        inner = found.get_command(context, words[0].strip(",.;"))
+    command: click.Command = main
+    context = click.Context(command)
+    while words and isinstance(command, click.Group) and re.fullmatch(r"[a-z][a-z-]*", words[0]):
+        inner = command.get_command(context, words[0].strip(",.;"))
         assert inner is not None, words
-        found, words = inner, words[1:]
-    return found, words
+        command, words = inner, words[1:]
+    return command, words
 
 
 # ---- the comparison itself ----

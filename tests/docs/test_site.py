@@ -25,11 +25,11 @@ class Loads(HTMLParser):
         self.links: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        given = dict(attrs)
+        attributes = dict(attrs)
         if tag in ("script", "img", "link", "iframe", "source", "object", "embed"):
-            self.loaded += [value for key in ("src", "href", "data") if (value := given.get(key))]
-        elif tag == "a" and given.get("href"):
-            self.links.append(str(given["href"]))
+            self.loaded += [value for key in ("src", "href", "data") if (value := attributes.get(key))]
+        elif tag == "a" and attributes.get("href"):
+            self.links.append(str(attributes["href"]))
 
 
 @pytest.fixture(scope="module")
@@ -49,10 +49,10 @@ def test_nothing_is_loaded_from_the_network(site: Path) -> None:
     pages = sorted(site.rglob("*.html"))
     assert len(pages) > len(list(DOCS.rglob("*.md")))
     for page in pages:
-        found = Loads()
-        found.feed(page.read_text(encoding="utf-8"))
-        assert not [target for target in found.loaded if re.match(r"(https?:)?//", target)], page.name
-        for target in found.loaded + found.links:
+        loads = Loads()
+        loads.feed(page.read_text(encoding="utf-8"))
+        assert not [target for target in loads.loaded if re.match(r"(https?:)?//", target)], page.name
+        for target in loads.loaded + loads.links:
             path = re.split(r"[?#]", target)[0]
             if path and not re.match(r"[a-z]+:", path):
                 assert (page.parent / path).exists(), f"{page.name}: {target}"

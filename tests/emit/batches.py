@@ -37,8 +37,8 @@ class Batched:
     def __init__(
         self, name: str, real: str = "double", compiler: str = "gcc", flags: tuple[str, ...] = ("-O0",)
     ) -> None:
-        given = stand(name)
-        made = generate_all(given, real)
+        example = stand(name)
+        made = generate_all(example, real)
         self.layout, self.name = made.layout, name
         self.batches = [
             batch
@@ -48,7 +48,7 @@ class Batched:
         self.real: type[np.floating[Any]] = np.float32 if real == "float" else np.float64
         with TemporaryDirectory() as folder:
             place = Path(folder)
-            write({**made.files, **batch_files(given, made)}, place)
+            write({**made.files, **batch_files(example, made)}, place)
             command = [compiler, *FIRMWARE_WARNINGS, "-ffp-contract=off", "-fPIC", f"-D{name.upper()}_PLAIN_NAMES"]
             base = [f for f in flags if "native" not in f]  # gcc 12 fuses in the functions for one state
             for source, options in ((name, base), (f"{name}_batch", flags)):
@@ -65,9 +65,9 @@ class Batched:
         attitude = rng.normal(size=(4, n))
         rows = [rng.normal(size=(3, n)) * 0.1, attitude / np.linalg.norm(attitude, axis=0), rng.normal(size=(6, n))]
         rows += [rng.uniform(-3, 3, (count, n)), rng.normal(size=(count, n)) * 100]
-        found = {"x": np.vstack(rows), "phi_ddot": rng.normal(size=(count, n)) * 300, "V_dot": rng.normal(size=(6, n))}
-        found |= {"tau": rng.normal(size=(count, n)), "wrench": rng.normal(size=(6 * len(layout.inputs), n))}
-        return {name: np.ascontiguousarray(values, dtype=self.real) for name, values in found.items()}
+        inputs = {"x": np.vstack(rows), "phi_ddot": rng.normal(size=(count, n)) * 300, "V_dot": rng.normal(size=(6, n))}
+        inputs |= {"tau": rng.normal(size=(count, n)), "wrench": rng.normal(size=(6 * len(layout.inputs), n))}
+        return {name: np.ascontiguousarray(values, dtype=self.real) for name, values in inputs.items()}
 
     def one(self, batch: Batch, inputs: Arrays, j: int) -> tuple[int, Arrays]:
         """Status and results of the function for one state, of state j."""
@@ -83,8 +83,8 @@ class Batched:
 
     def function(self, name: str) -> Callable[..., int]:
         """A function of the stand by its name without the prefix."""
-        found: Callable[..., int] = getattr(self._library, f"{self.name}_{name}")
-        return found
+        function: Callable[..., int] = getattr(self._library, f"{self.name}_{name}")
+        return function
 
     def _called(self, name: str, batch: Batch, inputs: Arrays, n: int, statuses: Numbers | None) -> tuple[int, Arrays]:
         passed: list[Any] = []
@@ -119,10 +119,10 @@ def locks(flywheels: int) -> Numbers:
 
 
 def _reals(struct: Struct) -> int:
-    found = 0
+    total = 0
     for f in struct.fields:
         size = _reals(f.type) if isinstance(f.type, Struct) else 1
         for length in f.shape:
             size *= int(length)
-        found += size
-    return found
+        total += size
+    return total

@@ -31,7 +31,7 @@ class Compiled:
 
     def __init__(
         self,
-        given: Stand,
+        stand: Stand,
         layout: Layout,
         program: Program,
         values: Values,
@@ -39,7 +39,7 @@ class Compiled:
         optimisation: str = "-O0",
         compiler: str = "gcc",
     ) -> None:
-        self.stand, self.layout, self.program, self.values, self.name = given, layout, program, values, given.name
+        self.stand, self.layout, self.program, self.values, self.name = stand, layout, program, values, stand.name
         with (
             TemporaryDirectory() as name,  # a loaded library stays loaded
             patch.dict("os.environ", {"CC": compiler}),
@@ -68,10 +68,10 @@ class Compiled:
 
     def inputs(self, state: State) -> dict[str, Any]:
         """Arguments of the functions in QUANTITIES by name, but for the table, as lists that a test can change."""
-        given = self._backend.arguments(state)
-        x = {name: [float(v) for v in values] for name, values in given["x"].items()}
+        arguments = self._backend.arguments(state)
+        x = {name: [float(v) for v in values] for name, values in arguments["x"].items()}
         angles = list(state.angles or (0.1, 1.0, -0.2))
-        return {"x": x, "phi_ddot": list(given["phi_ddot"]), "wrench": given["wrench"], "angles": angles}
+        return {"x": x, "phi_ddot": list(arguments["phi_ddot"]), "wrench": arguments["wrench"], "angles": angles}
 
     def arguments(self, state: State) -> dict[str, Any]:
         """Inputs of every public function at a state, with the default table; without times and orders."""
@@ -89,8 +89,8 @@ class Compiled:
 
     def table(self) -> dict[str, Any]:
         """The compiled default table as plain data."""
-        found: dict[str, Any] = self.library.value(self.program.function("forward"), "table")
-        return found
+        table: dict[str, Any] = self.library.value(self.program.function("forward"), "table")
+        return table
 
     def _arguments_of(self, function: str, inputs: Mapping[str, Any], table: Any) -> dict[str, Any]:
         names = {a.name for a in self.program.function(function).arguments}

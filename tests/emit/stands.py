@@ -66,8 +66,8 @@ def stand(name: str) -> Stand:
     """An example stand, one of GENERAL, or one of HELD."""
     if name in HELD:
         flywheels, features, hold = HELD[name]
-        given = random_stand(np.random.default_rng(3), flywheels, features, name)
-        return replace(given, hold=hold)
+        example = random_stand(np.random.default_rng(3), flywheels, features, name)
+        return replace(example, hold=hold)
     if name in GENERAL:
         flywheels, features = GENERAL[name]
         return random_stand(np.random.default_rng(list(name.encode())), flywheels, features, name)
@@ -80,9 +80,9 @@ def generated(name: str) -> Generated:
     return generate_all(stand(name))
 
 
-def float_texts(given: Stand) -> tuple[Layout, Program, Values, dict[str, str]]:
+def float_texts(stand: Stand) -> tuple[Layout, Program, Values, dict[str, str]]:
     """Layout, program, numbers and C of a stand with float as element type."""
-    made = generate_all(given, "float")
+    made = generate_all(stand, "float")
     return made.layout, made.program, made.values, made.files
 
 
@@ -94,7 +94,7 @@ def write(files: dict[str, str], folder: Path) -> Path:
     return folder / next(name for name in files if name.endswith(".c"))
 
 
-def other_numbers(given: Stand, rng: np.random.Generator) -> Stand:
+def other_numbers(stand: Stand, rng: np.random.Generator) -> Stand:
     """A stand of the same structure with other numbers, its bodies physical."""
 
     def vec(values: Iterable[float], size: float = 0.02) -> tuple[Any, ...]:
@@ -118,17 +118,17 @@ def other_numbers(given: Stand, rng: np.random.Generator) -> Stand:
         return new
 
     laws: list[Any] = [
-        Legs(tuple(replace(leg, ground=vec(leg.ground), length=leg.length * 1.1) for leg in legs_of(given)))
+        Legs(tuple(replace(leg, ground=vec(leg.ground), length=leg.length * 1.1) for leg in legs_of(stand)))
     ]
-    if (law := given.law(Suspension)) is not None:
+    if (law := stand.law(Suspension)) is not None:
         laws.append(replace(law, stiffness=scaled(law.stiffness, 1.5), position=vec(law.position)))
     return replace(
-        given.with_laws(*laws),
-        gravity=(1.25 * given.gravity[0], 1.25 * given.gravity[1], 1.25 * given.gravity[2]),
-        stream=given.stream and vec(given.stream),
-        carrier=replace(given.carrier, **body(given.carrier)),
+        stand.with_laws(*laws),
+        gravity=(1.25 * stand.gravity[0], 1.25 * stand.gravity[1], 1.25 * stand.gravity[2]),
+        stream=stand.stream and vec(stand.stream),
+        carrier=replace(stand.carrier, **body(stand.carrier)),
         instruments=tuple(
-            replace(p, **body(p), position=vec(p.position), angles=vec(p.angles, 0.5)) for p in given.instruments
+            replace(p, **body(p), position=vec(p.position), angles=vec(p.angles, 0.5)) for p in stand.instruments
         ),
-        flywheels=tuple(replace(s, **body(s), position=vec(s.position)) for s in given.flywheels),
+        flywheels=tuple(replace(s, **body(s), position=vec(s.position)) for s in stand.flywheels),
     )

@@ -90,10 +90,10 @@ NULL EOF INT32_MAX errno main abs uint64_t
 @pytest.mark.parametrize(("name", "features"), quick(1, [("B", EVERYTHING), ("x_", BARE)]))
 def test_names_that_clash(name: str, features: Features, tmp_path: Path) -> None:
     names = CLASHES.split()
-    given = random_stand(np.random.default_rng(5), len(names), features, name)
-    wheels = zip(given.flywheels, names, strict=True)
-    given = replace(given, flywheels=tuple(replace(w, name=n, wrench_input=features is EVERYTHING) for w, n in wheels))
-    source = write(generate(given), tmp_path)
+    stand = random_stand(np.random.default_rng(5), len(names), features, name)
+    wheels = zip(stand.flywheels, names, strict=True)
+    stand = replace(stand, flywheels=tuple(replace(w, name=n, wrench_input=features is EVERYTHING) for w, n in wheels))
+    source = write(generate(stand), tmp_path)
     compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
 
 

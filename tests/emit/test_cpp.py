@@ -133,9 +133,9 @@ def test_a_status_that_is_ignored_is_a_warning(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["std", "near", "N"])
 def test_names_that_clash(name: str, tmp_path: Path) -> None:
-    given = random_stand(np.random.default_rng(5), 2, BARE, name)
-    made = generate_all(given)
-    write({**made.files, **cpp_header(given, made)}, tmp_path)
+    stand = random_stand(np.random.default_rng(5), 2, BARE, name)
+    made = generate_all(stand)
+    write({**made.files, **cpp_header(stand, made)}, tmp_path)
     user = tmp_path / "user.cpp"
-    user.write_text(f'#include "{name}.hpp"\nmahovik::{namespace(given)}::State x;\n')
+    user.write_text(f'#include "{name}.hpp"\nmahovik::{namespace(stand)}::State x;\n')
     run(require("g++", "g++"), "-std=gnu++17", "-Dnear=", *STRICT, "-fsyntax-only", user)

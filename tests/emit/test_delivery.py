@@ -17,9 +17,9 @@ from toolchain.tools import compile_c, run
 
 def block(readme: str, language: str) -> str:
     """Code of the first block of a language."""
-    found = re.search(rf"```{language}\n(.*?)```", readme, re.DOTALL)
-    assert found is not None
-    return found[1]
+    match = re.search(rf"```{language}\n(.*?)```", readme, re.DOTALL)
+    assert match is not None
+    return match[1]
 
 
 @pytest.mark.slow
@@ -46,13 +46,13 @@ def test_the_example_compiles_and_prints_six_numbers(
 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_it_names_every_function_status_identity_and_file(real: str) -> None:
-    given = stand("bench8")
-    files = delivery(given, real, ALL, tuple(ADDITIONS))
+    example = stand("bench8")
+    files = delivery(example, real, ALL, tuple(ADDITIONS))
     readme = files["README.md"]
-    found = identities(given)
-    for word in (found.structure, found.physics, f"`{real}`", "COST.md", "manifest.json"):
+    hashes = identities(example)
+    for word in (hashes.structure, hashes.physics, f"`{real}`", "COST.md", "manifest.json"):
         assert word in readme
-    for function in generate_all(given, real).program.functions:
+    for function in generate_all(example, real).program.functions:
         assert (f"| `{function.name}` |" in readme) == function.public
     statuses = re.findall(r"    (BENCH8_\w+) = (-?\d+)", files["bench8.h"].split("bench8_status;")[1].split("};")[0])
     assert len(statuses) == 13

@@ -63,8 +63,8 @@ def called(precision_name: str, function: str, **inputs: Any) -> tuple[int, Any]
     """Status and the one output."""
     if function == "accumulate":
         encoder = Encoder(**inputs["encoder"])
-        given = (inputs[name] for name in ("counter", "bits", "per_turn"))
-        status = int(library().mahovik_accumulate(ct.byref(encoder), *given))
+        values = (inputs[name] for name in ("counter", "bits", "per_turn"))
+        status = int(library().mahovik_accumulate(ct.byref(encoder), *values))
         return status, {name: getattr(encoder, name) for name, _ in Encoder._fields_}
     real, end = {"double": (ct.c_double, ""), "float": (ct.c_float, "_float")}[precision_name]
     first, last = ("count", "zero") if function == "phase_of_counts" else ("moved", "dt")
@@ -96,8 +96,8 @@ def test_null_is_refused() -> None:
     assert made.mahovik_accumulate(None, 1, 16, 100) == STATUS_VALUES["BAD_ARGUMENT"]
     for end, real in (("", ct.c_double), ("_float", ct.c_float)):
         for name in ("phase", "speed"):
-            found = getattr(made, f"mahovik_{name}_of_counts{end}")(1, 100, real(1.0), None)
-            assert found == STATUS_VALUES["BAD_ARGUMENT"]
+            status = getattr(made, f"mahovik_{name}_of_counts{end}")(1, 100, real(1.0), None)
+            assert status == STATUS_VALUES["BAD_ARGUMENT"]
 
 
 def exact_phase(count: int, per_turn: int, zero: float) -> Fraction:
@@ -110,11 +110,11 @@ def check_phase(precision_name: str, count: int, per_turn: int, zero: float = 0.
     phi = float(good(precision_name, "phase_of_counts", count=count, per_turn=per_turn, zero=zero))
     assert abs(phi) <= SCALAR[precision_name](math.pi)
     turns = exact_phase(count, per_turn, zero)
-    found = arb(phi) / (2 * arb.pi()) - arb(turns.numerator) / turns.denominator
+    difference = arb(phi) / (2 * arb.pi()) - arb(turns.numerator) / turns.denominator
     if abs(turns) == Fraction(1, 2):
-        found = min(abs(found - k) for k in (-1, 0, 1))
+        difference = min(abs(difference - k) for k in (-1, 0, 1))
     unit = float(np.spacing(SCALAR[precision_name](abs(phi) or 1e-30)))
-    assert abs(found) * 2 * arb.pi() <= 2 * unit, (count, per_turn, zero, phi)
+    assert abs(difference) * 2 * arb.pi() <= 2 * unit, (count, per_turn, zero, phi)
     return phi
 
 
@@ -156,12 +156,12 @@ REFUSED: list[tuple[str, str, str, tuple[Any, ...], dict[str, Any]]] = [
 
 
 @PRECISIONS
-@pytest.mark.parametrize(("function", "due", "argument", "values", "others"), REFUSED)
+@pytest.mark.parametrize(("function", "due", "argument", "values", "more"), REFUSED)
 def test_refusals(
-    precision_name: str, function: str, due: str, argument: str, values: tuple[Any, ...], others: dict[str, Any]
+    precision_name: str, function: str, due: str, argument: str, values: tuple[Any, ...], more: dict[str, Any]
 ) -> None:
     for value in values:
-        refused(precision_name, function, due, **others, **{argument: value})
+        refused(precision_name, function, due, **more, **{argument: value})
 
 
 @PRECISIONS
@@ -175,8 +175,8 @@ def test_most_counts_a_turn(precision_name: str) -> None:
 @PRECISIONS
 def test_speed_is_counts_over_time(precision_name: str) -> None:
     for moved, per_turn, dt in ((100, 4096, 1e-3), (-100, 4096, 1e-3), (7, -1000, 0.01), (0, 5, 1.0)):
-        found = good(precision_name, "speed_of_counts", moved=moved, per_turn=per_turn, dt=dt)
-        assert found == pytest.approx(2 * math.pi * moved / per_turn / dt, rel=4 * ERROR[precision_name], abs=0)
+        speed = good(precision_name, "speed_of_counts", moved=moved, per_turn=per_turn, dt=dt)
+        assert speed == pytest.approx(2 * math.pi * moved / per_turn / dt, rel=4 * ERROR[precision_name], abs=0)
 
 
 def reading(position: int, bits: int, per_turn: int, signed: bool) -> int:

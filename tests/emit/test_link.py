@@ -35,9 +35,9 @@ def caller_of(folder: Path, files: dict[str, str], compiler: str, *flags: str) -
     return called
 
 
-def linked(compiler: str, *given: Path | str) -> str:
+def linked(compiler: str, *sources: Path | str) -> str:
     """Messages of the linker."""
-    command = [compiler, *map(str, given), "-Wl,--gc-sections", "-o", str(Path(str(given[0])).parent / "program")]
+    command = [compiler, *map(str, sources), "-Wl,--gc-sections", "-o", str(Path(str(sources[0])).parent / "program")]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60).stderr
 
 
@@ -54,12 +54,12 @@ def test_a_caller_with_another_header_does_not_link(flag: str, tmp_path: Path) -
     source = tmp_path / "double" / "stand.o"
     compile_c("gcc", tmp_path / "double" / "shaker2.c", "-c", *FLAGS, *compiled, "-o", source)
     assert linked("gcc", source, caller, flag) == ""
-    others = {
+    changes = {
         "float": generate(plain, "float"),
         "stand": generate(heavier),
         "part": generate_all(plain, only=("wrap", "prepare")).files,
     }
-    for what, files in others.items():
+    for what, files in changes.items():
         other = caller_of(tmp_path / what, files, "gcc", *compiled)
         if not compiled:
             run("strip", "-g", other)

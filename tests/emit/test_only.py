@@ -64,8 +64,8 @@ def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
     assert set(listed) == returned | {"OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT"}
     page = delivery(stand("sat4"), "double", (only,), ("selftest",))["verification/sat4_selftest.c"]
     text = header + page + cpp_header(stand("sat4"), generate_all(stand("sat4"), only=(only,)))["sat4.hpp"]
-    others = {f.name for f in generated("sat4").program.functions if f.public and f.name != only}
-    assert others & set(re.findall(r"(?:sat4_|stand::|^ \*     )(\w+)(?=\(| PASS| 0123)", text, re.MULTILINE)) == set()
+    absent = {f.name for f in generated("sat4").program.functions if f.public and f.name != only}
+    assert absent & set(re.findall(r"(?:sat4_|stand::|^ \*     )(\w+)(?=\(| PASS| 0123)", text, re.MULTILINE)) == set()
     assert not re.search(r"\bprepare\b", text)
 
 
@@ -92,11 +92,11 @@ def test_an_unknown_function_is_refused() -> None:
 
 
 def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path) -> None:
-    folder, given = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
-    assert cli("generate", *given, "--with", "encoder", "-o", folder).exit_code == 0
+    folder, arguments = str(tmp_path / "part"), (str(path("sat4")), "--only", "torque,forward")
+    assert cli("generate", *arguments, "--with", "encoder", "-o", folder).exit_code == 0
     assert json.loads((tmp_path / "part" / "manifest.json").read_text())["only"] == ["forward", "torque"]
     options = delivered_options(tmp_path / "part")
     assert options is not None
     assert (options.only, options.additions) == (("forward", "torque"), ("encoder",))
-    assert cli("generate", given[0], "-o", folder, "--check").exit_code == 0
+    assert cli("generate", arguments[0], "-o", folder, "--check").exit_code == 0
     require_place(tmp_path / "part", stand("sat4"))  # knows the C as that of a part

@@ -30,7 +30,7 @@ def test_a_slew_ends_at_its_reference_within_the_motors(real: str, tmp_path: Pat
     command = ["gcc", "-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", f"-DSECONDS={SECONDS}"]
     subprocess.run([*command, "main.c", "sat4.c", "-o", "main"], cwd=tmp_path, check=True)
     printed = subprocess.run([tmp_path / "main"], check=True, capture_output=True, text=True, timeout=60).stdout
-    rows = [[float(x) for x in found.groups()] for found in map(LINE.fullmatch, printed.splitlines()) if found]
+    rows = [[float(x) for x in match.groups()] for match in map(LINE.fullmatch, printed.splitlines()) if match]
     assert [row[0] for row in rows] == [0, 20, 40, 60, 80, 100]
     torque = min(s.motor.torque for s in stand.flywheels if s.motor is not None and s.motor.torque is not None)
     assert all(row[4] < torque for row in rows)

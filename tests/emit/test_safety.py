@@ -98,9 +98,9 @@ def test_header_and_source_of_different_versions(tmp_path: Path) -> None:
 
 def test_every_macro_of_the_files_is_reserved(folder: Path) -> None:
     """Names that a header or source defines with the stand's name, but for limits, counts and the recorder's."""
-    found = set()
+    macros = set()
     for path in folder.iterdir():
         defined = re.findall(r"#(?:define|ifndef|ifdef) BENCH8_(\w+)", path.read_text())
-        found |= {name for name in defined if name not in {*limits(DOUBLE), *(x.name for x in constants(DOUBLE))}}
-    assert found >= {"BATCH_H", "REAL_BYTES", "ALLOW_FAST_MATH"}
-    assert found <= RESERVED
+        macros |= {name for name in defined if name not in {*limits(DOUBLE), *(x.name for x in constants(DOUBLE))}}
+    assert macros >= {"BATCH_H", "REAL_BYTES", "ALLOW_FAST_MATH"}
+    assert macros <= RESERVED

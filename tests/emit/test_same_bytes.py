@@ -38,7 +38,7 @@ WORLDS = (
 @pytest.mark.parametrize(("script", "name"), [(DELIVERY, "demo3"), (DELIVERY, "auv6"), (LOOP, "eye4"), (LOOP, "sat4")])
 def test_two_processes_write_the_same_bytes(script: str, name: str, tmp_path: Path) -> None:
     """The stand file is named by relative paths of different lengths: no path may be in the text."""
-    found = []
+    texts = []
     for number, world in enumerate(WORLDS):
         folder = tmp_path / ("deep/" * number) / "here"
         folder.mkdir(parents=True)
@@ -47,6 +47,6 @@ def test_two_processes_write_the_same_bytes(script: str, name: str, tmp_path: Pa
         command = [sys.executable, "-c", script, file.name]
         done = subprocess.run(command, cwd=folder, env=os.environ | world, capture_output=True, check=False)
         assert done.returncode == 0, done.stderr.decode()
-        found.append(done.stdout)
-    assert found[0] == found[1]
-    assert len(found[0]) > 10_000
+        texts.append(done.stdout)
+    assert texts[0] == texts[1]
+    assert len(texts[0]) > 10_000

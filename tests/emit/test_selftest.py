@@ -37,15 +37,15 @@ def test_compilers_optimisations_and_32_bits_print_the_same(name: str, real: str
     require("clang", "clang")
     require_32_bit()
     _, files = generate_with_selftest(name, real)
-    found = set()
+    outputs = set()
     for compiler, levels in (("gcc", ("-O0", "-O2", "-O3", "-Os")), ("clang", ("-O0", "-O2", "-O3"))):
         for level in levels:
             (tmp_path / f"{compiler}{level}").mkdir()
-            found.add(run_selftest(files, name, tmp_path / f"{compiler}{level}", compiler, level))
+            outputs.add(run_selftest(files, name, tmp_path / f"{compiler}{level}", compiler, level))
     (tmp_path / "m32").mkdir()
-    found.add(run_selftest(files, name, tmp_path / "m32", "gcc", "-O1", *SSE))
-    assert len(found) == 1
-    assert found.pop()[0] == 0
+    outputs.add(run_selftest(files, name, tmp_path / "m32", "gcc", "-O1", *SSE))
+    assert len(outputs) == 1
+    assert outputs.pop()[0] == 0
 
 
 @pytest.mark.parametrize(("name", "real"), quick(1, [("demo3", "double"), ("bare5", "float")]))
@@ -87,30 +87,30 @@ int main(void)
 
 def test_a_digit_of_the_table_is_found(tmp_path: Path) -> None:
     """The last one of 1/sqrt(Theta_ff)."""
-    readers, others = {"inverse", "inverse_fast"}, {"coupled", "forward", "quaternion", "torque", "momentum"}
+    readers, unchanged = {"inverse", "inverse_fast"}, {"coupled", "forward", "quaternion", "torque", "momentum"}
     _, files = generate_with_selftest("bench8")
     row = files["bench8.c"].split("bench8_default =")[1].split("/* w2 */")[0]
     number = re.findall(r"\d+\.\d{6,}", row)[-1]
     worse = row.replace(f" {number},", f" {number[:-1]}{'7' if number[-1] != '7' else '3'},")  # its last digit
     names, log = failed({**files, "bench8.c": replaced(files["bench8.c"], row, worse)}, "bench8", tmp_path)
     assert readers <= names
-    assert not names & others
+    assert not names & unchanged
     assert all(re.search(r"worst .*[1-9]", log.functions[name]) for name in readers)
 
 
 @pytest.mark.parametrize(
-    ("function", "others"),
+    ("function", "unchanged"),
     [
         ("torque", {"forward", "coupled", "mounts", "momentum"}),
         ("inverse_fast", {"inverse", "forward"}),
     ],
 )
-def test_a_sign_in_a_function_is_found_and_named(function: str, others: set[str], tmp_path: Path) -> None:
+def test_a_sign_in_a_function_is_found_and_named(function: str, unchanged: set[str], tmp_path: Path) -> None:
     _, files = generate_with_selftest("bench8")
     source = in_function(files["bench8.c"], "bench8", function, r"\n( +[^/\n]*?[\w\])]) \+ (\w)", r"\n\1 - \2")
     names, _ = failed({**files, "bench8.c": source}, "bench8", tmp_path)
     assert function in names
-    assert not names & others
+    assert not names & unchanged
 
 
 def test_a_lost_check_is_found(tmp_path: Path) -> None:
@@ -176,8 +176,8 @@ def test_a_fault_in_a_rare_branch_is_found(function: str, old: str, new: str, tm
 @pytest.mark.parametrize("name", quick(1, ["bench8", "sat4"]))
 def test_every_status_occurs_and_nine_tenths_of_the_branches_are_taken(name: str, tmp_path: Path) -> None:
     generated, files = generate_with_selftest(name)
-    known = {each.status for each in golden(generated.program, generated.values).trials}
-    assert all(any(each & bit for each in known if each > 0) for bit in (1, 2, 4, 8, 16, 32, 64))
+    known = {value.status for value in golden(generated.program, generated.values).trials}
+    assert all(any(value & bit for value in known if value > 0) for bit in (1, 2, 4, 8, 16, 32, 64))
     assert known >= {-1, -2, -3, -4, -5}
     status, _ = run_selftest(files, name, tmp_path, "gcc", "-O0", "--coverage")
     assert status == 0

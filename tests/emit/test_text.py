@@ -40,7 +40,7 @@ def test_no_function_of_a_library(files: dict[str, str]) -> None:
     assert {c for c in called if not c.startswith(f"{name}_")} <= words
     allowed = {"__attribute__((noinline))", "__attribute__((always_inline))"}
     assert set(re.findall(r"__attribute__.*", source)) <= allowed
-    standard = [f"#include <{each}.h>" for each in ("stddef", "stdint", "float", "limits")]
+    standard = [f"#include <{include}.h>" for include in ("stddef", "stdint", "float", "limits")]
     assert re.findall(r"#include .*", source) == [f'#include "{name}.h"', *standard]
     assert re.findall(r"#include .*", header) == []
     assert not re.search(r"\b(goto|while|static\s+\w+\s+\w+\s*=|malloc|volatile|long double)\b", code_of(source))
@@ -81,10 +81,10 @@ def without_numbers(text: str, name: str) -> str:
 
 @pytest.mark.parametrize("name", quick(1, ["hung5", "everything6", "wet7"]))
 def test_structure_decides_the_text(name: str) -> None:
-    given = stand(name)
-    other = other_numbers(given, np.random.default_rng(8))
-    assert structure(given) == structure(other)
-    assert given != other
+    example = stand(name)
+    other = other_numbers(example, np.random.default_rng(8))
+    assert structure(example) == structure(other)
+    assert example != other
     ours, theirs = generated(name).files, generate(other)
     for file, text in ours.items():
         assert without_numbers(text, name) == without_numbers(theirs[file], name)
@@ -103,9 +103,9 @@ def masked_tables(text: str) -> str:
 )
 def test_few_flywheels_leave_no_idle_loop_or_operation(flywheels: int, held: bool) -> None:
     """MISRA C:2012, rule 2.2, with tasks of one row; one flywheel leaves nothing between two of them."""
-    given = random_stand(np.random.default_rng(3), flywheels, AIR if held else replace(AIR, tasks=2), "few")
+    example = random_stand(np.random.default_rng(3), flywheels, AIR if held else replace(AIR, tasks=2), "few")
     one = HELD["hinge5"][2]
-    made = generate_all(replace(given, hold=one) if held else given)
+    made = generate_all(replace(example, hold=one) if held else example)
     assert [f.name for f in made.program.functions if any(loops_of_no_turn(f.body))] == []
     idle = re.compile(r"(?<![\w.])[01] \* | [+-] 0(?![.\w])| \* [01](?![.\w])")
     assert [line for line in code_of(made.files["few.c"]).splitlines() if idle.search(line)] == []

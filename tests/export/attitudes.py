@@ -107,9 +107,9 @@ class Attitude:
             setattr(made, key, value if kind is ct.c_double else kind(*value))
         return made
 
-    def call(self, function: str, *given: Any) -> int:
+    def call(self, function: str, *arguments: Any) -> int:
         """Status of a function of the loop."""
-        return int(self._library[f"eye4_attitude_{function}"](*given))
+        return int(self._library[f"eye4_attitude_{function}"](*arguments))
 
     def step(self, config: Any, loop: Any, x: Any, failed: tuple[int, ...] | None, out: Any, mean: bool = True) -> int:
         """`attitude_step`, with the mean table or the table itself."""
@@ -122,14 +122,14 @@ class Attitude:
         locked = (ct.c_int * N)(*(int(flag == 2) for flag in failed))
         wrench = numbers(0, 0, 0, *moment)
         carry = (ct.c_double * 21)()
-        given = self._mean, ct.byref(x), numbers(*tau), locked, wrench, ct.c_double(dt), 4, carry, ct.byref(x)
-        return int(self._library["eye4_step"](*given))
+        arguments = self._mean, ct.byref(x), numbers(*tau), locked, wrench, ct.c_double(dt), 4, carry, ct.byref(x)
+        return int(self._library["eye4_step"](*arguments))
 
     def momentum(self, x: Any) -> Array:
         """`Z` of the stand's `momentum` by the mean table."""
-        found = (ct.c_double * 19)()  # Z, Z0, energy, mass centre and its velocity
-        assert int(self._library["eye4_momentum"](self._mean, ct.byref(x), found)) == 0
-        return np.array(found[:6])
+        momentum = (ct.c_double * 19)()  # Z, Z0, energy, mass centre and its velocity
+        assert int(self._library["eye4_momentum"](self._mean, ct.byref(x), momentum)) == 0
+        return np.array(momentum[:6])
 
 
 def numbers(*values: float) -> Any:

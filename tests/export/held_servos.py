@@ -65,8 +65,10 @@ def hung() -> Stand:
 @cache
 def motion(stand: Stand | None = None) -> RequiredMotion:
     """theta = SWAY cos(2 pi t / PERIOD)."""
-    given = {"schema": 1, "name": "sway", "type": "periodic", "period": PERIOD, "winding": "rock"}
-    return read_motion(json.dumps({**given, "harmonics": [{"k": 1, "cos": [SWAY]}]}), stand or pendulum(), "sway.json")
+    document = {"schema": 1, "name": "sway", "type": "periodic", "period": PERIOD, "winding": "rock"}
+    return read_motion(
+        json.dumps({**document, "harmonics": [{"k": 1, "cos": [SWAY]}]}), stand or pendulum(), "sway.json"
+    )
 
 
 @cache
@@ -77,13 +79,13 @@ def programme(stand: Stand | None = None) -> Programme:
     phi_ddot = (WHOLE * omega**2 * theta - MASS * 9.81 * ARM * np.sin(theta)) / SPIN
     k = np.arange(1, HARMONICS + 1)
     cos = -2 * np.fft.rfft(phi_ddot).real[k] / 64 / (k * omega) ** 2
-    own = stand or pendulum()
-    found = identities(own)
+    held = stand or pendulum()
+    hashes = identities(held)
     sin = np.zeros((HARMONICS, 1))
-    sin[0] = -(FRICTION if own == hung() else 0.0) * SWAY / (omega * SPIN)
+    sin[0] = -(FRICTION if held == hung() else 0.0) * SWAY / (omega * SPIN)
     course = Fourier(np.zeros(1), cos[:, None], sin)
     return Programme(
-        own.name, found.structure, found.physics, "sway", ("w",), True, PERIOD, np.zeros(1), (0,), course,
+        held.name, hashes.structure, hashes.physics, "sway", ("w",), True, PERIOD, np.zeros(1), (0,), course,
         coordinates=("pitch",),
     )  # fmt: skip
 

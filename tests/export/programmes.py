@@ -39,21 +39,21 @@ def motion() -> RequiredMotion:
 
 
 def _programme(course: Fourier | Samples, name: str = "shaker2_spin") -> Programme:
-    found = identities(stand())
+    hashes = identities(stand())
     names = tuple(w.name for w in stand().flywheels)
     return Programme(
-        stand().name, found.structure, found.physics, name, names, True, PERIOD, np.zeros(6), (1, -1), course
+        stand().name, hashes.structure, hashes.physics, name, names, True, PERIOD, np.zeros(6), (1, -1), course
     )
 
 
 @cache
 def spin() -> Programme:
     """The programme of `motion`: constant speed, the phase behind by the damping of the suspension."""
-    given = stand()
-    held = given.law(Suspension)
+    shaken = stand()
+    held = shaken.law(Suspension)
     assert held is not None
     omega = 2 * pi / PERIOD
-    mass = given.carrier.mass + sum(w.mass for w in given.flywheels)
+    mass = shaken.carrier.mass + sum(w.mass for w in shaken.flywheels)
     late = atan2(held.damping[2][2] * omega, mass * omega**2 - held.stiffness[2][2])
     left = -pi / 2 - late
     return _programme(Fourier(np.array([left, pi - left]), np.zeros((0, 2)), np.zeros((0, 2))))
@@ -114,9 +114,9 @@ def stand_files(real: str) -> dict[str, str]:
 @cache
 def exported(name: str, kind: str = "quintic", real: str = "double") -> ProgrammeExport:
     """One of the programmes above as C, by its name; `spin` with its motion."""
-    given = {"spin": spin, "swaying": swaying, "sampled": sampled, "finite": finite, "started": started}[name]()
+    programme = {"spin": spin, "swaying": swaying, "sampled": sampled, "finite": finite, "started": started}[name]()
     limit = 1e-4 if name in ("sampled", "finite") and real == "double" else None
-    return export_programme(stand(), given, motion() if name == "spin" else None, kind, real=real, limit=limit)
+    return export_programme(stand(), programme, motion() if name == "spin" else None, kind, real=real, limit=limit)
 
 
 def written(made: ProgrammeExport, folder: Path, real: str = "double") -> Path:

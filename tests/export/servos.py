@@ -26,8 +26,8 @@ def exported(name: str, real: str = "double") -> ExportedServo:
     """`spin` with its motion, `trimmed` with a trim as well; `swaying`, `started` of no motion, without feedforward."""
     if name in ("spin", "trimmed"):
         return export_servo(stand(), spin(), motion(), servo(TRIM if name == "trimmed" else ""), real)
-    given = {"swaying": swaying, "started": started}[name]()
-    return export_servo(stand(), given, None, servo("feedforward = false\n"), real)
+    programme = {"swaying": swaying, "started": started}[name]()
+    return export_servo(stand(), programme, None, servo("feedforward = false\n"), real)
 
 
 def written(made: ExportedServo, folder: Path, real: str = "double") -> Path:

@@ -94,16 +94,16 @@ def test_a_slew_is_the_turn_of_scipy(c: Attitude, rng: Any, share: float) -> Non
     _, duration = law.slew(begin, goal, config, 0.0)
     assert course.duration == pytest.approx(duration, rel=1e-6)  # the largest slope is found on a grid
     assert 0 <= course.angle <= math.pi
-    found = reference_at(c, course, share * course.duration)
+    reference = reference_at(c, course, share * course.duration)
     wanted, _ = law.slew(begin, goal, config, share * duration)
-    turned = law.rotation(found.attitude)
+    turned = law.rotation(reference.attitude)
     assert (turned.inv() * wanted.turned).magnitude() < 1e-6 * max(1.0, abs(share))
     exact, _ = law.slew(begin, goal, _same_time(config, course), share * course.duration)
     assert (turned.inv() * exact.turned).magnitude() < 1e-12
-    np.testing.assert_allclose(found.rate[:], exact.rate, atol=1e-12)
-    np.testing.assert_allclose(found.acceleration[:], exact.acceleration, atol=1e-12)
-    assert np.linalg.norm(found.rate[:]) <= config.slew_rate * (1 + 1e-12)
-    assert np.linalg.norm(found.acceleration[:]) <= config.slew_acceleration * (1 + 1e-12)
+    np.testing.assert_allclose(reference.rate[:], exact.rate, atol=1e-12)
+    np.testing.assert_allclose(reference.acceleration[:], exact.acceleration, atol=1e-12)
+    assert np.linalg.norm(reference.rate[:]) <= config.slew_rate * (1 + 1e-12)
+    assert np.linalg.norm(reference.acceleration[:]) <= config.slew_acceleration * (1 + 1e-12)
 
 
 def _same_time(config: Any, course: Any) -> Any:
@@ -147,8 +147,8 @@ def test_a_sample_is_the_law_with_the_torques_of_a_balanced_stand(
 
     y = model.states()
     y["attitude"], y["V"], y["phi_dot"] = x.attitude[:], x.V[:], x.phi_dot[:]
-    found = model.momentum(y)
-    left = found.Z[3:] - np.cross(found.center_of_mass, found.Z[:3])
+    momentum = model.momentum(y)
+    left = momentum.Z[3:] - np.cross(momentum.center_of_mass, momentum.Z[:3])
     left = left - law.rotation(x.attitude).inv().apply(np.array(config.wanted_momentum))
     np.testing.assert_allclose(out.momentum[:], left, atol=1e-12)
     moment, _ = law.moment(config, left, False)

@@ -62,10 +62,10 @@ def simulink(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_block_of_simulink_moves_as_the_model_does(simulink: Path) -> None:
-    found = np.array([line.split() for line in run(simulink, SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
+    rows = np.array([line.split() for line in run(simulink, SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
     expected = np.hstack(motion())
-    expected[:, 13:16] += 2 * np.pi * np.round((found[:, 13:16] - expected[:, 13:16]) / (2 * np.pi))  # turns counted
-    assert found == pytest.approx(expected, rel=1e-12, abs=1e-14)
+    expected[:, 13:16] += 2 * np.pi * np.round((rows[:, 13:16] - expected[:, 13:16]) / (2 * np.pi))  # turns counted
+    assert rows == pytest.approx(expected, rel=1e-12, abs=1e-14)
 
 
 def test_a_block_says_what_is_wrong(simulink: Path) -> None:
@@ -83,12 +83,12 @@ def test_the_module_of_basilisk_moves_as_the_model_does(tmp_path: Path) -> None:
     names = ['-DMODULE="demo3_basilisk.h"', "-DCLASS=demo3_basilisk", f"-I{HEADERS}", f"-I{tmp_path}"]
     main = ["g++", "-std=c++17", *STRICT, *names, str(HEADERS / "run_basilisk.cpp"), *objects]
     subprocess.run([*main, "-o", tmp_path / "run"], check=True)
-    found = np.array([line.split() for line in run(tmp_path / "run", SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
+    rows = np.array([line.split() for line in run(tmp_path / "run", SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
     position, attitude, V, phi, phi_dot = motion()
     C = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])
-    assert found[:, :3] == pytest.approx(position, rel=1e-12, abs=1e-15)
-    assert found[:, 3:6] == pytest.approx(C.apply(V[:, :3]), rel=1e-12, abs=1e-15)
-    assert found[:, 6:9] == pytest.approx(C.as_mrp(), rel=1e-12, abs=1e-15)
-    assert found[:, 9:12] == pytest.approx(V[:, 3:], rel=1e-12, abs=1e-15)
-    assert found[:, 13::2] == pytest.approx(phi_dot, rel=1e-12)
-    assert np.cos(found[:, 12::2] - phi) == pytest.approx(1.0, abs=1e-12)
+    assert rows[:, :3] == pytest.approx(position, rel=1e-12, abs=1e-15)
+    assert rows[:, 3:6] == pytest.approx(C.apply(V[:, :3]), rel=1e-12, abs=1e-15)
+    assert rows[:, 6:9] == pytest.approx(C.as_mrp(), rel=1e-12, abs=1e-15)
+    assert rows[:, 9:12] == pytest.approx(V[:, 3:], rel=1e-12, abs=1e-15)
+    assert rows[:, 13::2] == pytest.approx(phi_dot, rel=1e-12)
+    assert np.cos(rows[:, 12::2] - phi) == pytest.approx(1.0, abs=1e-12)

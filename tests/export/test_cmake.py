@@ -77,9 +77,9 @@ def build(folder: Path, *options: str, where: str = "build") -> Path:
 def ctest(made: Path) -> int:
     """How many tests of a build passed; none failed."""
     said = call(str(Path(cmake()).with_name("ctest")), "--test-dir", made, "--output-on-failure", "--no-tests=error")
-    found = re.search(r"^100% tests passed(?:, 0 tests failed)? out of (\d+)$", said, re.MULTILINE)
-    assert found is not None, said
-    return int(found[1])
+    match = re.search(r"^100% tests passed(?:, 0 tests failed)? out of (\d+)$", said, re.MULTILINE)
+    assert match is not None, said
+    return int(match[1])
 
 
 def user(folder: Path, how: str) -> Path:
@@ -225,6 +225,6 @@ def test_the_example_answers_what_the_reference_does(name: str, tmp_path: Path) 
     )
     call(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Werror",
          folder / "example.cpp", tmp_path / "arm.o", "-o", program)  # fmt: skip
-    found = [float(x) for x in call(program).split()]
-    assert found == pytest.approx(expected(file), rel=6e-9, abs=1e-11)  # nine digits: off by up to 5e-9
-    assert any(found) == (name != "clamped")
+    answers = [float(x) for x in call(program).split()]
+    assert answers == pytest.approx(expected(file), rel=6e-9, abs=1e-11)  # nine digits: off by up to 5e-9
+    assert any(answers) == (name != "clamped")

@@ -57,9 +57,9 @@ def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
 def test_headers_of_another_stand_or_element_type_are_refused(tmp_path: Path) -> None:
     source = written(exported("spin"), tmp_path)
     header = tmp_path / "shaker2.h"
-    own = header.read_text()
+    text = header.read_text()
     for macro in ("STRUCTURE", "PHYSICS"):
-        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", own))
+        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", text))
         with pytest.raises(AssertionError, match="are of different stands"):
             compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
     header.write_text(stand_files("float")["shaker2.h"])
@@ -112,9 +112,9 @@ int main(void)
 def started(real: str, ticks: int, periods: int) -> tuple[Interpreter, dict[str, int]]:
     """Interpreter and a clock at phase 0."""
     interpreter = Interpreter(exported("swaying", "fourier", real).program.program)
-    status, found = interpreter.run("programme_start", {"ticks": ticks, "periods": periods})
+    status, outputs = interpreter.run("programme_start", {"ticks": ticks, "periods": periods})
     assert status == 0
-    return interpreter, found["clock"]
+    return interpreter, outputs["clock"]
 
 
 @pytest.mark.parametrize("real", ["double", "float"])
@@ -124,8 +124,8 @@ def test_every_phase_is_exact(real: str, ticks: int, periods: int) -> None:
     interpreter, clock = started(real, ticks, periods)
     whole = 1 << {"double": 64, "float": 32}[real]
     for n in range(1, 400):
-        status, found = interpreter.run("programme_advance", {"clock": clock})
-        clock = found["clock"]
+        status, outputs = interpreter.run("programme_advance", {"clock": clock})
+        clock = outputs["clock"]
         assert status == 0
         assert clock["phase"] == whole * n * periods // ticks % whole
         assert clock["laps"] == n * periods // ticks

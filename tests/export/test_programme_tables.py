@@ -53,12 +53,12 @@ def test_errors_are_what_is_told(name: str, kind: str, real: str) -> None:
     made = exported(name, kind, real)
     told = made.errors[0]
     phases = np.random.default_rng(3).random(300)
-    found = outputs_at(made, phases)
+    outputs = outputs_at(made, phases)
     truth = made.tables[0].at(np.float32(phases).astype(float) * PERIOD)
-    assert np.max(angular_distance(found["phi"], truth.phi)) <= 2 * told.phi
-    assert np.max(np.abs(found["phi_dot"] - truth.phi_dot)) <= 2 * told.phi_dot
-    assert np.max(np.abs(found["phi_ddot"] - truth.phi_ddot)) <= 2 * told.phi_ddot
-    assert np.max(np.abs(found["phi"])) <= np.pi * (1 + 1e-6)
+    assert np.max(angular_distance(outputs["phi"], truth.phi)) <= 2 * told.phi
+    assert np.max(np.abs(outputs["phi_dot"] - truth.phi_dot)) <= 2 * told.phi_dot
+    assert np.max(np.abs(outputs["phi_ddot"] - truth.phi_ddot)) <= 2 * told.phi_ddot
+    assert np.max(np.abs(outputs["phi"])) <= np.pi * (1 + 1e-6)
     assert told.phi < {"double": 1e-9, "float": 1e-6}[real]
 
 
@@ -89,8 +89,8 @@ def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
     assert [t.form.part for t in made.tables] == ["", "runup", "rundown"]
     course, up, down = made.program.courses
     begin = player(made).at(course, 0.0)[1]
-    for each, phase in ((up, 1.0), (down, 0.0)):
-        status, joint = player(made).at(each, phase)
+    for table, phase in ((up, 1.0), (down, 0.0)):
+        status, joint = player(made).at(table, phase)
         assert status == 0
         assert np.max(angular_distance(np.array(joint["phi"]), np.array(begin["phi"]))) < 1e-12
         assert joint["phi_dot"] == pytest.approx(begin["phi_dot"], rel=1e-12)
@@ -99,17 +99,17 @@ def test_run_up_ends_on_the_programme_and_run_down_begins_there() -> None:
     truth = started().runup
     assert truth is not None
     phases = np.random.default_rng(5).random(100)
-    found = outputs_at(made, phases, 1)
+    outputs = outputs_at(made, phases, 1)
     exact = truth.at(np.float32(phases).astype(float) * truth.duration)
-    assert np.max(angular_distance(found["phi"], exact.phi)) < 1e-9
-    assert np.max(np.abs(found["phi_ddot"] - exact.phi_ddot)) < 1e-2
+    assert np.max(angular_distance(outputs["phi"], exact.phi)) < 1e-9
+    assert np.max(np.abs(outputs["phi_ddot"] - exact.phi_ddot)) < 1e-2
 
 
 def test_torques_of_run_up_and_run_down_are_those_of_a_free_carrier() -> None:
     """From rest the weight of the unbalance; the run-down begins with the torques of the programme."""
     made = export_programme(stand(), started(), motion(), real="float")
     course, up, down = made.program.courses
-    begin, leave, rest = (player(made).at(each, 0.0)[1] for each in (course, down, up))
+    begin, leave, rest = (player(made).at(part, 0.0)[1] for part in (course, down, up))
     assert leave["tau"] == pytest.approx(begin["tau"], rel=1e-5)
     weight = [w.mass * 9.81 * w.center_of_mass[1] for w in stand().flywheels]
     assert rest["tau"] == pytest.approx(weight * np.cos(np.array(rest["phi"])), rel=1e-5)
@@ -157,10 +157,10 @@ def even_programme(speed: float, gained: float) -> Programme:
         np.outer(law(x), share) * gained + speed * np.sign(share),
         np.outer(law.deriv()(x) / SPAN, share) * gained,
     ]
-    whose = identities(stand)
+    hashes = identities(stand)
     return Programme(
-        stand.name, whose.structure, whose.physics, "even", tuple(each.name for each in stand.flywheels), False, SPAN,
-        np.zeros(6), (0, 0, 0, 0), Samples(x * SPAN, *columns),
+        stand.name, hashes.structure, hashes.physics, "even", tuple(wheel.name for wheel in stand.flywheels), False,
+        SPAN, np.zeros(6), (0, 0, 0, 0), Samples(x * SPAN, *columns),
     )  # fmt: skip
 
 
@@ -214,8 +214,8 @@ def height(kind: str, real: str, step: str, folder: Path) -> tuple[np.ndarray, n
     begin = motion().at(np.zeros(1)).q[0, 2]
     defines = (f"-DTICKS={TICKS}", f"-DSTEP={step}", f"-DBEGIN=(shaker2_real){float(begin)!r}")
     (folder / "main.c").write_text(LOOP)
-    others = (source, folder / "shaker2.c", "-o", folder / "main")
-    run("gcc", "-std=c99", "-O1", "-ffp-contract=off", *defines, folder / "main.c", *others)
+    rest = (source, folder / "shaker2.c", "-o", folder / "main")
+    run("gcc", "-std=c99", "-O1", "-ffp-contract=off", *defines, folder / "main.c", *rest)
     z, phase, angle, speed = np.array([line.split() for line in run(folder / "main").splitlines()], dtype=float).T
     wanted = motion().at(phase * PERIOD).q[:, 2]
     angle -= 2 * np.pi * np.round(angle / (2 * np.pi))

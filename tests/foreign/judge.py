@@ -34,10 +34,10 @@ def difference(path: Path, made: ImportedStand, count: int = 5, seed: int = 1) -
     theirs, ours = [], []
     for _ in range(count):
         way, v, a = np.zeros((3, model.nv))
-        for each in (way, v, a):
-            each[moving + wheels] = rng.normal(size=len(moving + wheels))
+        for values in (way, v, a):
+            values[moving + wheels] = rng.normal(size=len(moving + wheels))
         q = pin.integrate(model, pin.neutral(model), way)
-        found = pin.rnea(model, data, q, v, a)
+        torque = pin.rnea(model, data, q, v, a)
         pin.forwardKinematics(model, data, q, v, a)
         pin.updateFramePlacements(model, data)
         V = pin.getFrameVelocity(model, data, frame, pin.LOCAL).vector
@@ -48,5 +48,5 @@ def difference(path: Path, made: ImportedStand, count: int = 5, seed: int = 1) -
         rates = {"phi_dot": v[wheels], "phi_ddot": a[wheels]}
         forces, torques = forces_of(made, place.rotation, laws=False, **state, **rates)
         ours.append(np.concatenate([J[:, np.array(moving, dtype=int)].T @ forces, torques]))
-        theirs.append(found[moving + wheels])
+        theirs.append(torque[moving + wheels])
     return float(np.abs(np.array(ours) - np.array(theirs)).max() / np.abs(np.array(theirs)).max())

@@ -81,15 +81,15 @@ def test_a_stand_that_disagrees_is_not_written(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_every_name_is_an_identifier_of_its_own() -> None:
-    given = ["wheel 1", "wheel_1", "wheel/1", "1st", "колесо", "int", "carrier", "a" * 70, "a" * 71, "x_", "class"]
-    places = "".join(f'<site name="{each}"/>' for each in given)
+    written = ["wheel 1", "wheel_1", "wheel/1", "1st", "колесо", "int", "carrier", "a" * 70, "a" * 71, "x_", "class"]
+    places = "".join(f'<site name="{name}"/>' for name in written)
     text = f'<mujoco><worldbody><body><freejoint/><geom size="1"/>{places}</body></worldbody></mujoco>'
     Path("m.xml").write_text(text, encoding="utf-8")
-    found = [point.name for point in make_stand(read(Path("m.xml"), None)[0], "m", "m.xml").stand.points]
-    assert found[:5] == ["wheel_1", "wheel_1_2", "wheel_1_3", "_1st", "point"]
-    assert len(set(found)) == len(given)
-    assert [name_problem(each) for each in found] == [None] * len(found)
-    assert "carrier" not in found
+    names = [point.name for point in make_stand(read(Path("m.xml"), None)[0], "m", "m.xml").stand.points]
+    assert names[:5] == ["wheel_1", "wheel_1_2", "wheel_1_3", "_1st", "point"]
+    assert len(set(names)) == len(written)
+    assert [name_problem(name) for name in names] == [None] * len(names)
+    assert "carrier" not in names
 
 
 def test_angles_of_any_axes() -> None:

@@ -40,12 +40,12 @@ class DrawnBody:
 
 def random_bodies(rng: np.random.Generator, fixed: int, turning: int, anchors: bool) -> list[DrawnBody]:
     """Body 0 is the root; then those that are fixed, on any of them; then wheels, and a weight fixed on each."""
-    found = [_body(rng, -1, False, 10.0, False)]
-    found += [_body(rng, int(rng.integers(i + 1)), False, 2.0, False) for i in range(fixed)]
+    bodies = [_body(rng, -1, False, 10.0, False)]
+    bodies += [_body(rng, int(rng.integers(i + 1)), False, 2.0, False) for i in range(fixed)]
     for _ in range(turning):
-        found.append(_body(rng, int(rng.integers(fixed + 1)), True, 0.5, anchors))
-        found.append(_body(rng, len(found) - 1, False, 0.01, False))
-    return found
+        bodies.append(_body(rng, int(rng.integers(fixed + 1)), True, 0.5, anchors))
+        bodies.append(_body(rng, len(bodies) - 1, False, 0.01, False))
+    return bodies
 
 
 def _body(rng: np.random.Generator, parent: int, turns: bool, scale: float, anchored: bool) -> DrawnBody:
@@ -136,10 +136,10 @@ def sdf(bodies: list[DrawnBody], rng: np.random.Generator) -> str:
         )
         if i:
             kind = str(rng.choice(["continuous", "revolute"])) if body.turns else "fixed"
-            given, axis = "", body.axis
+            attribute, axis = "", body.axis
             if rng.random() < 0.3:
-                given, axis = ' expressed_in="__model__"', places[i][1].apply(body.axis)
-            turns = f"<axis><xyz{given}>{numbers(axis)}</xyz></axis>" if body.turns else ""
+                attribute, axis = ' expressed_in="__model__"', places[i][1].apply(body.axis)
+            turns = f"<axis><xyz{attribute}>{numbers(axis)}</xyz></axis>" if body.turns else ""
             elements.append(
                 f'<joint name="j{i}" type="{kind}"><pose>{numbers(body.anchor)} 0 0 0</pose>'
                 f"<parent>b{body.parent}</parent><child>b{i}</child>{turns}</joint>"
@@ -259,6 +259,6 @@ def test_held(kind: str, tmp_path: Path) -> None:
             assert hold.position == pytest.approx(data.body(carrier).xpos, abs=1e-14)
             home = Rotation.from_euler("ZYX", hold.angles).as_matrix()
             assert home.ravel() == pytest.approx(data.body(carrier).xmat, abs=1e-14)
-        found = compare(made, original)
-        assert len(found) == (2 if count else 1)
-        assert max(found.values()) < 1e-12, found
+        differences = compare(made, original)
+        assert len(differences) == (2 if count else 1)
+        assert max(differences.values()) < 1e-12, differences

@@ -25,9 +25,9 @@ def imported(path: Path, gravity: Any = None, **options: Any) -> ImportedStand:
     """The stand of a file, which has the forces of MuJoCo's model of it, and those of Pinocchio's of a URDF."""
     model, original = read(path, gravity)
     made = make_stand(model, "imported", path.name, **options)
-    found = compare(made, original)
-    assert found
-    assert max(found.values()) < TOLERANCE, found
+    differences = compare(made, original)
+    assert differences
+    assert max(differences.values()) < TOLERANCE, differences
     if path.suffix == ".urdf":
         assert difference(path, made) < TOLERANCE
     return made
@@ -243,7 +243,7 @@ AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
 def test_a_cubesat_with_a_triad_is_the_same_from_both_formats(tmp_path: Path) -> None:
     wheel = """<body name="w{0}" pos="{1}"><joint name="spin_{0}" axis="{1}"/>
     <inertial pos="0 1e-6 2e-6" mass="0.13" fullinertia="4e-5 5e-5 6e-5 1e-7 2e-7 3e-7"/></body>"""
-    wheels = "".join(wheel.format(*each) for each in AXES.items())
+    wheels = "".join(wheel.format(*fields) for fields in AXES.items())
     motors = "".join(f'<motor joint="spin_{axis}" ctrlrange="-4 4"/>' for axis in AXES)
     hub = '<inertial pos="0 0 0.001" mass="4" fullinertia="0.03 0.031 0.01 1e-4 0 2e-4"/>'
     mjcf = f"""<mujoco><option gravity="0 0 0"/><default><joint damping="1e-7"/><motor gear="1e-3"/></default>
@@ -252,12 +252,12 @@ def test_a_cubesat_with_a_triad_is_the_same_from_both_formats(tmp_path: Path) ->
         '<inertial><origin xyz="{}"/><mass value="{}"/><inertia ixx="{}" iyy="{}" izz="{}" ixy="{}" ixz="{}" iyz="{}"/>'
     )
     links = f'<link name="hub">{inertial.format("0 0 0.001", 4, 0.03, 0.031, 0.01, 1e-4, 0, 2e-4)}</inertial></link>'
-    own = inertial.format("0 1e-6 2e-6", 0.13, 4e-5, 5e-5, 6e-5, 1e-7, 2e-7, 3e-7)
+    body = inertial.format("0 1e-6 2e-6", 0.13, 4e-5, 5e-5, 6e-5, 1e-7, 2e-7, 3e-7)
     for axis, direction in AXES.items():
         inside = '<limit effort="0.004" velocity="800"/><dynamics damping="1e-7"/>'
         spun = joint(f"spin_{axis}", "continuous", "hub", f"w{axis}", inside, direction)
         spun = spun.replace('xyz="0.1 0 0.2" rpy="0.1 0 0"', f'xyz="{direction}"')
-        links += f'<link name="w{axis}">{own}</inertial></link>{spun}'
+        links += f'<link name="w{axis}">{body}</inertial></link>{spun}'
     one = imported(written(tmp_path, "sat.xml", mjcf)).stand
     assert one == imported(written(tmp_path, "sat.urdf", urdf(links))).stand
     assert [wheel.motor and (wheel.motor.torque, wheel.motor.viscous) for wheel in one.flywheels] == [(0.004, 1e-7)] * 3

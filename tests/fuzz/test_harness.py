@@ -71,8 +71,8 @@ def harness(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     """Objects of all but the C itself."""
     folder = tmp_path_factory.mktemp("harness")
     place(folder, None)
-    others = [source for source in sources("demo3") if source != "demo3.c"]
-    return [str(compile_harness(folder, ("-c", source), f"{Path(source).stem}.o")) for source in others]
+    parts = [source for source in sources("demo3") if source != "demo3.c"]
+    return [str(compile_harness(folder, ("-c", source), f"{Path(source).stem}.o")) for source in parts]
 
 
 def place(folder: Path, fault: Fault | None) -> None:
@@ -97,11 +97,11 @@ def needed() -> None:
 
 @pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
 def test_a_planted_fault_is_found(fault: Fault, harness: list[str], tmp_path: Path) -> None:
-    with pytest.raises(CheckError) as found:
+    with pytest.raises(CheckError) as failure:
         fuzz(build(tmp_path, fault, harness), tmp_path / "corpus", runs=RUNS)
-    assert re.search(fault.said, str(found.value))
+    assert re.search(fault.said, str(failure.value))
     # AddressSanitizer ends the process itself, before the fuzzer writes the input.
-    assert re.search("Test unit written|AddressSanitizer", str(found.value))
+    assert re.search("Test unit written|AddressSanitizer", str(failure.value))
 
 
 def test_nothing_is_found_in_the_c_of_a_held_carrier(tmp_path: Path) -> None:

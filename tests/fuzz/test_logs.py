@@ -38,14 +38,14 @@ def machine() -> Machine:
 def read(data: bytes, file: Path, machine: Machine) -> None:
     """Read a log as the command does: all records, then the replay of those of this stand."""
     file.write_bytes(data)
-    found, _ = flight_log.load(file)
-    for start in [r for r in records(found) if isinstance(r, Start)]:
+    log, _ = flight_log.load(file)
+    for start in [r for r in records(log) if isinstance(r, Start)]:
         check_stand(STAND, start, "demo3.toml")
         if start.real != REAL:
             return
-    for each in replay(machine, records(found)):
-        if isinstance(each, Damage):
-            assert each.message
+    for step in replay(machine, records(log)):
+        if isinstance(step, Damage):
+            assert step.message
 
 
 @fuzzed(120)
@@ -67,8 +67,8 @@ def _selftest_log() -> str:
     """Output of a self-test without a sweep: judging it needs no compiler."""
     from mahovik.core.stand.identity import identities
 
-    found = identities(STAND)
-    head = f"mahovik selftest {STAND.name} structure {found.structure} physics {found.physics} real double"
+    hashes = identities(STAND)
+    head = f"mahovik selftest {STAND.name} structure {hashes.structure} physics {hashes.physics} real double"
     lines = [
         head,
         "generator mahovik 0.1.0",

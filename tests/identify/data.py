@@ -55,12 +55,12 @@ def recorded(stand: Stand, speeds: Sequence[float] = SPEEDS, duration: float = 1
 
 def with_noise(rows: Array, ratio: float, seed: int) -> Array:
     """The rows with white noise of 1 / ratio of the rms of each channel, and phases as counts."""
-    found = rows.copy()
+    noisy = rows.copy()
     rng = np.random.default_rng(seed)
-    sensors = found[:, 1:7]
+    sensors = noisy[:, 1:7]
     sensors += rng.normal(size=sensors.shape) * sensors.std(axis=0) / ratio
-    found[:, 7:] = np.floor(found[:, 7:] * COUNTS / (2.0 * np.pi))
-    return found
+    noisy[:, 7:] = np.floor(noisy[:, 7:] * COUNTS / (2.0 * np.pi))
+    return noisy
 
 
 def write_csv(file: Path, rows: Array, quantity: str = "count") -> Path:
@@ -91,6 +91,6 @@ def identified(
     stand: Stand | str, data: Path | str, free: str | Sequence[str], loss: Any = "linear"
 ) -> tuple[dict[str, Number], Any]:
     """Numbers by path, and the whole result."""
-    found = mahovik.identify(stand, data=data, free=free, loss=loss)
-    rows = zip(*(found[key].tolist() for key in ("path", "value", "standard_error", "before")), strict=True)
-    return {path: Number(*figures) for path, *figures in rows}, found
+    result = mahovik.identify(stand, data=data, free=free, loss=loss)
+    rows = zip(*(result[key].tolist() for key in ("path", "value", "standard_error", "before")), strict=True)
+    return {path: Number(*figures) for path, *figures in rows}, result

@@ -80,9 +80,9 @@ def write(file: Path, rows: Array, swap: bool = False) -> Path:
 
 
 def with_noise(rows: Array, seed: int) -> Array:
-    found = rows.copy()
-    found[:, 1:7] += NOISE * np.random.default_rng(seed).normal(size=(len(rows), 6))
-    return found
+    noisy = rows.copy()
+    noisy[:, 1:7] += NOISE * np.random.default_rng(seed).normal(size=(len(rows), 6))
+    return noisy
 
 
 @pytest.fixture(scope="module")
@@ -93,15 +93,15 @@ def exact() -> Array:
 def test_a_force_table_tells_all_unbalances_of_its_wheels(tmp_path: Path, exact: Array) -> None:
     """Within four standard errors, which are those of the noise."""
     file = write(tmp_path / "run.csv", with_noise(exact, 1))
-    numbers, found = identified(table([], **START), file, ["*.unbalance"])
+    numbers, result = identified(table([], **START), file, ["*.unbalance"])
     wanted, _ = identified(TRUE, file, ["*.unbalance"])
-    assert not found["unobservable"] and not found.messages
-    for path, each in numbers.items():
-        assert abs(each.value - wanted[path].before) < 4.0 * each.standard_error, path
-        assert each.value == pytest.approx(wanted[path].value, rel=1e-6)
+    assert not result["unobservable"] and not result.messages
+    for path, number in numbers.items():
+        assert abs(number.value - wanted[path].before) < 4.0 * number.standard_error, path
+        assert number.value == pytest.approx(wanted[path].value, rel=1e-6)
     # a static unbalance U is an order of U w^2 in the two directions across the axis, read by T samples each
-    own = numbers["first.unbalance.static"]
-    assert own.standard_error < NOISE[0] / SPEEDS[0] ** 2 * np.sqrt(1.0 / len(exact)) * 1.5
+    static = numbers["first.unbalance.static"]
+    assert static.standard_error < NOISE[0] / SPEEDS[0] ** 2 * np.sqrt(1.0 / len(exact)) * 1.5
 
 
 @pytest.mark.slow
@@ -110,14 +110,14 @@ def test_standard_errors_are_those_of_many_recordings(tmp_path: Path, exact: Arr
     squares = []
     for seed in range(4):
         numbers, _ = identified(TRUE, write(tmp_path / "run.csv", with_noise(exact, seed)), ["*.unbalance"])
-        squares += [((each.value - each.before) / each.standard_error) ** 2 for each in numbers.values()]
+        squares += [((number.value - number.before) / number.standard_error) ** 2 for number in numbers.values()]
     assert abs(np.mean(squares) - 1.0) < 4.0 * np.sqrt(2.0 / len(squares))
 
 
 def test_exchanged_columns_are_told(tmp_path: Path, exact: Array) -> None:
     file = write(tmp_path / "run.csv", with_noise(exact, 1), swap=True)
-    _, found = identified(TRUE, file, ["first.unbalance.static"])
-    assert any("hold.reaction.x: the stand leaves" in note and "an axis" in note for note in found.messages)
+    _, result = identified(TRUE, file, ["first.unbalance.static"])
+    assert any("hold.reaction.x: the stand leaves" in note and "an axis" in note for note in result.messages)
 
 
 def test_channels_of_a_hold_need_one(tmp_path: Path, exact: Array) -> None:
@@ -145,9 +145,9 @@ def test_friction_and_mass_of_a_pendulum_are_told_by_its_swing(tmp_path: Path) -
     header = "time [s],gyro.rate.y [rad/s],hold.reaction.x [N],hold.reaction.z [N],wheel.phase [rad]"
     np.savetxt(tmp_path / "swing.csv", rows, delimiter=",", header=header, comments="")
     guess = true.replace({"carrier.mass": 0.5, "hold.friction.0.viscous": 0.01})
-    numbers, found = identified(guess, tmp_path / "swing.csv", ["carrier.mass", "hold.friction[0].viscous"])
+    numbers, result = identified(guess, tmp_path / "swing.csv", ["carrier.mass", "hold.friction[0].viscous"])
     mass, friction = numbers.values()
-    assert found["unit"].tolist() == ["kg", "N m s/rad"]
+    assert result["unit"].tolist() == ["kg", "N m s/rad"]
     assert abs(mass.value - 0.4) < 4.0 * mass.standard_error < 0.02
     assert abs(friction.value - 0.004) < 4.0 * friction.standard_error < 4e-4
 
@@ -161,6 +161,6 @@ def test_the_end_of_a_ramp_is_a_corner_of_the_phases(tmp_path: Path) -> None:
     file = write(tmp_path / "ramp.csv", np.column_stack([run[name] for name in columns]))
     guess = TRUE.replace({"first.unbalance.static": "60 g mm"})
     numbers, _ = identified(guess, file, ["first.unbalance.static"])
-    (own,) = numbers.values()
-    assert own.value == pytest.approx(72e-6, rel=1e-6)
-    assert own.standard_error < 1e-6 * own.value
+    (number,) = numbers.values()
+    assert number.value == pytest.approx(72e-6, rel=1e-6)
+    assert number.standard_error < 1e-6 * number.value

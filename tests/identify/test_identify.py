@@ -48,16 +48,16 @@ def test_unbalances_are_right_within_their_standard_errors(files: Path, truth: m
     """Whatever the stand file says before, and in the file that is written, with its comments."""
     (files / "changed.toml").write_text(stand_text().replace("static = 0.0", "static = 0.1"), encoding="utf-8")
     wanted, _ = identified(truth, files / "run.csv", "w*.unbalance")
-    numbers, found = identified(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
-    assert not found["unobservable"]
-    for path, each in numbers.items():
-        assert each.standard_error > 0.0
-        assert abs(each.value - wanted[path].before) < 4.0 * each.standard_error, path
-        assert each.value == pytest.approx(wanted[path].value, rel=0.0, abs=0.02 * each.standard_error)
+    numbers, result = identified(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
+    assert not result["unobservable"]
+    for path, number in numbers.items():
+        assert number.standard_error > 0.0
+        assert abs(number.value - wanted[path].before) < 4.0 * number.standard_error, path
+        assert number.value == pytest.approx(wanted[path].value, rel=0.0, abs=0.02 * number.standard_error)
     for name in ("w1", "w2"):
         static = numbers[f"{name}.unbalance.static"]
         assert static.standard_error < 0.01 * static.value
-    assert found["residual"] == pytest.approx(0.1, rel=0.1)  # the noise of the data
+    assert result["residual"] == pytest.approx(0.1, rel=0.1)  # the noise of the data
 
 
 @pytest.mark.slow
@@ -84,11 +84,11 @@ def test_command(files: Path) -> None:
 def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: mahovik.Stand) -> None:
     """Where the springs have no force only adds a constant to readings, which offsets of the sensors take."""
     free = ["w1.unbalance", "suspension.position[0]"]
-    numbers, found = identified(truth.replace({"suspension.position": [0.001, 0.0, 0.0]}), files / "run.csv", free)
-    (line,) = found["unobservable"]
+    numbers, result = identified(truth.replace({"suspension.position": [0.001, 0.0, 0.0]}), files / "run.csv", free)
+    (line,) = result["unobservable"]
     assert line.startswith("suspension.position[0]: ")
-    each = numbers["suspension.position[0]"]
-    assert each.value == each.before and math.isnan(each.standard_error)
+    number = numbers["suspension.position[0]"]
+    assert number.value == number.before and math.isnan(number.standard_error)
     static = numbers["w1.unbalance.static"]
     assert abs(static.value - static.before) < 4.0 * static.standard_error
 
@@ -96,8 +96,8 @@ def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: m
 @pytest.mark.slow
 def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.Stand) -> None:
     """Torques of changing speeds tell the moments about the axes of the flywheels, constant speeds hardly do."""
-    _, found = identified(truth, files / "run.csv", ["w1.inertia.J11", "w2.inertia.J11"])
-    lines = found["unobservable"]
+    _, result = identified(truth, files / "run.csv", ["w1.inertia.J11", "w2.inertia.J11"])
+    lines = result["unobservable"]
     assert all(f"w{k}.inertia.J11" in " ".join(lines) for k in (1, 2))
     assert all("add a run in which the speeds of the flywheels change" in line for line in lines)
 
@@ -105,8 +105,8 @@ def test_motion_that_would_show_a_number_is_named(files: Path, truth: mahovik.St
 @pytest.mark.slow
 def test_an_estimate_stays_a_body(files: Path, truth: mahovik.Stand) -> None:
     """The flywheels are nearly flat: noise asks for moments that break the triangle inequality."""
-    _, found = identified(truth, files / "run.csv", ["w1.unbalance", "w1.inertia.J11"])
-    (J,) = (np.array(w.inertia) for w in mahovik.Stand.from_dict(found["stand_keys"]).flywheels if w.name == "w1")
+    _, result = identified(truth, files / "run.csv", ["w1.unbalance", "w1.inertia.J11"])
+    (J,) = (np.array(w.inertia) for w in mahovik.Stand.from_dict(result["stand_keys"]).flywheels if w.name == "w1")
     low, middle, high = np.linalg.eigvalsh(J)
     assert low > 0.0 and low + middle > 0.99 * high
 
@@ -123,8 +123,8 @@ def test_missing_samples_and_outliers_do_not_move_a_robust_fit(
     hit = rng.choice(len(rows), 10, replace=False)
     rows[hit, 1:4] += 20.0 * np.nanstd(rows[:, 1:4], axis=0)
     numbers, _ = identified(truth, write_csv(tmp_path / "bad.csv", rows), "w*.unbalance", loss)
-    for path, each in numbers.items():
-        assert abs(each.value - each.before) < 4.5 * each.standard_error, path
+    for path, number in numbers.items():
+        assert abs(number.value - number.before) < 4.5 * number.standard_error, path
 
 
 @pytest.mark.parametrize(
@@ -169,19 +169,19 @@ def test_samples_without_a_phase_are_left_out(files: Path, exact: Array, truth: 
     rows = with_noise(exact, 10.0, 5)
     rows[350:, 7] = np.nan
     write_csv(files / "short.csv", rows)
-    numbers, found = identified(truth, files / "short.csv", "w*.unbalance.static,w*.unbalance.static_at")
+    numbers, result = identified(truth, files / "short.csv", "w*.unbalance.static,w*.unbalance.static_at")
     where = "samples outside 0 to 0.698 s, where a phase is missing, are left out"
-    assert any(note.endswith(f"150 {where}") for note in found.messages)
-    for each in numbers.values():
-        assert abs(each.value - each.before) < 4.0 * each.standard_error
+    assert any(note.endswith(f"150 {where}") for note in result.messages)
+    for number in numbers.values():
+        assert abs(number.value - number.before) < 4.0 * number.standard_error
 
 
 @pytest.mark.slow
 def test_a_channel_of_the_wrong_sign_is_told(files: Path, exact: Array, truth: mahovik.Stand) -> None:
     rows = with_noise(exact, 10.0, 6)
     rows[:, 1] *= -1.0
-    _, found = identified(truth, write_csv(files / "sign.csv", rows), "w1.unbalance.static")
-    (note,) = (note for note in found.messages if "a sign, an axis" in note)
+    _, result = identified(truth, write_csv(files / "sign.csv", rows), "w1.unbalance.static")
+    (note,) = (note for note in result.messages if "a sign, an axis" in note)
     assert "imu.acceleration.x: the stand leaves" in note
 
 
@@ -191,10 +191,10 @@ def test_channels_without_a_signal_are_told(files: Path, exact: Array, truth: ma
     rows = with_noise(exact, 10.0, 7)
     rows[:, 1:7] = np.random.default_rng(1).normal(size=(len(rows), 6))
     rows[:, 4] = 0.25
-    _, found = identified(truth, write_csv(files / "noise.csv", rows), "w*.unbalance")
-    assert any(note.startswith("no channel has a signal") for note in found.messages)
-    assert found["residual"] == pytest.approx(1.0, abs=0.05)
-    share = found["channels"]["share"][list(found["channels"]["channel"]).index("imu.rate.x")]
+    _, result = identified(truth, write_csv(files / "noise.csv", rows), "w*.unbalance")
+    assert any(note.startswith("no channel has a signal") for note in result.messages)
+    assert result["residual"] == pytest.approx(1.0, abs=0.05)
+    share = result["channels"]["share"][list(result["channels"]["channel"]).index("imu.rate.x")]
     assert math.isnan(share)
 
 
@@ -202,12 +202,14 @@ def test_channels_without_a_signal_are_told(files: Path, exact: Array, truth: ma
 def test_a_flywheel_at_rest_keeps_its_unbalance(tmp_path: Path, truth: mahovik.Stand) -> None:
     small = truth.replace({"w2.unbalance.static": 1e-6, "w2.unbalance.dynamic": 1e-8})
     rows = with_noise(recorded(truth, (150.0, 1e-4), 0.5), 10.0, 4)
-    numbers, found = identified(small, write_csv(tmp_path / "rest.csv", rows), "w*.unbalance")
-    assert all("w2 stands still, let it turn" in line for line in found["unobservable"])
-    named = " ".join(found["unobservable"])
+    numbers, result = identified(small, write_csv(tmp_path / "rest.csv", rows), "w*.unbalance")
+    assert all("w2 stands still, let it turn" in line for line in result["unobservable"])
+    named = " ".join(result["unobservable"])
     assert "w2.unbalance.static" in named and "w2.unbalance.dynamic" in named and "w1" not in named
-    for path, each in numbers.items():
+    for path, number in numbers.items():
         if path.startswith("w2"):
-            assert each.value == pytest.approx(each.before, rel=1e-3, abs=1e-3 if path.endswith("_at") else 0.0), path
+            assert number.value == pytest.approx(number.before, rel=1e-3, abs=1e-3 if path.endswith("_at") else 0.0), (
+                path
+            )
     static = numbers["w1.unbalance.static"]
     assert static.standard_error < 0.01 * static.value

@@ -52,8 +52,8 @@ def test_derivatives_are_those_of_the_channels() -> None:
     to, begin = 1e-5 * rng.normal(size=len(theta)), 1e-6 * rng.normal(size=12)
     ends = theta[:, None] + (free.scale * to)[:, None] * [1.0, -1.0]
     ahead, behind = np.moveaxis(predictor(free.tables(ends), begin[:, None] * [1.0, -1.0]), 2, 0)
-    expected, found = (ahead - behind) / 2, by @ np.concatenate([to, begin / predictor.start_scale])
-    assert np.abs(expected - found).max() < 1e-7 * np.abs(expected).max()
+    expected, predicted = (ahead - behind) / 2, by @ np.concatenate([to, begin / predictor.start_scale])
+    assert np.abs(expected - predicted).max() < 1e-7 * np.abs(expected).max()
 
 
 TEXT = """
@@ -83,8 +83,8 @@ position = ["10 mm", 0, "20 mm"]
 def with_value(stand: mahovik.Stand, path: str, value: float) -> tuple[mahovik.Stand, list[StandNumber]]:
     """The stand with another number, as an estimate changes it, and the place of the number."""
     numbers = StandNumbers(stand, stand.to_dict())
-    found = numbers.find(path)
-    return mahovik.Stand.from_dict(numbers.with_values(dict.fromkeys(found, value))), found
+    matches = numbers.find(path)
+    return mahovik.Stand.from_dict(numbers.with_values(dict.fromkeys(matches, value))), matches
 
 
 @pytest.mark.parametrize(

@@ -60,8 +60,8 @@ def held_stand(hold: str, tables: str = "") -> Stand:
 
 def table(kind: str, **keys: Any) -> str:
     """A table of the hold as text."""
-    given = (f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}" for key, value in keys.items())
-    return f"[[hold.{kind}]]\n" + "\n".join(given) + "\n"
+    lines = (f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}" for key, value in keys.items())
+    return f"[[hold.{kind}]]\n" + "\n".join(lines) + "\n"
 
 
 FRICTION = {
@@ -107,8 +107,8 @@ def enclosed(stand: Stand, state: State) -> None:
     from mahovik.proof import rigorous
     from rigorous.balls import middles
 
-    found = rigorous.evaluate(rigorous.exact_at(stand, state), "matrices")["F"]
-    np.testing.assert_allclose(middles(found), reference.pieces(stand, state).F, rtol=1e-9, atol=1e-12)
+    F = rigorous.evaluate(rigorous.exact_at(stand, state), "matrices")["F"]
+    np.testing.assert_allclose(middles(F), reference.pieces(stand, state).F, rtol=1e-9, atol=1e-12)
 
 
 def moved(document: dict[str, Any], speed: float, until: float, **more: Any) -> Any:
@@ -144,7 +144,7 @@ def compare_slopes(stand: Stand, law: type[Law], kind: str, seed: int, slower: f
     `kind` is how its terms in the reference begin. The slopes (6, 12) are compared, and returned, at the pose of a
     random state and at its twist divided by `slower`.
     """
-    laws = law_arrays(replace(stand, laws=tuple(own for own in stand.laws if isinstance(own, law))))
+    laws = law_arrays(replace(stand, laws=tuple(one for one in stand.laws if isinstance(one, law))))
     pieces = reference.pieces(stand, state := random_state(stand, np.random.default_rng(seed)))
     place, V = np.array(state.position), pieces.V / slower
 
@@ -155,8 +155,8 @@ def compare_slopes(stand: Stand, law: type[Law], kind: str, seed: int, slower: f
     zero = np.zeros(3)
     slopes = laws.tied_slopes(*pose_of(zero, zero, V))[0]
     kinds = pieces.terms["carrier"]
-    own = sum(wrench for name, wrench in kinds.items() if name.startswith(kind))
-    np.testing.assert_allclose(laws.tied(*pose_of(zero, zero, pieces.V))[0], own, rtol=1e-12, atol=1e-13)
+    one = sum(wrench for name, wrench in kinds.items() if name.startswith(kind))
+    np.testing.assert_allclose(laws.tied(*pose_of(zero, zero, pieces.V))[0], one, rtol=1e-12, atol=1e-13)
     for k, step in enumerate(1e-6 * np.eye(6)):
         ends = [laws.tied(*pose_of(s * step[:3], s * step[3:], V))[0] for s in (1, -1)]
         np.testing.assert_allclose(slopes[:, k], (ends[0] - ends[1]) / 2e-6, rtol=1e-6, atol=1e-7)

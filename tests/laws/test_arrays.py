@@ -29,21 +29,23 @@ ROUTINES = {
 """Routines of our own, of which those of NumPy differ in the last digit."""
 
 
-def compare(stand: Stand, name: str, out: str, given: dict[str, Any], samples: dict[str, Array], found: Array) -> None:
+def compare(
+    stand: Stand, name: str, out: str, inputs: dict[str, Any], samples: dict[str, Array], values: Array
+) -> None:
     """A function of the laws sample by sample: columns have the bits, arrays the numbers (M, 6) to rounding."""
     lib, _, columns = law_functions(structure(stand))
     interpreter = Interpreter(Program("laws", DOUBLE, (), (), lib.functions), ROUTINES)
 
     def run(program: Interpreter, numbers: dict[str, Any]) -> list[Any]:
-        named = given | numbers | {"x": SimpleNamespace(**numbers), out: [0.0] * 6}
+        named = inputs | numbers | {"x": SimpleNamespace(**numbers), out: [0.0] * 6}
         program.call(name, *(named[argument] for argument in lib.taken(name)))
         return list(named[out])
 
-    expected = np.array([run(interpreter, {k: x[m].tolist() for k, x in samples.items()}) for m in range(len(found))])
+    expected = np.array([run(interpreter, {k: x[m].tolist() for k, x in samples.items()}) for m in range(len(values))])
     rows = run(columns, {k: [*x.T] for k, x in samples.items()})
     columns.refused.clear()
-    assert np.array_equal(np.array(np.broadcast_arrays(*rows, found[:, 0])[:6]).T, expected)
-    assert_allclose(found, expected, rtol=0, atol=1e-12 * np.abs(expected).max(initial=1e-300))
+    assert np.array_equal(np.array(np.broadcast_arrays(*rows, values[:, 0])[:6]).T, expected)
+    assert_allclose(values, expected, rtol=0, atol=1e-12 * np.abs(expected).max(initial=1e-300))
 
 
 def draw_samples(seed: int) -> dict[str, Array]:
@@ -57,10 +59,10 @@ def draw_samples(seed: int) -> dict[str, Array]:
 def agrees(stand: Stand, seed: int) -> None:
     """All laws of a stand."""
     laws, at = law_arrays(stand), draw_samples(seed)
-    for own in laws.bodies:
-        if own is not None:
-            named = {"table": laws.table, "damper": own.damper}
-            compare(stand, "damped", "P", named, {"V": at["V"]}, own.wrench(at["V"]))
+    for body in laws.bodies:
+        if body is not None:
+            named = {"table": laws.table, "damper": body.damper}
+            compare(stand, "damped", "P", named, {"V": at["V"]}, body.wrench(at["V"]))
     if laws.ties:
         pose = at["position"], at["C"].reshape(-1, 3, 3), at["V"]
         compare(stand, "tied", "F", {"table": laws.table}, at, laws.tied(*pose))

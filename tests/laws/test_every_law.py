@@ -93,8 +93,8 @@ def steered(V: Array) -> Array:
     """Control derivatives, and the fins and propellers that they name."""
     control, fins, propellers = STEERED.law(ControlDerivatives), STEERED.law(Fins), STEERED.law(Propellers)
     assert control is not None and fins is not None and propellers is not None
-    own = [lift_and_drag(fin, V) for fin in fins.fins] + [thrust_and_torque(p, V) for p in propellers.propellers]
-    return np.asarray(control_derivatives(STEERED, control, V) + sum(own))
+    parts = [lift_and_drag(fin, V) for fin in fins.fins] + [thrust_and_torque(p, V) for p in propellers.propellers]
+    return np.asarray(control_derivatives(STEERED, control, V) + sum(parts))
 
 
 PLANNED: dict[str, tuple[TwistLaws, Callable[[Array], Array], float]] = {

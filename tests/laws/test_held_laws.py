@@ -157,8 +157,8 @@ def test_breakaway_holds_what_coulomb_lets_go() -> None:
 
 def test_a_number_names_a_freedom_that_has_a_name() -> None:
     """The axis may be one of E1, so that its name is that of the direction."""
-    given = [held_stand("axis = [0, 1, 0]\n", table("friction", freedom=name, viscous=1)) for name in ("1", "pitch")]
-    assert given[0] == given[1]
+    stands = [held_stand("axis = [0, 1, 0]\n", table("friction", freedom=name, viscous=1)) for name in ("1", "pitch")]
+    assert stands[0] == stands[1]
     assert held_stand("plane", table("friction", freedom="3", viscous=1)) == held_stand(
         "plane", table("friction", freedom="pitch", viscous=1)
     )
@@ -172,7 +172,7 @@ def test_steps_that_are_too_long_for_the_friction_are_warned_of() -> None:
     assert step.bound == pytest.approx(2.5 * 1.2e-3 / 2.5, rel=1e-3)
     assert long_steps(stand, 1e-3) == []
     hinge = held_stand("hinge", table("friction", coulomb=1, smoothing=1e-6))
-    free, driven = (long_steps(hinge, 1e-3, [given])[0].bound for given in (False, True))
+    free, driven = (long_steps(hinge, 1e-3, [driven_only])[0].bound for driven_only in (False, True))
     assert free < driven
     coupled = 1e-3 - 4e-5 * 0.3  # kg m2: spin inertia, and the unbalance at the arm to the pivot
     assert driven - free == pytest.approx(coupled**2 / 1e-3 * 1e-6, rel=1e-9)

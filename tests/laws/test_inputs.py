@@ -77,8 +77,8 @@ def test_an_input_that_is_no_number_is_refused(who: str, array: str, member: str
     values = {math.nan: -1, math.inf: -1, -math.inf: -1, most * 1.01: -2, -most * 1.01: -2, most: 0, -most: 0}
     for name in asked:
         for value, status in values.items():
-            found, _ = judged.call(name, inputs | {"table": with_input(array, member, value)})
-            assert min(found, 0) == status, (name, value)
+            actual, _ = judged.call(name, inputs | {"table": with_input(array, member, value)})
+            assert min(actual, 0) == status, (name, value)
 
 
 def test_momentum_asks_no_fin() -> None:
@@ -99,12 +99,12 @@ def test_the_header_numbers_fins_and_propellers() -> None:
 def test_simulators_see_numbers_with_units_and_campaigns_vary_them() -> None:
     stand = bearing("control")
     generated = generate_all(stand)
-    found = {m.name: m for m in laws(stand, generated.layout, generated.values)}
-    assert found["control_derivative[1]"].unit.name == "N.s2/(m.rad2)"
-    assert "X += value u r rudder.deflection" in found["control_derivative[1]"].description
-    assert found["carrier.control_derivatives.race"].value == 2e-4
+    parameters = {m.name: m for m in laws(stand, generated.layout, generated.values)}
+    assert parameters["control_derivative[1]"].unit.name == "N.s2/(m.rad2)"
+    assert "X += value u r rudder.deflection" in parameters["control_derivative[1]"].description
+    assert parameters["carrier.control_derivatives.race"].value == 2e-4
     file = Stand.from_dict(parse(FILE))
     numbers = StandNumbers(file, file.to_dict())
     (number,) = numbers.find("main.diameter")
     assert number.value == 0.14
-    assert [each.path for each in numbers.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]
+    assert [thrust.path for thrust in numbers.find("bow.thrust")] == [f"bow.thrust[{k}]" for k in range(3)]

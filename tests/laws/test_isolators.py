@@ -87,8 +87,8 @@ def test_springs_along_one_axis_are_long_legs() -> None:
         "V": (1e-3, 0.0, 2e-3, 0.0, 1e-3, 0.0),
     }
     answers = [
-        reference.evaluate(each, replace(rest_state(each), **displaced), ["forward"])["V_dot"]
-        for each in (stand, loads(TABLE + legs))
+        reference.evaluate(other, replace(rest_state(other), **displaced), ["forward"])["V_dot"]
+        for other in (stand, loads(TABLE + legs))
     ]
     assert answers[0] == pytest.approx(answers[1], abs=1e-4)
 

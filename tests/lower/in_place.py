@@ -17,14 +17,14 @@ def end_of_steps(
 ) -> dict[str, Any]:
     """The state after equal steps, by a function, with a carry or without. Raises StateError."""
     ffi, name = backend.library.ffi, backend.program.name
-    given = backend.arguments(state)
-    x = ffi.new(f"{name}_state *", given["x"])
+    values = backend.arguments(state)
+    x = ffi.new(f"{name}_state *", values["x"])
     known: dict[str, Any] = {
-        "table": given["table"],
+        "table": values["table"],
         "x": x,
-        "tau": ffi.new(f"{name}_real[]", [*given["tau"], 0.0]),
-        "phi_ddot": ffi.new(f"{name}_real[]", [*given["phi_ddot"], 0.0]),
-        "wrench": ffi.new(f"{name}_real[]", [*given["wrench"], 0.0]),
+        "tau": ffi.new(f"{name}_real[]", [*values["tau"], 0.0]),
+        "phi_ddot": ffi.new(f"{name}_real[]", [*values["phi_ddot"], 0.0]),
+        "wrench": ffi.new(f"{name}_real[]", [*values["wrench"], 0.0]),
         "locked": ffi.new("int[]", len(state.phi) + 1),
         "dt": time / steps,
         "order": order,

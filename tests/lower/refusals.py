@@ -32,12 +32,12 @@ def numbers(value: Any, path: NumberPath = ()) -> Iterator[NumberPath]:
 
 def spoiled(value: Any, path: NumberPath, number: Any) -> Any:
     """Plain data with one number replaced."""
-    found = copy.deepcopy(value)
-    place = found
+    changed = copy.deepcopy(value)
+    place = changed
     for step in path[:-1]:
         place = place[step]
     place[path[-1]] = number
-    return found
+    return changed
 
 
 def get(value: Any, path: NumberPath) -> Any:

@@ -31,11 +31,17 @@ def test_state_from_coordinates_inverts_the_generalized_form(angles: str, theta:
     x = {"position": [1.0, 2.0, 3.0], "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": [0.3], "phi_dot": [10.0]}
     at = [0.4, theta, -0.2]
-    given = {"table": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
-    found = c.call("generalized", given | {"angles": at})[1]["out"]
+    inputs = {"table": c.library.default("default"), "x": x, "phi_ddot": [5.0]}
+    generalized = c.call("generalized", inputs | {"angles": at})[1]["out"]
     quaternion = c.call("quaternion", {"angles": at})[1]["attitude"]
-    forward = c.call("forward", given | {"x": x | {"attitude": quaternion}})[1]["V_dot"]
-    asked = {"position": [4.0, 5.0, 6.0], "angles": at, "q_dot": found["q_dot"], "q_ddot": found["q_ddot"], "x": x}
+    forward = c.call("forward", inputs | {"x": x | {"attitude": quaternion}})[1]["V_dot"]
+    asked = {
+        "position": [4.0, 5.0, 6.0],
+        "angles": at,
+        "q_dot": generalized["q_dot"],
+        "q_ddot": generalized["q_ddot"],
+        "x": x,
+    }
     status, out = c.library.run(c.program.function("state_from_coordinates"), asked)
     assert status == 0
     assert out["x"]["position"] == [4.0, 5.0, 6.0]

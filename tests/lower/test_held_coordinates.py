@@ -54,36 +54,36 @@ def made(name: str) -> tuple[Stand, InterpreterBackend]:
 
 @pytest.mark.parametrize("name", quick(3, HOLDS))
 def test_three_derivations_agree(name: str) -> None:
-    stand, own = made(name)
+    stand, backend = made(name)
     second, states = Second(stand), draw(stand, 1, 8, wrenches=False)
-    found = judge(stand, own, states, ["generalized"], DOUBLE, None, second)
-    case = Case(stand, own, states, DOUBLE, second, Scales(stand), 1)  # type: ignore[arg-type]
-    found += checks_of(case, "state_from_coordinates")
-    assert {row.verdict for row in found} == {"ok"}, [(row.quantity, row.value, row.second) for row in found]
-    assert len(found) >= 4
+    checks = judge(stand, backend, states, ["generalized"], DOUBLE, None, second)
+    case = Case(stand, backend, states, DOUBLE, second, Scales(stand), 1)  # type: ignore[arg-type]
+    checks += checks_of(case, "state_from_coordinates")
+    assert {row.verdict for row in checks} == {"ok"}, [(row.quantity, row.value, row.second) for row in checks]
+    assert len(checks) >= 4
 
 
 @pytest.mark.parametrize("name", HOLDS)
 def test_a_state_of_coordinates_has_these_and_their_differences_are_its_twist(name: str) -> None:
-    stand, own = made(name)
-    inputs = own.arguments(state_of(stand, 1))
-    _, first = own.call("generalized", inputs)
-    given = {**inputs, **first["out"]}
-    status, there = own.call("state_from_coordinates", given)
+    stand, backend = made(name)
+    inputs = backend.arguments(state_of(stand, 1))
+    _, first = backend.call("generalized", inputs)
+    coordinates = {**inputs, **first["out"]}
+    status, there = backend.call("state_from_coordinates", coordinates)
     assert status == 0
     assert there["x"]["V"] == pytest.approx(inputs["x"]["V"], abs=1e-14)
-    assert there["V_dot"] == pytest.approx(own.call("forward", inputs)[1]["V_dot"], rel=1e-12, abs=1e-12)
-    _, again = own.call("generalized", {**inputs, "x": there["x"]})
+    assert there["V_dot"] == pytest.approx(backend.call("forward", inputs)[1]["V_dot"], rel=1e-12, abs=1e-12)
+    _, again = backend.call("generalized", {**inputs, "x": there["x"]})
     for key, value in first["out"].items():
         if key != "q_ddot":  # of another pose
             assert again["out"][key] == pytest.approx(value, abs=1e-14), key
-    if "orientation" in given:
+    if "orientation" in coordinates:
         return
     step = 1e-5
     ends = []
     for sign in (1, -1):
-        near = np.array(given["q"]) + sign * step * np.array(given["q_dot"])
-        ends.append(own.call("state_from_coordinates", {**given, "q": near.tolist()})[1]["x"])
+        near = np.array(coordinates["q"]) + sign * step * np.array(coordinates["q_dot"])
+        ends.append(backend.call("state_from_coordinates", {**coordinates, "q": near.tolist()})[1]["x"])
     C = quaternion_rotation(*there["x"]["attitude"])
     moved = (np.array(ends[0]["position"]) - ends[1]["position"]) / (2 * step)
     W = C.T @ (quaternion_rotation(*ends[0]["attitude"]) - quaternion_rotation(*ends[1]["attitude"])) / (2 * step)
@@ -104,12 +104,12 @@ def test_a_hold_without_a_closed_set_has_no_coordinates() -> None:
 def test_a_pendulum_has_its_angle_and_falls_by_its_formula(file: str, backend: str) -> None:
     angle, spin = 0.3, 0.001
     state = {"angles": [0, angle, 0], "u": [1.5], "phi_ddot": [40.0], "want": ["generalized"]}
-    (found,) = answers(file, state, backend=backend)
+    (answer,) = answers(file, state, backend=backend)
     expected = (2.5 * 9.81 * 0.2 * np.sin(angle) - spin * 40.0) / (0.02 + 2.5 * 0.2**2 + spin)
-    assert found["q"] == pytest.approx([angle], rel=1e-14)
-    assert found["q_dot"] == pytest.approx([1.5], rel=1e-14)
-    assert found["q_ddot"] == pytest.approx([expected], rel=1e-13)
-    assert set(found) == {"id", "q", "q_dot", "q_ddot"}
+    assert answer["q"] == pytest.approx([angle], rel=1e-14)
+    assert answer["q_dot"] == pytest.approx([1.5], rel=1e-14)
+    assert answer["q_ddot"] == pytest.approx([expected], rel=1e-13)
+    assert set(answer) == {"id", "q", "q_dot", "q_ddot"}
     half = {"quaternion": [-np.cos(2.0), 0, -np.sin(2.0), 0], "want": ["generalized"]}  # 4 rad, the other sign
     assert answers(file, half, backend=backend)[0]["q"] == pytest.approx([4.0 - 2 * np.pi], rel=1e-14)
 
@@ -125,17 +125,17 @@ def test_a_pendulum_has_its_angle_and_falls_by_its_formula(file: str, backend: s
     ],
 )
 def test_coordinates_out_of_range_are_refused_and_nothing_is_written(change: dict[str, Any], status: str) -> None:
-    stand, own = made("plane")
-    inputs = own.arguments(state_of(stand, 1))
-    given = {**inputs, **own.call("generalized", inputs)[1]["out"], **change}
-    found, out = own.call("state_from_coordinates", given)
-    assert found == STATUS_VALUES[status]
+    stand, backend = made("plane")
+    inputs = backend.arguments(state_of(stand, 1))
+    coordinates = {**inputs, **backend.call("generalized", inputs)[1]["out"], **change}
+    actual, out = backend.call("state_from_coordinates", coordinates)
+    assert actual == STATUS_VALUES[status]
     assert out["x"] == {name: list(value) for name, value in inputs["x"].items()}
 
 
 def test_an_orientation_that_is_no_unit_quaternion_is_refused() -> None:
-    stand, own = made("ball joint")
-    inputs = own.arguments(state_of(stand, 1))
-    given = {**inputs, **own.call("generalized", inputs)[1]["out"]}
+    stand, backend = made("ball joint")
+    inputs = backend.arguments(state_of(stand, 1))
+    coordinates = {**inputs, **backend.call("generalized", inputs)[1]["out"]}
     for bad, status in (([1.0, 0.1, 0.0, 0.0], "RANGE"), ([np.nan, 0.0, 0.0, 0.0], "NOT_FINITE")):
-        assert own.call("state_from_coordinates", {**given, "orientation": bad})[0] == STATUS_VALUES[status]
+        assert backend.call("state_from_coordinates", {**coordinates, "orientation": bad})[0] == STATUS_VALUES[status]

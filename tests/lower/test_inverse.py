@@ -32,13 +32,13 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
     count = len(c.layout.structure.flywheels)
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}
     x |= {"phi": list(rng.uniform(-3, 3, count)), "phi_dot": list(rng.normal(size=count) * 20)}
-    given = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
+    inputs = {"table": c.library.default("default"), "x": x, "V_dot": list(rng.normal(size=6))}
     defaults = {"weight": [1.0] * count, "limit": [1e300] * count, "near_singular": 1e-6, "damping": 0.0}
     defaults |= dict.fromkeys(ABILITIES, [1e300] * count)
     defaults |= {"motor_viscous": [0.0] * count, "motor_coulomb": [0.0] * count, "motor_coulomb_speed": [1.0] * count}
-    given["options"] = defaults | options
-    status, out = c.call("inverse", given)
-    return given, status, out["out"] if status >= 0 else {}
+    inputs["options"] = defaults | options
+    status, out = c.call("inverse", inputs)
+    return inputs, status, out["out"] if status >= 0 else {}
 
 
 @pytest.mark.slow
@@ -46,10 +46,10 @@ def ask(c: CBackend, seed: int = 1, **options: Any) -> tuple[dict[str, Any], int
 def test_residual_and_equations_agree(count: int) -> None:
     """residual = F - K V* - M V - J phi' - I phi'' with the matrices of the C; zero for N >= 6."""
     c = backend_of(count)
-    given, status, out = ask(c)
-    m = c.call("matrices", given)[1]["out"]
-    left = np.array(m["F"]) - np.array(m["K"]) @ given["V_dot"] - np.array(m["M"]) @ given["x"]["V"]
-    left = left - np.array(m["J"]) @ given["x"]["phi_dot"]
+    inputs, status, out = ask(c)
+    m = c.call("matrices", inputs)[1]["out"]
+    left = np.array(m["F"]) - np.array(m["K"]) @ inputs["V_dot"] - np.array(m["M"]) @ inputs["x"]["V"]
+    left = left - np.array(m["J"]) @ inputs["x"]["phi_dot"]
     assert np.array(out["residual"]) == pytest.approx(
         left - np.array(m["I"]) @ out["phi_ddot"], abs=1e-11 * np.abs(left).max()
     )
@@ -58,11 +58,11 @@ def test_residual_and_equations_agree(count: int) -> None:
         assert np.abs(out["residual"]).max() < 1e-10 * np.abs(left).max()
 
 
-def scaled(c: CBackend, given: dict[str, Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def scaled(c: CBackend, inputs: dict[str, Any]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """K^-1/2 I, K^-1/2 times the demand, and the spin inertias, by the matrices of the C."""
-    m = c.call("matrices", given)[1]["out"]
-    demand = np.array(m["F"]) - np.array(m["K"]) @ given["V_dot"] - np.array(m["M"]) @ given["x"]["V"]
-    demand = demand - np.array(m["J"]) @ given["x"]["phi_dot"]
+    m = c.call("matrices", inputs)[1]["out"]
+    demand = np.array(m["F"]) - np.array(m["K"]) @ inputs["V_dot"] - np.array(m["M"]) @ inputs["x"]["V"]
+    demand = demand - np.array(m["J"]) @ inputs["x"]["phi_dot"]
     root = np.linalg.inv(np.linalg.cholesky(np.array(m["K"])))
     theta = np.array([row["spin"] for row in c.table()["flywheel"]])
     return root @ np.array(m["I"]), root @ demand, theta
@@ -74,10 +74,10 @@ def test_singular_values_and_rank_know_no_weights(count: int, spread: float) -> 
     """sigma, rank and status are those of K^-1/2 I Theta_ff^-1/2; what is attainable stays so."""
     c = backend_of(count)
     weight = [1.0 if s % 2 else spread for s in range(count)]
-    given, status, out = ask(c, weight=weight)
+    inputs, status, out = ask(c, weight=weight)
     _, plain_status, plain = ask(c)
     assert (status, out["rank"], out["sigma"]) == (plain_status, plain["rank"], plain["sigma"])
-    matrix, _, theta = scaled(c, given)
+    matrix, _, theta = scaled(c, inputs)
     sigma = np.linalg.svd(matrix / np.sqrt(theta), compute_uv=False)
     assert out["sigma"] == pytest.approx(sigma[: min(6, count)], rel=1e-9, abs=1e-13 * sigma[0])
 
@@ -89,8 +89,8 @@ def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> No
     c = backend_of(count)
     _, _, free = ask(c, seed)
     limit = [0.7 * max(abs(a) for a in free["phi_ddot"])] * count
-    given, status, out = ask(c, seed, limit=limit)
-    matrix, demand, theta = scaled(c, given)
+    inputs, status, out = ask(c, seed, limit=limit)
+    matrix, demand, theta = scaled(c, inputs)
     root = np.sqrt(theta)
     best = lsq_linear(matrix / root, demand, (-np.array(limit) * root, np.array(limit) * root), tol=1e-14)
     reached = np.linalg.norm(demand - matrix @ out["phi_ddot"])
@@ -109,8 +109,8 @@ def test_far_out_of_reach_the_residual_is_the_least(count: int, spread: float) -
         _, _, free = ask(c, seed)
         limit = rng.uniform(0.1, 0.3) * np.abs(free["phi_ddot"]).max() * np.ones(count)
         weight = np.exp(rng.uniform(0, np.log(spread), count))
-        given, status, out = ask(c, seed, limit=limit.tolist(), weight=weight.tolist())
-        matrix, demand, theta = scaled(c, given)
+        inputs, status, out = ask(c, seed, limit=limit.tolist(), weight=weight.tolist())
+        matrix, demand, theta = scaled(c, inputs)
         root = np.sqrt(theta)
         best = lsq_linear(matrix / root, demand, (-limit * root, limit * root), method="bvls", tol=1e-14)
         excess = np.linalg.norm(demand - matrix @ out["phi_ddot"]) - np.sqrt(2 * best.cost)
@@ -136,9 +136,9 @@ def test_damping_lowers_what_is_near_singular() -> None:
 def test_what_is_out_of_reach_is_told(count: int) -> None:
     """With fewer than six flywheels `hardest` is the demand's part that none of them gives, as large as 1."""
     c = backend_of(count)
-    given, status, out = ask(c)
+    inputs, status, out = ask(c)
     assert status & STATUS_VALUES["UNREACHABLE"]
-    K = np.array(c.call("matrices", given)[1]["out"]["K"])
+    K = np.array(c.call("matrices", inputs)[1]["out"]["K"])
     left = np.array(out["residual"])
     assert np.array(out["hardest"]) == pytest.approx(left / np.sqrt(left @ np.linalg.solve(K, left)), rel=1e-9)
 
@@ -146,10 +146,10 @@ def test_what_is_out_of_reach_is_told(count: int) -> None:
 def test_the_hardest_direction_has_the_least_singular_value() -> None:
     """With six flywheels: K^-1/2 hardest is the left singular vector of the least singular value."""
     c = backend_of(6)
-    given, _, out = ask(c)
-    m = c.call("matrices", given)[1]["out"]
+    inputs, _, out = ask(c)
+    m = c.call("matrices", inputs)[1]["out"]
     root = np.linalg.inv(np.linalg.cholesky(np.array(m["K"])))
-    matrix, _, theta = scaled(c, given)
+    matrix, _, theta = scaled(c, inputs)
     u = np.linalg.svd(matrix / np.sqrt(theta))[0][:, 5]
     assert abs(u @ root @ out["hardest"]) == pytest.approx(1, rel=1e-9)
 
@@ -179,9 +179,9 @@ def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: flo
     """A table of a huge carrier and flywheels that hardly act on it: what they would have to do overflows."""
     c = CBackend(load(path("demo3")), "float")
     table = c.table()
-    table["inertia"] = [1e19 * each for each in table["inertia"]]
+    table["inertia"] = [1e19 * entry for entry in table["inertia"]]
     for row in table["flywheel"]:
-        row["t_0"] = [1e-10 * each for each in row["t_0"]]
+        row["t_0"] = [1e-10 * entry for entry in row["t_0"]]
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.0] * 3, "phi_dot": [0.0] * 3}
     options = {"weight": [1.0] * 3, "limit": [limit] * 3, "near_singular": 1e-3, "damping": 0.0}
     options |= dict.fromkeys(ABILITIES, [3e38] * 3)

@@ -64,9 +64,9 @@ def stand_of(name: str) -> Stand:
 
 def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Check]:
     """Rows of both Jacobians at ordinary states, by the interpreter, which may lack a law."""
-    own = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
-    some = ordinary(draw(stand, 1, 12, wrenches=False), own.inputs, 12)
-    case = Case(stand, cast(Any, own), some, DOUBLE, Second(stand), Scales(stand), 1)
+    backend = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
+    some = ordinary(draw(stand, 1, 12, wrenches=False), backend.inputs, 12)
+    case = Case(stand, cast(Any, backend), some, DOUBLE, Second(stand), Scales(stand), 1)
     checks: list[Check] = []
     for name in functions:
         if stand.flywheels or name == "forward_jacobian":
@@ -80,21 +80,21 @@ def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...
 def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
     """Without locks and with some."""
     stand = stand_of(name)
-    found = rows_of(stand)
-    assert [(row.judged, row.verdict, row.words) for row in found] == [
+    rows = rows_of(stand)
+    assert [(row.judged, row.verdict, row.words) for row in rows] == [
         ("forward_jacobian", "ok", ""),
         *([("coupled_jacobian", "ok", "")] * (2 if stand.flywheels else 0)),
     ]
-    assert all(row.states and row.value < 1e-11 for row in found)
+    assert all(row.states and row.value < 1e-11 for row in rows)
 
 
 @pytest.mark.parametrize("want", ["forward", "coupled"])
 def test_they_are_differences_of_the_literal_reference(want: str) -> None:
     """Central differences over 1e-6: half of the digits."""
     stand = stand_of("free")
-    own = InterpreterBackend(generate_all(stand))
+    backend = InterpreterBackend(generate_all(stand))
     _, state = draw(stand, 2, 12, wrenches=False)[3]
-    found = own.call(f"{want}_jacobian", own.arguments(state))[1]["out"]
+    slopes = backend.call(f"{want}_jacobian", backend.arguments(state))[1]["out"]
     inputs = ("V", "phi", "phi_dot", "phi_ddot" if want == "forward" else "tau")
 
     def moved(name: str, values: np.ndarray) -> State:
@@ -109,8 +109,8 @@ def test_they_are_differences_of_the_literal_reference(want: str) -> None:
             ends = [evaluate(stand, moved(name, values + s * shift), [want]) for s in (1, -1)]
             for result in ("V_dot",) if want == "forward" else ("V_dot", "phi_ddot"):
                 slope = (np.array(ends[0][result]) - ends[1][result]) / (2 * step)
-                size = max(float(np.abs(found[f"{result}_{name}"]).max()), float(np.abs(ends[0][result]).max()))
-                assert np.array(found[f"{result}_{name}"])[:, column] == pytest.approx(slope, abs=1e-6 * size)
+                size = max(float(np.abs(slopes[f"{result}_{name}"]).max()), float(np.abs(ends[0][result]).max()))
+                assert np.array(slopes[f"{result}_{name}"])[:, column] == pytest.approx(slope, abs=1e-6 * size)
 
 
 @pytest.mark.parametrize("name", quick(1, ["rail", "skew hinge"]))
@@ -133,16 +133,16 @@ def test_no_changes_of_own_wrenches_are_read_where_nothing_changes_them() -> Non
 def test_the_pendulum_has_the_derivatives_of_its_closed_formulas() -> None:
     """P u* + J phi'' = w sin(angle), J (u* + phi'') = tau: both linear in what is given, and no speed enters."""
     stand = loads(PENDULUM)
-    own = CBackend(stand)
-    x = own.arguments(replace(rest_state(stand), angles=(0.0, 0.7, 0.0), u=(0.4,), V=(-0.08, 0, 0, 0, 0.4, 0)))
-    _, forward = own.call("forward_jacobian", x)
-    _, coupled = own.call("coupled_jacobian", {**x, "tau": [0.02]})
+    backend = CBackend(stand)
+    x = backend.arguments(replace(rest_state(stand), angles=(0.0, 0.7, 0.0), u=(0.4,), V=(-0.08, 0, 0, 0, 0.4, 0)))
+    _, forward = backend.call("forward_jacobian", x)
+    _, coupled = backend.call("coupled_jacobian", {**x, "tau": [0.02]})
     by_acceleration = forward["out"]["u_dot_phi_ddot"][0][0]
     assert by_acceleration == pytest.approx(-SPIN / (LOCKED + SPIN), rel=1e-13)
     assert coupled["out"]["u_dot_tau"][0][0] == pytest.approx(-1 / LOCKED, rel=1e-13)
     assert coupled["out"]["phi_ddot_tau"][0][0] == pytest.approx(1 / SPIN + 1 / LOCKED, rel=1e-13)
-    for found in (forward["out"], coupled["out"]):
-        still = [found[f"u_dot_{by}"][0][0] for by in ("u", "phi", "phi_dot")]
+    for slopes in (forward["out"], coupled["out"]):
+        still = [slopes[f"u_dot_{by}"][0][0] for by in ("u", "phi", "phi_dot")]
         assert np.abs(still).max() < 1e-13
 
 
@@ -151,8 +151,8 @@ def test_not_a_number_is_refused(function: str) -> None:
     c = CBackend(random_stand(np.random.default_rng(1), 1, BARE))
     state = replace(rest_state(c.generated.values._stand), phi_dot=(float("nan"),))
     wanted = {a.name for a in c.program.function(function).arguments}
-    given = {name: value for name, value in c.arguments(state).items() if name in wanted}
-    status, out = c.library.run(c.program.function(function), given, fill=3.5)
+    arguments = {name: value for name, value in c.arguments(state).items() if name in wanted}
+    status, out = c.library.run(c.program.function(function), arguments, fill=3.5)
     assert status == STATUS_VALUES["NOT_FINITE"]
     assert np.all(np.array(out["out"]["V_dot_V"]) == 3.5)
 

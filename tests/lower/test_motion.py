@@ -46,10 +46,10 @@ def start(c: CBackend) -> dict[str, Any]:
 def inputs(c: CBackend, x: dict[str, Any], **more: Any) -> dict[str, Any]:
     """Arguments of step by name; torques and accelerations that differ."""
     count = len(x["phi"])
-    found = {"table": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
-    found |= {"locked": [0] * count, "phi_ddot": [3.0 * (s - 1) for s in range(count)]}
-    found |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
-    return found | more
+    values = {"table": c.library.default("default"), "x": x, "tau": [0.05 * (s + 1) for s in range(count)]}
+    values |= {"locked": [0] * count, "phi_ddot": [3.0 * (s - 1) for s in range(count)]}
+    values |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
+    return values | more
 
 
 def stepped(c: CBackend, function: str, steps: int, order: int, **more: Any) -> dict[str, Any]:
@@ -104,12 +104,12 @@ def test_step_agrees_with_an_adaptive_integration_of_the_reference(function: str
             tuple(y[:3]), None, tuple(q), tuple(y[7:13]), tuple(y[13 : 13 + count]), tuple(y[13 + count :]),
             phi_ddot, (0.0,) * 6, tau,
         )  # fmt: skip
-        found = {"phi_ddot": phi_ddot, **evaluate(stand, state, [want])}
+        answer = {"phi_ddot": phi_ddot, **evaluate(stand, state, [want])}
         w, u = q[0], q[1:]
         omega, v = y[10:13], y[7:10]
         position = v + 2 * np.cross(u, np.cross(u, v) + w * v)
         attitude = 0.5 * np.concatenate([[-u @ omega], w * omega + np.cross(u, omega)])
-        return np.concatenate([position, attitude, found["V_dot"], y[13 + count :], found["phi_ddot"]])
+        return np.concatenate([position, attitude, answer["V_dot"], y[13 + count :], answer["phi_ddot"]])
 
     y0 = np.concatenate([x["position"], x["attitude"], x["V"], x["phi"], x["phi_dot"]])
     # at 1e-10 the kinks of |V| V let it be 5e-8 off, by where its steps fall
@@ -129,9 +129,9 @@ def test_the_result_may_be_the_state_itself_and_phases_are_wrapped() -> None:
     assert max(abs(p) for p in apart["phi"]) <= np.pi * (1 + 1e-15)
     ffi = c.library._ffi
     place = ffi.new("free_state *", x)
-    given = inputs(c, x) | {"x": place, "next": place}
+    arguments = inputs(c, x) | {"x": place, "next": place}
     status, _ = c.library.run(
-        c.program.function("step"), {k: v for k, v in given.items() if k not in ("phi_ddot", "wrench")}
+        c.program.function("step"), {k: v for k, v in arguments.items() if k not in ("phi_ddot", "wrench")}
     )
     assert status == 0
     assert list(place.phi) == apart["phi"]
@@ -167,8 +167,8 @@ def test_a_step_over_too_many_turns_is_refused_in_float(speed: float) -> None:
     """A phase that a float cannot hold to its digits is out of range, not a worse answer."""
     c = CBackend(random_stand(np.random.default_rng(3), 1, BARE, name="turns"), "float")
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [999.0], "phi_dot": [speed]}
-    given = {"table": c.library.default("default"), "x": x, "phi_ddot": [0.0], "order": 4}
-    assert c.call("step_driven", given | {"dt": 1.0})[0] == STATUS_VALUES["RANGE"]
-    status, out = c.call("step_driven", given | {"dt": 1e-3})
+    arguments = {"table": c.library.default("default"), "x": x, "phi_ddot": [0.0], "order": 4}
+    assert c.call("step_driven", arguments | {"dt": 1.0})[0] == STATUS_VALUES["RANGE"]
+    status, out = c.call("step_driven", arguments | {"dt": 1e-3})
     assert status == STATUS_VALUES["COARSE"]  # two radians
     assert np.sin(out["next"]["phi"][0]) == pytest.approx(np.sin(999.0 + speed * 1e-3), abs=2e-4)

@@ -76,8 +76,8 @@ def test_excessive_is_where_the_curve_says(model: Any, above: bool) -> None:
     near = 1e-9 if model.states().phi.dtype == np.float64 else 1e-4
     demand = np.zeros((len(PLACES), 3))
     for k, (wheel, speed, sense) in enumerate(PLACES):
-        own = sense * (limit(wheel, speed, sense) * (1.0 + near if above else 1.0 - near) or near * above)
-        demand[k, wheel] = (own - (VISCOUS * speed if wheel == 0 else 0.0)) / TORQUE
+        torque = sense * (limit(wheel, speed, sense) * (1.0 + near if above else 1.0 - near) or near * above)
+        demand[k, wheel] = (torque - (VISCOUS * speed if wheel == 0 else 0.0)) / TORQUE
     names = mahovik.status_words(model.inverse(states(model), task="pointing", demand=demand).status)
     for place, bits in zip(PLACES, names, strict=True):
         if limit(*place) > 0.0 or above:  # rounding alone is too much for a motor that has nothing
@@ -88,8 +88,8 @@ def test_torques_for_a_task_end_at_the_curve(model: Any) -> None:
     demand = np.zeros((len(PLACES), 3))
     for k, (wheel, _, sense) in enumerate(PLACES):
         demand[k, wheel] = 10.0 * sense / TORQUE
-    found = model.torque_for(states(model), "pointing", demand)
-    for (wheel, speed, sense), tau in zip(PLACES, found.tau, strict=True):
+    answer = model.torque_for(states(model), "pointing", demand)
+    for (wheel, speed, sense), tau in zip(PLACES, answer.tau, strict=True):
         assert tau[wheel] == pytest.approx(sense * limit(wheel, speed, sense), rel=1e-5, abs=1e-7)
 
 

@@ -69,11 +69,11 @@ def test_parameters_of_another_stand_give_its_table(name: str) -> None:
     assert bits(table) == bits(theirs.table())
     rng = np.random.default_rng(7)
     for _ in range(3):
-        given = theirs.inputs(random_state(theirs.stand, rng))
+        parameters = theirs.inputs(random_state(theirs.stand, rng))
         for function in ("forward", "matrices", "momentum", "generalized"):
-            want = accepts(theirs, function, given)
-            assert bits(accepts(ours, function, given | {"table": table})) == bits(want)
-            assert bits(accepts(ours, function, given)) != bits(want)
+            want = accepts(theirs, function, parameters)
+            assert bits(accepts(ours, function, parameters | {"table": table})) == bits(want)
+            assert bits(accepts(ours, function, parameters)) != bits(want)
 
 
 def test_axes_of_any_length_give_the_same_table() -> None:

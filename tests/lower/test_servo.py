@@ -32,12 +32,12 @@ def interpreter(trim: TrimForm | None = None, precision: Precision = DOUBLE) -> 
 
 def gains(**changed: Any) -> dict[str, Any]:
     """Two different servos."""
-    found = {
+    values = {
         "angle": [3.0, 2.0], "speed": [0.2, 0.1], "integral": [0.5, 0.25], "back": [0.3, 0.2], "filter": 0.4,
         "limit": [2.0, 1.0], "change": [0.5, 1e9], "viscous": [0.01, 0.0], "coulomb": [0.2, 0.0],
         "coulomb_rate": [4.0, 0.0], "lead": 0.0,
     }  # fmt: skip
-    return found | changed
+    return values | changed
 
 
 @pytest.mark.parametrize("name", ["phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot"])
@@ -46,10 +46,10 @@ def test_refusals_write_nothing(name: str) -> None:
     state = run("servo_reset", {})[1]["state"] | {"torque": [0.5, 0.25]}
     inputs: dict[str, Any] = {key: [0.1] * N for key in ("phi_ref", "phi_dot_ref", "tau_ff", "phi", "phi_dot")}
     for value, wanted in ((float("nan"), NOT_FINITE), (float("inf"), NOT_FINITE), (1e12, RANGE)):
-        status, found = run("servo_step", {"gains": gains(), "state": state, **inputs, name: [0.1, value]})
+        status, outputs = run("servo_step", {"gains": gains(), "state": state, **inputs, name: [0.1, value]})
         assert status == wanted
-        assert found["state"] == state
-        assert found["tau"] == [0.0, 0.0]
+        assert outputs["state"] == state
+        assert outputs["tau"] == [0.0, 0.0]
     broken = state | {"integral": [float("nan"), 0.0]}
     assert run("servo_step", {"gains": gains(), "state": broken, **inputs})[0] == NOT_FINITE
 
@@ -64,12 +64,12 @@ def test_one_bad_encoder_leaves_the_other_servo_alone() -> None:
     for nothing in (float("nan"), float("inf"), 1e300):
         readings = {"phi": [nothing, 0.6], "phi_dot": [nothing, -1.2]}
         assert run("servo_step", {**wanted, **readings})[0] < 0
-        status, found = run("servo_step", {**wanted, **readings, "invalid": [1, 0]})
+        status, outputs = run("servo_step", {**wanted, **readings, "invalid": [1, 0]})
         assert status == OK
-        assert found["tau"][1] == good[1]["tau"][1]
-        assert [found["state"][name][1] for name in found["state"]] == [good[1]["state"][name][1] for name in state]
+        assert outputs["tau"][1] == good[1]["tau"][1]
+        assert [outputs["state"][name][1] for name in outputs["state"]] == [good[1]["state"][name][1] for name in state]
         exact = run("servo_step", {**wanted, "phi": [0.5, 0.6], "phi_dot": [1.0, -1.2]})
-        assert found == exact[1]
+        assert outputs == exact[1]
 
 
 # ---- trim ----
@@ -80,11 +80,11 @@ T, C = 5, 2
 
 def design(response: np.ndarray, target: np.ndarray, **changed: Any) -> dict[str, Any]:
     """A trim that knows the response (C T, N T) of the carrier's coefficients to corrections."""
-    found = {
+    values = {
         "settling": 30, "window": 40, "smoothing": 0.5, "limit": 0.5, "omega": 60.0, "inertia": [0.01, 0.02],
         "target": target.reshape(C, T).tolist(), "matrix": (0.6 * np.linalg.pinv(response)).tolist(),
     }  # fmt: skip
-    return found | changed
+    return values | changed
 
 
 def test_a_trim_refuses_what_it_did_not_make() -> None:
@@ -93,9 +93,9 @@ def test_a_trim_refuses_what_it_did_not_make() -> None:
     inputs: dict[str, Any] = {"design": design(np.eye(C * T), np.zeros(C * T)), "phase": 0.5, "q": [0.0] * C}
     inputs |= {"phi": [0.0] * N, "phi_dot": [0.0] * N, "tau": [0.0] * N}
     for wrong in ({"sample": -1}, {"sample": 72}, {"rounds": -1}):
-        status, found = run("trim_step", {**inputs, "state": state | wrong})
+        status, outputs = run("trim_step", {**inputs, "state": state | wrong})
         assert status == BAD_ARGUMENT
-        assert found["state"] == state | wrong
+        assert outputs["state"] == state | wrong
     assert run("trim_step", {**inputs, "state": state, "phase": 1.0})[0] == RANGE
     assert run("trim_step", {**inputs, "state": state, "q": [0.0, float("nan")]})[0] == NOT_FINITE
 
@@ -110,9 +110,9 @@ def test_coordinates_of_a_trim_give_the_attitude_back(sequence: Sequence) -> Non
         quaternion, position = rng.normal(size=4), rng.normal(size=3)
         quaternion /= np.linalg.norm(quaternion)
         inputs = {"position": position.tolist(), "attitude": (1.0005 * quaternion).tolist()}
-        status, found = run("trim_coordinates", inputs)
+        status, coordinates = run("trim_coordinates", inputs)
         assert status == OK
-        assert found["q"][:2] == [position[0], position[2]]
-        assert np.allclose(attitude(sequence, *found["q"][2:]), quaternion_rotation(*quaternion), atol=1e-13)
+        assert coordinates["q"][:2] == [position[0], position[2]]
+        assert np.allclose(attitude(sequence, *coordinates["q"][2:]), quaternion_rotation(*quaternion), atol=1e-13)
     for wrong, due in (([1.0, 0.1, 0.0, 0.0], RANGE), ([float("nan"), 0, 0, 1], NOT_FINITE), ([0.0] * 4, RANGE)):
         assert run("trim_coordinates", {"position": [0.0] * 3, "attitude": wrong})[0] == due

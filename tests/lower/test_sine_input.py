@@ -88,8 +88,8 @@ def test_what_is_no_sine_and_cosine_is_refused(function: str) -> None:
     for s in range(3):
         for name in TURNS:
             for value, due in ((math.nan, "NOT_FINITE"), (math.inf, "NOT_FINITE"), (2.5, "RANGE"), (-1e200, "RANGE")):
-                given = list(inputs[name])
-                given[s] = value
-                refused(c, function, inputs | {name: given}, due)
+                arguments = list(inputs[name])
+                arguments[s] = value
+                refused(c, function, inputs | {name: arguments}, due)
     for name in TURNS:
         refused(c, function, {k: v for k, v in inputs.items() if k != name}, "BAD_ARGUMENT")

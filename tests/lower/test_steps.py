@@ -33,9 +33,15 @@ def good(c: CBackend, **more: Any) -> dict[str, Any]:
     """Arguments of every step function, at rest."""
     N = len(c.layout.structure.flywheels)
     x = {"position": [0.0] * 3, "attitude": [1.0, 0, 0, 0], "V": [0.0] * 6, "phi": [0.3] * N, "phi_dot": [0.0] * N}
-    given = {"table": c.library.default("default"), "x": x, "tau": [0.0] * N, "locked": [0] * N, "phi_ddot": [0.0] * N}
-    given |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
-    return given | more
+    arguments = {
+        "table": c.library.default("default"),
+        "x": x,
+        "tau": [0.0] * N,
+        "locked": [0] * N,
+        "phi_ddot": [0.0] * N,
+    }
+    arguments |= {"wrench": [0.0] * 6 * len(c.inputs), "dt": 1e-3, "order": 4}
+    return arguments | more
 
 
 def carry(c: CBackend) -> dict[str, Any]:
@@ -59,8 +65,8 @@ def test_a_step_in_which_something_turns_too_far_says_so_and_is_made(
     last = [0.0] * (N - 1)
     for x in (moving(c, phi_dot=[*last, -speed]), moving(c, V=[0.0] * 3 + [0.6 * speed, 0.0, -0.8 * speed])):
         for part, expected in ((0.99, 0), (1.01, COARSE), (3.0, COARSE)):
-            given = good(c, x=x, order=order, dt=part * turn / speed, **carry(c)[kept])
-            status, out = c.call(function, given)
+            arguments = good(c, x=x, order=order, dt=part * turn / speed, **carry(c)[kept])
+            status, out = c.call(function, arguments)
             assert status == expected
             assert out["next"] != x
 
@@ -90,11 +96,11 @@ def test_a_step_that_runs_away_is_out_of_range() -> None:
     """Not "no positive definite matrix": the stand is as it was, only the step is too long for its laws."""
     c = compiled("demo3", "float")
     x = moving(c, V=[-4432.0, 2132.0, -9000.0, -2025.0, -1541.0, 5237.0], phi_dot=[13735.0, 22739.0, -41836.0])
-    given = good(c, x=x, dt=3.6136937, tau=[1.517310e8] * 3)
+    arguments = good(c, x=x, dt=3.6136937, tau=[1.517310e8] * 3)
     for function, kept in (("step", "without"), ("step_driven", "without"), ("step", "with")):
         for order in (2, 4):
             for dt in (0.1, 1.0, 3.6136937, 10.0):
-                assert c.call(function, given | {"dt": dt, "order": order, **carry(c)[kept]})[0] == RANGE
+                assert c.call(function, arguments | {"dt": dt, "order": order, **carry(c)[kept]})[0] == RANGE
 
 
 def speeds(real: str, dt: float, seconds: float, carried: bool = False) -> np.ndarray:

@@ -40,10 +40,10 @@ def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.Mon
     states = [random_state(c.stand, rng) for _ in range(3)]
     states += [extreme_state(c.stand, rng, kind) for kind in ("rest", "half_turn")]
     for state in states:
-        given = c.arguments(state) | {"mounting": c.values.mounting, "dt": 1e-4, "order": 4}
+        arguments = c.arguments(state) | {"mounting": c.values.mounting, "dt": 1e-4, "order": 4}
         carry = {"rounding": [1e-12] * (13 + 2 * len(c.stand.flywheels))}
-        functions = [(each, given) for each in filter(c.has, (*QUANTITIES, *OTHERS))]
-        functions += [(each, given | {"carry": carry}) for each, _ in functions if each.startswith("step")]
+        functions = [(called, arguments) for called in filter(c.has, (*QUANTITIES, *OTHERS))]
+        functions += [(called, arguments | {"carry": carry}) for called, _ in functions if called.startswith("step")]
         for function, known in functions:
             taken = (a.name for a in c.program.function(function).arguments if a.direction != "out")
             inputs = {name: known[name] for name in taken if name in known}

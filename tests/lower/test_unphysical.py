@@ -43,8 +43,8 @@ def checks(precision: Precision) -> Interpreter:
 
 
 def inertia_status(precision: Precision, mass: float, center: Array, J: Array) -> int:
-    given = {"mass": mass, "c": center.tolist(), "J": [float(J[i, j]) for i, j in ORDER]}
-    return int(checks(precision).run("check_inertia", given)[0])
+    arguments = {"mass": mass, "c": center.tolist(), "J": [float(J[i, j]) for i, j in ORDER]}
+    return int(checks(precision).run("check_inertia", arguments)[0])
 
 
 def added_status(precision: Precision, added: Array) -> int:

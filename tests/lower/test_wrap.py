@@ -71,12 +71,12 @@ def angles(precision_name: str) -> list[float]:
     precision = backend(precision_name).program.precision
     rng = np.random.default_rng(1)
     largest = precision.max_phase
-    found = [*rng.uniform(-largest, largest, 2000), *rng.uniform(-30, 30, 2000), 0.0, largest, -largest, 1e-300]
+    values = [*rng.uniform(-largest, largest, 2000), *rng.uniform(-30, 30, 2000), 0.0, largest, -largest, 1e-300]
     halves = [*range(-40, 41), *rng.integers(-int(largest / math.pi), int(largest / math.pi), 1500)]
     for half in halves:
         middle = precision.scalar(int(half) * math.pi)
-        found += [middle, np.nextafter(middle, precision.scalar(9e9)), np.nextafter(middle, precision.scalar(-9e9))]
-    return [float(precision.scalar(x)) for x in found if abs(float(precision.scalar(x))) <= largest]
+        values += [middle, np.nextafter(middle, precision.scalar(9e9)), np.nextafter(middle, precision.scalar(-9e9))]
+    return [float(precision.scalar(x)) for x in values if abs(float(precision.scalar(x))) <= largest]
 
 
 @PRECISIONS

@@ -69,15 +69,15 @@ def write_csv(path: Path, columns: Mapping[str, Array]) -> Path:
 
 def read_one(path: Path, columns: Mapping[str, Array]) -> Recording:
     """The one recording of a CSV file with these columns."""
-    (found,) = read_recordings([write_csv(path, columns)], STAND)
-    return found
+    (recording,) = read_recordings([write_csv(path, columns)], STAND)
+    return recording
 
 
 def values(recording: Recording, label: str) -> Array:
     """Values of a channel that must be there."""
-    found = recording.get(label)
-    assert found is not None, label
-    return found
+    channel = recording.get(label)
+    assert channel is not None, label
+    return channel
 
 
 MAGIC = b"ULog\x01\x12\x35\x01"
@@ -90,15 +90,15 @@ def message(kind: str, body: bytes) -> bytes:
 
 def ulog(topics: Mapping[str, tuple[Array, Mapping[str, Array]]]) -> bytes:
     """A log of topics: times (T,) in s, and fields (T,), an array of one element as `name[0]`, in float."""
-    found = MAGIC + struct.pack("<Q", 0) + message("B", bytes(40))
+    data = MAGIC + struct.pack("<Q", 0) + message("B", bytes(40))
     for topic, (_, fields) in topics.items():
         members = "".join(f"float[1] {f[:-3]};" if f.endswith("[0]") else f"float {f};" for f in fields)
-        found += message("F", f"{topic}:uint64_t timestamp;{members}".encode())
+        data += message("F", f"{topic}:uint64_t timestamp;{members}".encode())
     for number, topic in enumerate(topics):
-        found += message("A", struct.pack("<BH", 0, number) + topic.encode())
+        data += message("A", struct.pack("<BH", 0, number) + topic.encode())
     for number, (t, fields) in enumerate(topics.values()):
         columns = np.column_stack(list(fields.values()))
         for time, row in zip(t, columns, strict=True):
             body = struct.pack("<HQ", number, 1000 + round(time * 1e6)) + struct.pack(f"<{len(row)}f", *row)
-            found += message("D", body)
-    return found
+            data += message("D", body)
+    return data

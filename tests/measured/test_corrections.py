@@ -33,18 +33,18 @@ def lines(recording: Recording, text: str) -> list[str]:
 def test_a_clean_file_has_no_notes(tmp_path: Path) -> None:
     """Nothing is reported where nothing is wrong."""
     t = clock()
-    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "w1.speed [rad/s]": 100 + t})
-    assert found.notes == ()
-    assert np.isfinite(found.frame).all(axis=None)
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "w1.speed [rad/s]": 100 + t})
+    assert recording.notes == ()
+    assert np.isfinite(recording.frame).all(axis=None)
 
 
 def test_gaps(tmp_path: Path) -> None:
     """Reported with the longest and its place; not filled."""
     t = np.delete(clock(), np.r_[50:53, 200:300])
-    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t)})
-    (line,) = lines(found, "gap")
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t)})
+    (line,) = lines(recording, "gap")
     assert "2 gaps in time, the longest of 0.101 s at t = 0.199 s" in line
-    np.testing.assert_array_equal(found.t, t)
+    np.testing.assert_array_equal(recording.t, t)
 
 
 def test_times_out_of_order_and_repeated(tmp_path: Path) -> None:
@@ -54,11 +54,11 @@ def test_times_out_of_order_and_repeated(tmp_path: Path) -> None:
     order[[10, 11]] = order[[11, 10]]
     order = np.insert(order, 40, 39)
     x = wobble(t)
-    found = read_one(tmp_path / "a.csv", {"time [s]": t[order], RATE: x[order]})
-    np.testing.assert_array_equal(found.t, t)
-    np.testing.assert_array_equal(values(found, "acc1.rate.x"), x)
-    assert lines(found, "out of order at 1 place: sorted")
-    assert lines(found, "1 repeated time")
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t[order], RATE: x[order]})
+    np.testing.assert_array_equal(recording.t, t)
+    np.testing.assert_array_equal(values(recording, "acc1.rate.x"), x)
+    assert lines(recording, "out of order at 1 place: sorted")
+    assert lines(recording, "1 repeated time")
 
 
 def test_missing_and_stuck_samples(tmp_path: Path) -> None:
@@ -67,12 +67,12 @@ def test_missing_and_stuck_samples(tmp_path: Path) -> None:
     x[[5, 6]] = np.nan
     x[9] = np.inf
     x[100:130] = x[100]
-    found = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: x, "acc2.rate.x [rad/s]": wobble(t)})
-    missing = np.flatnonzero(np.isnan(values(found, "acc1.rate.x")))
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: x, "acc2.rate.x [rad/s]": wobble(t)})
+    missing = np.flatnonzero(np.isnan(values(recording, "acc1.rate.x")))
     np.testing.assert_array_equal(missing, [5, 6, 9, *range(101, 130)])
-    assert lines(found, "acc1.rate.x: 3 samples of 400 missing")
-    assert lines(found, "29 samples repeat the one before, first at t = 0.101 s")
-    assert not lines(found, "acc2")
+    assert lines(recording, "acc1.rate.x: 3 samples of 400 missing")
+    assert lines(recording, "29 samples repeat the one before, first at t = 0.101 s")
+    assert not lines(recording, "acc2")
 
 
 @given(
@@ -86,14 +86,14 @@ def test_wrapped_counters_go_on(modulus: int, signed: bool, speed: float, start:
     true = np.round(start + speed * modulus * np.arange(200.0))
     low = -modulus // 2 if signed else 0
     read = (true - low) % modulus + low
-    found = modulus_of(read, 4096)
-    if found is None:
+    recognised = modulus_of(read, 4096)
+    if recognised is None:
         np.testing.assert_array_equal(np.diff(read), np.diff(true))
         return
     if np.ptp(true) > modulus:
-        assert found == modulus
-    whole, _, unsure = unwrap(read, found)
-    if found == modulus:
+        assert recognised == modulus
+    whole, _, unsure = unwrap(read, recognised)
+    if recognised == modulus:
         np.testing.assert_array_equal(np.diff(whole), np.diff(true))
         assert (unsure > 0) == (abs(speed) > 0.401) or 0.399 < abs(speed) < 0.401
 
@@ -115,9 +115,9 @@ def test_counts_are_phases(tmp_path: Path, header: str) -> None:
     t = clock()
     phase = 300 * t
     counts = np.floor(phase / TURN * 4096) + 10
-    found = read_one(tmp_path / "a.csv", {"time [s]": t, header: counts % 4096})
-    np.testing.assert_allclose(values(found, "w1.phase"), phase, atol=1.01 * TURN / 4096)
-    (line,) = found.notes
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t, header: counts % 4096})
+    np.testing.assert_allclose(values(recording, "w1.phase"), phase, atol=1.01 * TURN / 4096)
+    (line,) = recording.notes
     assert "wraps at 4096 counts, 19 times: unwrapped" in line
 
 
@@ -125,8 +125,8 @@ def test_counts_without_counts_a_turn_are_left_out(tmp_path: Path) -> None:
     """An encoder that the stand file does not have."""
     t = clock(2000)
     columns = {"time [s]": t, "w2.count": np.floor(200 * t / TURN * 500), "acc1.rate.x [rad/s]": wobble(t)}
-    found = read_one(tmp_path / "a.csv", columns)
-    assert lines(found, "w2.count: counts a turn are not known") and found.get("w2.phase") is None
+    recording = read_one(tmp_path / "a.csv", columns)
+    assert lines(recording, "w2.count: counts a turn are not known") and recording.get("w2.phase") is None
 
 
 @given(st.floats(20.0, 300.0), st.floats(-30.0, 30.0), st.floats(0.0, 1.0), st.booleans())
@@ -141,9 +141,9 @@ def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analog
     pulses = find_pulses(t, signal)
     assert pulses is not None
     assert (pulses.double, pulses.lost) == (0, 0)
-    found = phase_of(pulses, t, 1.0)
-    inside = np.isfinite(found)
-    error = (found - phase)[inside]
+    course = phase_of(pulses, t, 1.0)
+    inside = np.isfinite(course)
+    error = (course - phase)[inside]
     # bend of the phase between two pulses, besides the place of a pulse in a step of time
     bend = abs(acceleration) * (TURN / (speed + acceleration * t).min()) ** 2 / 8
     assert np.ptp(error) < 2.2e-3 * (speed + abs(acceleration) * 4) + 2 * bend
@@ -157,10 +157,10 @@ def test_a_spike_is_no_pulse(spike: float) -> None:
     signal = (20.0 * t % 1.0 < 0.3) + noise
     clean = find_pulses(t, signal)
     signal[540] = spike
-    found = find_pulses(t, signal)
-    assert clean is not None and found is not None
-    assert (found.double, found.lost) == (0, 0)
-    np.testing.assert_allclose(found.times, clean.times, atol=1e-4)
+    times = find_pulses(t, signal)
+    assert clean is not None and times is not None
+    assert (times.double, times.lost) == (0, 0)
+    np.testing.assert_allclose(times.times, clean.times, atol=1e-4)
     short = find_pulses(clock(9000), np.isin(np.arange(9000), [1000, 3000, 5000, 7000]).astype(float))
     assert short is not None and len(short.times) == 4
 
@@ -173,10 +173,10 @@ def test_lost_and_double_pulses(tmp_path: Path) -> None:
     good = angle < 1.0
     signal = good & (turns != 20) & (turns != 31)
     signal |= (turns == 10) & (angle > 1.6) & (angle < 2.0)
-    found = read_one(tmp_path / "a.csv", {"time [s]": t, "w2.tacho": signal.astype(float)})
-    assert lines(found, "1 double pulse left out")
-    assert lines(found, "2 lost pulses counted")
-    error = values(found, "w2.phase") - phase
+    recording = read_one(tmp_path / "a.csv", {"time [s]": t, "w2.tacho": signal.astype(float)})
+    assert lines(recording, "1 double pulse left out")
+    assert lines(recording, "2 lost pulses counted")
+    error = values(recording, "w2.phase") - phase
     assert np.nanmax(error) - np.nanmin(error) < 0.25
 
 
@@ -193,10 +193,10 @@ def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
 
     other = t[::2] - offset  # the second clock shows less by the offset
     noise = [0.1 * rng.normal(size=len(x)) for x in (t, other)]
-    found = clock_offset(t, signal(t) + noise[0], other, signal(t[::2]) + noise[1])
-    assert found is not None
-    if found.safe:
-        assert abs(found.seconds - offset) < 4e-4
+    estimate = clock_offset(t, signal(t) + noise[0], other, signal(t[::2]) + noise[1])
+    assert estimate is not None
+    if estimate.safe:
+        assert abs(estimate.seconds - offset) < 4e-4
 
 
 def test_two_files_of_one_run(tmp_path: Path) -> None:
@@ -208,12 +208,12 @@ def test_two_files_of_one_run(tmp_path: Path) -> None:
     a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: rate, "w1.speed [rad/s]": speed})
     columns = {"time [s]": t[slow] + 0.25, "w1.speed [rad/s]": speed[slow], "w2.speed [rad/s]": -speed[slow]}
     b = write_csv(tmp_path / "b.csv", columns)
-    (found,) = read_recordings([a, b], STAND)
-    assert lines(found, "0.25 s ahead by w1.speed: corrected")
-    other = values(found, "w2.speed")
+    (recording,) = read_recordings([a, b], STAND)
+    assert lines(recording, "0.25 s ahead by w1.speed: corrected")
+    other = values(recording, "w2.speed")
     assert np.isfinite(other).mean() > 0.99
     np.testing.assert_allclose(other[np.isfinite(other)], -speed[np.isfinite(other)], atol=0.05)
-    np.testing.assert_array_equal(values(found, "acc1.rate.x"), rate)
+    np.testing.assert_array_equal(values(recording, "acc1.rate.x"), rate)
 
 
 def test_two_files_without_a_common_channel(tmp_path: Path) -> None:
@@ -221,12 +221,12 @@ def test_two_files_without_a_common_channel(tmp_path: Path) -> None:
     t = clock()
     a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "acc2.rate.x [rad/s]": np.nan * t})
     b = write_csv(tmp_path / "b.csv", {"time [s]": t[::4], "w1.phase [rad]": 50 * t[::4] ** 2})
-    (found,) = read_recordings([a, b], STAND)
-    assert lines(found, "no channel is in both that shows an offset: taken as equal")
-    assert lines(found, "acc2.rate.x: no sample: left out")
-    inside = found.t <= t[::4][-1]
-    np.testing.assert_allclose(values(found, "w1.phase")[inside], (50 * t**2)[inside], atol=1e-9)
-    assert np.isnan(values(found, "w1.phase")[~inside]).all()
+    (recording,) = read_recordings([a, b], STAND)
+    assert lines(recording, "no channel is in both that shows an offset: taken as equal")
+    assert lines(recording, "acc2.rate.x: no sample: left out")
+    inside = recording.t <= t[::4][-1]
+    np.testing.assert_allclose(values(recording, "w1.phase")[inside], (50 * t**2)[inside], atol=1e-9)
+    assert np.isnan(values(recording, "w1.phase")[~inside]).all()
 
 
 def test_a_second_clock_that_runs_fast(tmp_path: Path) -> None:
@@ -235,9 +235,9 @@ def test_a_second_clock_that_runs_fast(tmp_path: Path) -> None:
     speed = 100.0 + make_interp_spline(np.arange(0.0, 10.1, 0.05), np.random.default_rng(4).normal(size=202), k=3)(t)
     a = write_csv(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t), "w1.speed [rad/s]": speed})
     other = {"time [s]": t * (1 + 5e-4), "w1.speed [rad/s]": speed, "w2.phase [rad]": 100.0 * t}
-    (found,) = read_recordings([a, write_csv(tmp_path / "b.csv", other)], STAND)
-    assert lines(found, "ppm fast by w1.speed: corrected")
-    error = values(found, "w2.phase") - 100.0 * t
+    (recording,) = read_recordings([a, write_csv(tmp_path / "b.csv", other)], STAND)
+    assert lines(recording, "ppm fast by w1.speed: corrected")
+    error = values(recording, "w2.phase") - 100.0 * t
     assert np.isfinite(error).mean() > 0.99 and np.nanmax(np.abs(error)) < 0.01 * TURN
 
 
@@ -272,9 +272,9 @@ def test_flywheels_of_another_time_are_not_taken(tmp_path: Path) -> None:
     """They stay a recording of their own, and a line says so."""
     t = clock()
     imu, enc = {"time [s]": t, RATE: wobble(t)}, {"time [s]": t + 10, "w1.phase [rad]": 50 * t}
-    found, alone = read_recordings([two_groups(tmp_path / "a.tdms", imu, enc)], STAND)
-    assert list(found.frame) == ["acc1.rate.x"]
-    assert lines(found, "no sample at the times of the sensors: not taken")
+    recording, alone = read_recordings([two_groups(tmp_path / "a.tdms", imu, enc)], STAND)
+    assert list(recording.frame) == ["acc1.rate.x"]
+    assert lines(recording, "no sample at the times of the sensors: not taken")
     assert alone.get("w1.phase") is not None
 
 
@@ -283,6 +283,6 @@ def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
     t = clock()
     paths = [write_csv(tmp_path / f"imu{k}.csv", {"time [s]": t, RATE: k + wobble(t)}) for k in (1, 2)]
     paths += [write_csv(tmp_path / f"w{k}.csv", {"time [s]": t, "w1.speed [rad/s]": 0 * t + k}) for k in (1, 2)]
-    found = read_recordings(paths, STAND)
-    assert [float(values(run, "w1.speed")[0]) for run in found] == [1.0, 2.0]
-    assert [round(float(values(run, "acc1.rate.x")[0])) for run in found] == [1, 2]
+    recordings = read_recordings(paths, STAND)
+    assert [float(values(run, "w1.speed")[0]) for run in recordings] == [1.0, 2.0]
+    assert [round(float(values(run, "acc1.rate.x")[0])) for run in recordings] == [1, 2]

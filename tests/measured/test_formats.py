@@ -58,11 +58,11 @@ def test_what_is_written_is_read(
             write_csv(path, table)
         else:
             write_parquet(path, table)
-        (found,) = read_recordings([path], STAND)
-    np.testing.assert_allclose(found.t, t, rtol=1e-12, atol=1e-15)
-    assert set(found.frame) == set(chosen)
-    for label in found.frame:
-        np.testing.assert_allclose(values(found, label), made[label], rtol=1e-12)
+        (recording,) = read_recordings([path], STAND)
+    np.testing.assert_allclose(recording.t, t, rtol=1e-12, atol=1e-15)
+    assert set(recording.frame) == set(chosen)
+    for label in recording.frame:
+        np.testing.assert_allclose(values(recording, label), made[label], rtol=1e-12)
 
 
 def write_parquet(path: Path, table: dict[str, np.ndarray[Any, Any]]) -> None:
@@ -90,11 +90,11 @@ def test_tdms(tmp_path: Path) -> None:
                 nptdms.ChannelObject("other", "acc2.acceleration.x [m/s2]", x),
             ]
         )
-    (found,) = read_recordings([path], STAND)
-    np.testing.assert_allclose(values(found, "acc1.acceleration.x"), x, atol=1e-12)
-    inside = found.t <= t[::4][-1]
-    np.testing.assert_allclose(values(found, "w1.speed")[inside], speed[inside], rtol=1e-12)
-    assert any("acc2" in note and "no time" in note for note in found.notes)
+    (recording,) = read_recordings([path], STAND)
+    np.testing.assert_allclose(values(recording, "acc1.acceleration.x"), x, atol=1e-12)
+    inside = recording.t <= t[::4][-1]
+    np.testing.assert_allclose(values(recording, "w1.speed")[inside], speed[inside], rtol=1e-12)
+    assert any("acc2" in note and "no time" in note for note in recording.notes)
 
 
 def test_ulog(tmp_path: Path) -> None:
@@ -116,12 +116,12 @@ def test_ulog(tmp_path: Path) -> None:
         '[names]\n"sensor_combined.gyro_rad[0]" = "acc1.rate.x [rad/s]"\n"esc_status.rpm" = "w1.speed [rpm]"\n',
         encoding="utf-8",
     )
-    (found,) = read_recordings([path, names], STAND)
-    np.testing.assert_allclose(values(found, "acc1.rate.x"), gyro, atol=1e-6)
-    inside = found.t - found.t[0] <= t[::2][-1]
-    expected = (2000 + 100 * (found.t - found.t[0])) * np.pi / 30
-    np.testing.assert_allclose(values(found, "w1.speed")[inside], expected[inside], rtol=1e-6)
-    assert any("1 other columns" in note for note in found.notes)
+    (recording,) = read_recordings([path, names], STAND)
+    np.testing.assert_allclose(values(recording, "acc1.rate.x"), gyro, atol=1e-6)
+    inside = recording.t - recording.t[0] <= t[::2][-1]
+    expected = (2000 + 100 * (recording.t - recording.t[0])) * np.pi / 30
+    np.testing.assert_allclose(values(recording, "w1.speed")[inside], expected[inside], rtol=1e-6)
+    assert any("1 other columns" in note for note in recording.notes)
 
 
 @pytest.mark.parametrize("delimiter", [";", "\t"])
@@ -130,10 +130,10 @@ def test_decimal_commas_after_whole_numbers(tmp_path: Path, delimiter: str) -> N
     path = tmp_path / "data.csv"
     rows = "\n".join([f"0{delimiter}0", *(f"0,{k:03d}{delimiter}{k},5" for k in range(1, 20))])
     path.write_text(f"time [s]{delimiter}acc1.rate.x [rad/s]\n{rows}\n", encoding="utf-8")
-    (found,) = read_recordings([path], STAND)
-    assert found.notes == ()
-    np.testing.assert_allclose(found.t, 1e-3 * np.arange(20))
-    np.testing.assert_allclose(values(found, "acc1.rate.x"), [0.0, *(np.arange(1, 20) + 0.5)])
+    (recording,) = read_recordings([path], STAND)
+    assert recording.notes == ()
+    np.testing.assert_allclose(recording.t, 1e-3 * np.arange(20))
+    np.testing.assert_allclose(values(recording, "acc1.rate.x"), [0.0, *(np.arange(1, 20) + 0.5)])
 
 
 @pytest.mark.parametrize("known", [True, False])
@@ -151,12 +151,12 @@ def test_waveforms_of_tdms_begin_at_their_times(tmp_path: Path, known: bool) -> 
     with nptdms.TdmsWriter(str(path)) as file:
         rate = nptdms.ChannelObject("imu", "acc1.rate.x", np.sin(37 * t), imu)
         file.write_segment([rate, nptdms.ChannelObject("enc", "w1.phase", 50 * t[::2], enc)])
-    (found,) = read_recordings([path], STAND)
-    phase, begin = values(found, "w1.phase"), 0.75 if known else 0.25
+    (recording,) = read_recordings([path], STAND)
+    phase, begin = values(recording, "w1.phase"), 0.75 if known else 0.25
     inside = np.isfinite(phase)
-    assert found.t[inside][0] == pytest.approx(begin)
-    np.testing.assert_allclose(phase[inside], 50 * (found.t[inside] - begin), atol=1e-6)
-    said = [note for note in found.notes if "1 of 2 waveforms have no wf_start_time" in note]
+    assert recording.t[inside][0] == pytest.approx(begin)
+    np.testing.assert_allclose(phase[inside], 50 * (recording.t[inside] - begin), atol=1e-6)
+    said = [note for note in recording.notes if "1 of 2 waveforms have no wf_start_time" in note]
     assert len(said) == (0 if known else 1)
 
 
@@ -181,9 +181,9 @@ def test_a_channel_that_cannot_be_used_is_one_line(tmp_path: Path, header: str) 
         channel_of(header, STAND)
     assert CHANNELS[header] in str(error.value)
     t = clock()
-    found = read_one(tmp_path / "data.csv", {"time [s]": t, "acc1.rate.z [rad/s]": np.sin(t), header: t})
-    assert list(found.frame) == ["acc1.rate.z"]
-    assert len([note for note in found.notes if CHANNELS[header] in note]) == 1
+    recording = read_one(tmp_path / "data.csv", {"time [s]": t, "acc1.rate.z [rad/s]": np.sin(t), header: t})
+    assert list(recording.frame) == ["acc1.rate.z"]
+    assert len([note for note in recording.notes if CHANNELS[header] in note]) == 1
     with pytest.raises(DataError, match="no channel of the stand bench is left") as refused:
         read_one(tmp_path / "data.csv", {"time [s]": t, header: t})
     assert CHANNELS[header] in str(refused.value)
@@ -230,11 +230,11 @@ def test_arbitrary_bytes(content: bytes, form: str) -> None:
         path = Path(folder) / f"data{form}"
         path.write_bytes(head + content)
         try:
-            found: tuple[Recording, ...] = read_recordings([path], STAND)
+            recordings: tuple[Recording, ...] = read_recordings([path], STAND)
         except DataError as error:
             assert error.problems
         else:
-            assert found
+            assert recordings
 
 
 def test_a_run_of_simulate_is_data(tmp_path: Path) -> None:
@@ -248,14 +248,14 @@ def test_a_run_of_simulate_is_data(tmp_path: Path) -> None:
         "phi_dot w1 [rad/s]": 50.0 + clock(),
         "tau w2 [N m]": 0.1 * clock(),
     }
-    found = read_one(tmp_path / "run.csv", columns)
-    assert list(found.frame) == [
+    recording = read_one(tmp_path / "run.csv", columns)
+    assert list(recording.frame) == [
         "acc1.acceleration.y", "acc2.rate.z", "w1.phase", "w1.speed", "w2.torque",
     ]  # fmt: skip
-    assert np.array_equal(values(found, "acc1.acceleration.y"), np.sin(clock()))
-    assert len(found.notes) == 1
-    assert "run of mahovik simulate" in found.notes[0]
+    assert np.array_equal(values(recording, "acc1.acceleration.y"), np.sin(clock()))
+    assert len(recording.notes) == 1
+    assert "run of mahovik simulate" in recording.notes[0]
     added = {"hold.force.x [N]": clock(), "acc1.acceleration.x [m/s2]": clock(), "load cell": clock()}
-    found = read_one(tmp_path / "more.csv", columns | added)
-    assert "hold.force.x" in found.notes[1]
-    assert "acc1.acceleration.x" in found.frame
+    recording = read_one(tmp_path / "more.csv", columns | added)
+    assert "hold.force.x" in recording.notes[1]
+    assert "acc1.acceleration.x" in recording.frame

@@ -241,12 +241,12 @@ BENCH8_MOTION = load_motion(stands.motions("bench8")[0], BENCH8)
 
 def sampled_bench8(folder: Path, count: int, share: float = 1.0) -> Path:
     """bench8's motion by samples, over a share of its period."""
-    given: dict[str, Any] = json.loads(stands.motions("bench8")[0].read_text(encoding="utf-8"))
-    del given["harmonics"]
+    document: dict[str, Any] = json.loads(stands.motions("bench8")[0].read_text(encoding="utf-8"))
+    del document["harmonics"]
     t = share * BENCH8_MOTION.span * np.arange(count) / count
-    given |= {"units": {}, "samples": {"t": t.tolist(), "q": (BENCH8_MOTION.at(t).q - BENCH8_MOTION.mean).tolist()}}
+    document |= {"units": {}, "samples": {"t": t.tolist(), "q": (BENCH8_MOTION.at(t).q - BENCH8_MOTION.mean).tolist()}}
     path = folder / "m.json"
-    path.write_text(json.dumps(given), encoding="utf-8")
+    path.write_text(json.dumps(document), encoding="utf-8")
     return path
 
 

@@ -53,15 +53,17 @@ def programmes(draw: st.DrawFn) -> Programme:
 
 
 def bits(course: Fourier | Samples | None) -> list[bytes]:
-    return [] if course is None else [np.asarray(each).tobytes() for key, each in vars(course).items() if key[0] != "_"]
+    return (
+        [] if course is None else [np.asarray(value).tobytes() for key, value in vars(course).items() if key[0] != "_"]
+    )
 
 
 @settings(max_examples=25)
 @given(programmes())
 def test_a_file_reads_back_to_the_same_bits(programme: Programme) -> None:
-    found = read_programme(programme_text(programme))
+    again = read_programme(programme_text(programme))
     for key, value in vars(programme).items():
-        other = getattr(found, key)
+        other = getattr(again, key)
         if key == "bias":
             assert other.tobytes() == (value + 0.0).tobytes()  # -0.0 is read as 0.0
         elif key == "course":
@@ -160,9 +162,9 @@ def table(series: Programme, M: int) -> Programme:
 
 @given(COEFFICIENTS, COEFFICIENTS)
 def test_derivatives_are_those_of_phi(cos: np.ndarray, sin: np.ndarray) -> None:
-    found = course_programme(Fourier(np.array([0.3, -2.0]), cos, sin))
+    made = course_programme(Fourier(np.array([0.3, -2.0]), cos, sin))
     t, h = np.linspace(-0.15, 0.3, 50), 1e-6
-    before, at, after = found.at(t - h), found.at(t), found.at(t + h)
+    before, at, after = made.at(t - h), made.at(t), made.at(t + h)
     omega = 2 * np.pi * 3 / T
     assert (after.phi - before.phi) / (2 * h) == pytest.approx(at.phi_dot, abs=1e-4 * omega)
     assert (after.phi_dot - before.phi_dot) / (2 * h) == pytest.approx(at.phi_ddot, abs=1e-4 * omega**2)
@@ -185,7 +187,7 @@ def test_it_is_the_quintic_hermite_polynomial_of_scipy() -> None:
     t, rows = np.sort(rng.random(8)), rng.standard_normal((8, 3, 2), dtype=np.float64)
     other = BPoly.from_derivatives(t, rows)
     x = np.concatenate([t, np.linspace(t[0], t[-1], 300)])
-    found = Samples(t, rows[:, 0], rows[:, 1], rows[:, 2]).at(x)
-    for k, own in enumerate(found):
+    values = Samples(t, rows[:, 0], rows[:, 1], rows[:, 2]).at(x)
+    for k, value in enumerate(values):
         expected = other.derivative(k)(x)
-        assert own == pytest.approx(expected, abs=1e-12 * np.abs(expected).max())
+        assert value == pytest.approx(expected, abs=1e-12 * np.abs(expected).max())

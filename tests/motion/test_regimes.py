@@ -70,7 +70,7 @@ def test_phases_initial_speeds_and_defaults() -> None:
     assert (first.law, first.phase, first.speed) == (Torque(0.1), None, 4.0)
     assert (second.law, second.phase, second.speed) == (Torque(0.1), math.pi / 2, 4.0)
     kept = steady_regime(SHAKER, [1.0, 2.0])
-    assert [each.law for each in kept.flywheels] == [Constant(1.0), Constant(2.0)]
+    assert [flywheel.law for flywheel in kept.flywheels] == [Constant(1.0), Constant(2.0)]
     assert not kept.by_torque
 
 
@@ -79,11 +79,11 @@ def test_tables(tmp_path: Path) -> None:
     (tmp_path / "b.csv").write_text("torque,t\n1,0\n2,1\n")
     (tmp_path / "w.csv").write_text("t,Z [kN],M\n0,0,0\n2,1,4\n")
     text = HEAD + '[flywheel.left]\ntable = "a.csv"\n[flywheel.right]\nhold = true\n[wrench]\nleft = "w.csv"\n'
-    found = loads_regime(text, SHAKER, 1.0, "r.toml", tmp_path)
-    law = found.flywheels[0].law
+    regime = loads_regime(text, SHAKER, 1.0, "r.toml", tmp_path)
+    law = regime.flywheels[0].law
     assert isinstance(law, SpeedTable)
     np.testing.assert_allclose(law.motion(np.array([0.25]))[1], 5 * math.pi, rtol=1e-12)
-    assert found.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
+    assert regime.wrench(1.0) == {"left": (0.0, 0.0, 500.0, 0.0, 2.0, 0.0)}
     torque = loads_regime(regime_of_left('table = "b.csv"'), SHAKER, 1.0, "r.toml", tmp_path).flywheels[0].law
     assert isinstance(torque, TorqueTable)
     assert torque.torque(0.5, 0.0, None) == 1.5
@@ -165,10 +165,10 @@ def test_missing_files(tmp_path: Path) -> None:
 
 def test_all_problems_are_reported_together() -> None:
     text = HEAD + '[flywheel.lefd]\nspeed = 1\n[flywheel.left]\nspeed = "3 m"\nphase = "2 kg"\n[wrench]\nx = 1\n'
-    found = problems(text)
-    assert len(found) == 5
+    messages = problems(text)
+    assert len(messages) == 5
     assert [
-        w for w in ("lefd", 'unit "m"', 'unit "kg"', '"right": has no law', 'body "x"') if w not in "\n".join(found)
+        w for w in ("lefd", 'unit "m"', 'unit "kg"', '"right": has no law', 'body "x"') if w not in "\n".join(messages)
     ] == []
 
 

@@ -36,19 +36,19 @@ def test_all_of_it_in_si() -> None:
         '[trim]\nharmonics = 3\ngain = 0.4\ncoordinates = ["theta", "x"]\nsettling = 7\naveraging = 2\n'
         'limit = "10 deg"\n'
     )
-    found = read_servo(text, SHAKER)
+    servo = read_servo(text, SHAKER)
     trim = Trim(3, 0.4, (0, 4), 7, 2, math.radians(10))
-    assert found.bandwidth == pytest.approx(100 * math.pi, rel=1e-15)
-    assert (found.name, found.latency, found.damping_ratio) == ("fast", 1e-4, 0.7)
-    assert (found.integral, found.speed_filter) == (10 * math.pi, 400 * math.pi)
-    assert (found.feedforward, found.friction, found.trim) == (False, False, trim)
-    assert (found.torque_limit, found.torque_rate) == ((0.02, 3.0), (1000.0, 1000.0))
+    assert servo.bandwidth == pytest.approx(100 * math.pi, rel=1e-15)
+    assert (servo.name, servo.latency, servo.damping_ratio) == ("fast", 1e-4, 0.7)
+    assert (servo.integral, servo.speed_filter) == (10 * math.pi, 400 * math.pi)
+    assert (servo.feedforward, servo.friction, servo.trim) == (False, False, trim)
+    assert (servo.torque_limit, servo.torque_rate) == ((0.02, 3.0), (1000.0, 1000.0))
 
 
 def test_limits_are_those_of_the_motors_and_encoders_those_of_the_stand() -> None:
-    found = read_servo(LEAST + 'encoder = "stand"\n', SAT4)
-    assert found.torque_limit == (0.2,) * 4
-    assert found.encoder == "stand"
+    servo = read_servo(LEAST + 'encoder = "stand"\n', SAT4)
+    assert servo.torque_limit == (0.2,) * 4
+    assert servo.encoder == "stand"
     assert problems(LEAST + 'encoder = "stand"\n') == ['encoder: "stand", but the stand file has none for left, right']
 
 

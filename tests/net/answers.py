@@ -106,9 +106,9 @@ def _modes(name: str) -> Answers:
     return _columns(mahovik.modes(place(name)))
 
 
-def _identified(found: Any) -> Answers:
+def _identified(result: Any) -> Answers:
     """Without standard errors: the data have no noise but rounding."""
-    return {key: _plain(found[key]) for key in ("path", "value", "before")}
+    return {key: _plain(result[key]) for key in ("path", "value", "before")}
 
 
 def _plain(value: Any) -> Any:
@@ -119,9 +119,9 @@ def _plain(value: Any) -> Any:
     return value if isinstance(value, str | int | float | bool | list) else str(value)
 
 
-def _sums(found: Any) -> Answers:
+def _sums(result: Any) -> Answers:
     """Sums of a vibration, and what they are at."""
-    return {name: _plain(found[name]) for name in ("speeds", "frequency", "rms", "peak", "worst") if name in found}
+    return {name: _plain(result[name]) for name in ("speeds", "frequency", "rms", "peak", "worst") if name in result}
 
 
 def _planned() -> tuple[Any, Path, Any]:
@@ -142,8 +142,8 @@ def _follow() -> Answers:
     with tempfile.TemporaryDirectory() as folder:
         servo = Path(folder) / "servo.toml"
         servo.write_text('schema = 1\nsample_period = "0.5 ms"\nlatency = "100 us"\nbandwidth = "40 Hz"\n')
-        given: dict[str, Any] = {"motion": motion, "programme": programme, "servo": servo}
-        return _columns(mahovik.simulate(stand, **given, mismatch=0.02, seed=2, periods=12)["coordinates"])
+        options: dict[str, Any] = {"motion": motion, "programme": programme, "servo": servo}
+        return _columns(mahovik.simulate(stand, **options, mismatch=0.02, seed=2, periods=12)["coordinates"])
 
 
 def _campaign() -> Answers:
@@ -160,8 +160,8 @@ def _campaign() -> Answers:
         for design in ("random", "sobol", "latin"):
             file = Path(folder) / f"{design}.toml"
             file.write_text(text.replace("DESIGN", design))
-            found = load_campaign(file).rows(0, 64)
-            rows[design] = _plain({name: found[name] for name in found if name not in ("sample", "error")})
+            table = load_campaign(file).rows(0, 64)
+            rows[design] = _plain({name: table[name] for name in table if name not in ("sample", "error")})
     return rows
 
 
@@ -219,8 +219,8 @@ def answer(name: str) -> Answers:
     """The answers of a case, as JSON has them."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found: Answers = json.loads(json.dumps(CASES[name][1]()))
-    return found
+        answers: Answers = json.loads(json.dumps(CASES[name][1]()))
+    return answers
 
 
 def differences(before: Any, after: Any, relative: float, path: str = "") -> Iterator[str]:

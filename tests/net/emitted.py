@@ -49,8 +49,8 @@ def emitted(stand: Path | mahovik.Stand, options: dict[str, Any]) -> dict[str, d
     """Hashes of the C of a stand: `files` by name, `functions` by name."""
     additions = ("selftest", "eva", *(("recorder",) if options.get("only") == ALL else ()))
     additions = (*additions, *(("batch",) if options.get("batch") else ()))
-    own = mahovik.load(stand) if isinstance(stand, Path) else stand
-    files = delivery(own, options.get("real", "double"), options.get("only", ()), additions)
+    loaded = mahovik.load(stand) if isinstance(stand, Path) else stand
+    files = delivery(loaded, options.get("real", "double"), options.get("only", ()), additions)
     sources = {name: text for name, text in files.items() if name.endswith((".c", ".h"))}
     functions: dict[str, str] = {}
     for name, header in sources.items():

@@ -17,9 +17,9 @@ AnyBody = TypeVar("AnyBody", bound=Body)
 
 def suspension_of(stand: Stand) -> Suspension:
     """The suspension of a stand that has one."""
-    found = stand.law(Suspension)
-    assert found is not None
-    return found
+    suspension = stand.law(Suspension)
+    assert suspension is not None
+    return suspension
 
 
 def placed(at: Pieces) -> tuple[PlacedBody, ...]:

@@ -40,9 +40,9 @@ def cases(draw: st.DrawFn, /, low: int = 0, high: int = 5, held: bool = False, *
     return stand, state
 
 
-def assert_near(found: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
+def assert_near(actual: Any, expected: Any, scale: Any, times: float = 1.0) -> None:
     """Within rounding of the scale, element by element."""
-    off = np.abs(np.asarray(found, dtype=float) - np.asarray(expected, dtype=float))
+    off = np.abs(np.asarray(actual, dtype=float) - np.asarray(expected, dtype=float))
     allowed = times * ROUNDING * np.maximum(np.asarray(scale, dtype=float), 1e-280)
     assert np.all(off <= allowed), (off / allowed).max()
 

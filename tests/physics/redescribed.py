@@ -36,12 +36,12 @@ def redescribed(stand: Stand, d: Array, R: Array) -> Stand:
     back = np.linalg.inv(L)
 
     def place(position: Vec3) -> Vec3:
-        found: Vec3 = vec(R.T @ (np.array(position) - d))
-        return found
+        value: Vec3 = vec(R.T @ (np.array(position) - d))
+        return value
 
     def symmetric(matrix: Array) -> Mat6:
-        found: Mat6 = rows((matrix + matrix.T) / 2)
-        return found
+        value: Mat6 = rows((matrix + matrix.T) / 2)
+        return value
 
     def carried(matrix: Mat6 | None) -> Mat6 | None:
         return None if matrix is None else symmetric(back @ np.array(matrix) @ back.T)

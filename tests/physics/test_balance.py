@@ -64,8 +64,8 @@ def test_velocity_of_the_mass_centre_is_the_rate_of_its_place(seed: int) -> None
         in_E1 = evaluate(stand, now, ["momentum"])["center_of_mass"]
         return np.asarray(np.array(now.position) + rotation(stand, now) @ in_E1)
 
-    found = evaluate(stand, state, ["momentum"])["center_of_mass_velocity"]
-    assert np.abs(found - rate(place, STEP)).max() <= 1e-8 * np.abs(found).max()
+    velocity = evaluate(stand, state, ["momentum"])["center_of_mass_velocity"]
+    assert np.abs(velocity - rate(place, STEP)).max() <= 1e-8 * np.abs(velocity).max()
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -104,8 +104,8 @@ def test_stream_is_a_change_of_frame(seed: int) -> None:
     scale = 1e3 * np.abs(evaluate(drifting, seen, ["matrices"])["F"]).max()
     for want in ("matrices", "torque", "mounts"):
         for name, value in evaluate(drifting, seen, [want]).items():
-            found = evaluate(stand, state, [want])[name]
-            np.testing.assert_allclose(found, value, rtol=1e-9, atol=ROUNDING * scale)
+            actual = evaluate(stand, state, [want])[name]
+            np.testing.assert_allclose(actual, value, rtol=1e-9, atol=ROUNDING * scale)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -113,8 +113,8 @@ def test_rates_of_transfer_K_and_momentum_are_derivatives_along_the_motion(seed:
     stand, state = draw(seed, 4)
     along, at = motion(stand, state), pieces(stand, state)
 
-    def close(found: Array, expected: Array) -> None:
-        np.testing.assert_allclose(found, expected, rtol=0, atol=FROM_DIFFERENCES * np.abs(expected).max())
+    def close(actual: Array, expected: Array) -> None:
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=FROM_DIFFERENCES * np.abs(expected).max())
 
     transfer_rates = rate(lambda t: np.array([s.L for s in pieces(stand, along(t)).flywheels]), STEP)
     for s, L_dot in zip(at.flywheels, transfer_rates, strict=True):  # Ls* = Ls [<e>] phi_s'

@@ -117,8 +117,8 @@ def test_added_mass_of_the_form_of_a_body_acts_as_that_body(
     lifted = replace(state, wrench={**state.wrench, **lift})
     for want in ("matrices", "forward", "torque", "coupled"):
         size, expected = scale(solid_stand, lifted, want), evaluate(solid_stand, lifted, [want])
-        for name, found in evaluate(fluid, state, [want]).items():
-            assert_near(found, expected[name], size[name])
+        for name, actual in evaluate(fluid, state, [want]).items():
+            assert_near(actual, expected[name], size[name])
     for name in ("Z", "Z0", "energy"):
         expected = value(solid_stand, lifted, "momentum", name)
         assert_near(value(fluid, state, "momentum", name), expected, scale(solid_stand, lifted, "momentum")[name])

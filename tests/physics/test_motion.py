@@ -55,8 +55,8 @@ def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stan
     """tau = 0: V* and phi'' of the coupled form."""
     stand, state = isolated(case[0]), without_wrench(case[1])
     state = replace(state, tau=(0.0,) * len(state.phi))
-    found = evaluate(stand, state, ["coupled"])
-    state = replace(state, V_dot=vec(found["V_dot"]), phi_ddot=vec(found["phi_ddot"]))
+    answer = evaluate(stand, state, ["coupled"])
+    state = replace(state, V_dot=vec(answer["V_dot"]), phi_ddot=vec(answer["phi_ddot"]))
     size = scale(stand, state, "momentum")
     momentum, energy, _ = changes(stand, state)
     assert_near(momentum, np.zeros(6), size["Z0"])

@@ -98,14 +98,14 @@ def places(stand: Stand, made: Clouds, state: State) -> dict[str, Array]:
 def newton(stand: Stand, made: Clouds, state: State, step: float = STEP) -> dict[str, Array]:
     """m r'' - m g of every point in E0, Nx3 by body name: the force that all else must exert on it."""
     at = motion(stand, state)
-    found = {}
+    accelerations = {}
     for name, (m, _) in made.items():
 
         def cloud(t: float, name: str = name) -> Array:
             return places(stand, made, at(t))[name]
 
-        found[name] = m[:, None] * (second_rate(cloud, step) - np.array(stand.gravity))
-    return found
+        accelerations[name] = m[:, None] * (second_rate(cloud, step) - np.array(stand.gravity))
+    return accelerations
 
 
 def random_clouds(seed: int) -> tuple[Stand, Clouds, State]:
@@ -123,9 +123,9 @@ def test_forward_gives_every_point_its_newtonian_acceleration(seed: int) -> None
     r, needed = places(stand, made, state), newton(stand, made, state)
     force, moment = np.zeros(3), np.zeros(3)
     for name, (O, R) in frames_in_E0(stand, state).items():
-        given = np.array(state.wrench[name])
-        force += R @ given[:3]
-        moment += R @ given[3:] + np.cross(O, R @ given[:3])
+        wrench = np.array(state.wrench[name])
+        force += R @ wrench[:3]
+        moment += R @ wrench[3:] + np.cross(O, R @ wrench[:3])
     needed_force = sum(f.sum(axis=0) for f in needed.values())
     needed_moment = sum(np.cross(r[name], f).sum(axis=0) for name, f in needed.items())
     scale = max(np.abs(f).sum() for f in needed.values())
@@ -143,9 +143,9 @@ def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed: in
     scale = max(np.abs(f).sum() for f in needed.values())
     for row, s in enumerate(stand.flywheels):
         (O, R), (_, R0) = frames[s.name], at_zero[s.name]
-        given = np.array(state.wrench[s.name])
-        force = needed[s.name].sum(axis=0) - R @ given[:3]
-        moment = np.cross(r[s.name] - O, needed[s.name]).sum(axis=0) - R @ given[3:]
+        wrench = np.array(state.wrench[s.name])
+        force = needed[s.name].sum(axis=0) - R @ wrench[:3]
+        moment = np.cross(r[s.name] - O, needed[s.name]).sum(axis=0) - R @ wrench[3:]
         expected = np.concatenate([R0.T @ force, R0.T @ moment])
         np.testing.assert_allclose(values["mount_wrench"][row], expected, rtol=0, atol=DIFFERENCES * scale)
         assert values["tau"][row] == pytest.approx(expected[3], abs=DIFFERENCES * scale)

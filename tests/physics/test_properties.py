@@ -95,8 +95,8 @@ def test_free_motion_is_quadratic_in_velocities(case: tuple[Stand, State], facto
     stand, state = isolated(replace(stand, stream=None)), without_wrench(state)
     state = replace(state, phi_ddot=(0.0,) * len(stand.flywheels))
     faster = replace(state, V=vec(np.array(state.V) * factor), phi_dot=vec(np.array(state.phi_dot) * factor))
-    here, there = (value(stand, s, "forward", "V_dot") for s in (state, faster))
-    assert_near(there / factor**2, here, scale(stand, state, "forward")["V_dot"])
+    slow, there = (value(stand, s, "forward", "V_dot") for s in (state, faster))
+    assert_near(there / factor**2, slow, scale(stand, state, "forward")["V_dot"])
 
 
 @PROPERTY
@@ -115,9 +115,9 @@ def test_origin_and_axes_are_a_matter_of_choice(case: tuple[Stand, State], seed:
         return x
 
     def assert_both(want: str, name: str, carried: Map = same, spread: Map = same) -> None:
-        here, there = value(plain, state, want, name), value(other, other_state, want, name)
+        plain_value, there = value(plain, state, want, name), value(other, other_state, want, name)
         size = scale(plain, state, want)[name]
-        assert_near(there, carried(here), spread(size) + scale(other, other_state, want)[name])
+        assert_near(there, carried(plain_value), spread(size) + scale(other, other_state, want)[name])
 
     for want, name in (("torque", "tau"), ("mounts", "mount_wrench"), ("coupled", "phi_ddot"), ("momentum", "Z0")):
         assert_both(want, name)
@@ -142,30 +142,30 @@ def test_the_order_of_flywheels_is_a_matter_of_choice(case: tuple[Stand, State])
     lists: dict[str, Any] = {name: getattr(state, name)[::-1] for name in ("phi", "phi_dot", "phi_ddot", "tau")}
     other = replace(state, **lists)
     size = scale(stand, state, "coupled")
-    here, there = evaluate(stand, state, ["coupled"]), evaluate(turned, other, ["coupled"])
-    assert_near(there["V_dot"], here["V_dot"], size["V_dot"])
-    assert_near(there["phi_ddot"][::-1], here["phi_ddot"], size["phi_ddot"])
+    answer, there = evaluate(stand, state, ["coupled"]), evaluate(turned, other, ["coupled"])
+    assert_near(there["V_dot"], answer["V_dot"], size["V_dot"])
+    assert_near(there["phi_ddot"][::-1], answer["phi_ddot"], size["phi_ddot"])
 
 
 @PROPERTY
 @given(case=cases(low=1, held=True))
 def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State]) -> None:
     stand, state = case
-    *others, last = stand.flywheels
+    *rest, last = stand.flywheels
     last = replace(last, mount="carrier", mounting=MountingAngles(0.7, -0.3, 0.4))
-    stand = replace(stand, flywheels=(*others, last))
-    N = len(others)
+    stand = replace(stand, flywheels=(*rest, last))
+    N = len(rest)
     state = replace(state, phi_dot=(*state.phi_dot[:N], 0.0), phi_ddot=(*state.phi_ddot[:N], 0.0))
     fields = ("name", "mass", "center_of_mass", "inertia", "inertia_about", "laws", "wrench_input")
     given_: dict[str, Any] = {name: getattr(last, name) for name in fields}
     angles = (0.7, -0.3, 0.4 + state.phi[-1])
     body = Instrument(**given_, position=last.position, angles=angles, added_mass=None)
-    rigid = replace(stand, instruments=(*stand.instruments, body), flywheels=tuple(others))
+    rigid = replace(stand, instruments=(*stand.instruments, body), flywheels=tuple(rest))
     kept: dict[str, Any] = {name: getattr(state, name)[:N] for name in ("phi", "phi_dot", "phi_ddot", "tau")}
     for want, names in (("forward", ("V_dot",)), ("momentum", ("Z", "Z0", "energy", "center_of_mass"))):
         for name in names:
-            found = value(rigid, replace(state, **kept), want, name)
-            assert_near(found, value(stand, state, want, name), scale(stand, state, want)[name])
+            actual = value(rigid, replace(state, **kept), want, name)
+            assert_near(actual, value(stand, state, want, name), scale(stand, state, want)[name])
 
 
 @PROPERTY
@@ -174,9 +174,9 @@ def test_both_forms_give_one_acceleration(case: tuple[Stand, State]) -> None:
     """(8) and (11)."""
     stand, state = case
     state = replace(state, quaternion=None, angles=(0.3, 0.8, -1.1))
-    found, size = evaluate(stand, state, ["generalized"]), scale(stand, state, "generalized")
-    V_dot = found["A"] @ found["q_ddot"] + found["D"] @ found["q_dot"]
-    assert_near(V_dot, value(stand, state, "forward", "V_dot"), np.abs(found["A"]) @ size["q_ddot"] + np.abs(V_dot))
+    answer, size = evaluate(stand, state, ["generalized"]), scale(stand, state, "generalized")
+    V_dot = answer["A"] @ answer["q_ddot"] + answer["D"] @ answer["q_dot"]
+    assert_near(V_dot, value(stand, state, "forward", "V_dot"), np.abs(answer["A"]) @ size["q_ddot"] + np.abs(V_dot))
 
 
 @PROPERTY
@@ -185,14 +185,14 @@ def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State]) -> No
     """(12) inverts (8) in V*; where I has full column rank, in phi'' as well."""
     stand, state = case
     asked = replace(state, V_dot=vec(value(stand, state, "forward", "V_dot")))
-    found = evaluate(stand, asked, ["inverse"])
-    if found["rank"] < min(6, len(state.phi)) or found["sigma"][-1] < 1e-4 * found["sigma"][0]:
+    answer = evaluate(stand, asked, ["inverse"])
+    if answer["rank"] < min(6, len(state.phi)) or answer["sigma"][-1] < 1e-4 * answer["sigma"][0]:
         return  # near singular: no property of digits
     size = scale(stand, asked, "inverse")
-    assert_near(found["residual"], np.zeros(6), size["residual"])
+    assert_near(answer["residual"], np.zeros(6), size["residual"])
     if len(state.phi) <= 6:
         back = np.abs(np.linalg.pinv(pieces(stand, asked).I)) @ np.abs(size["residual"])
-        assert_near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"] + back, times=10)
+        assert_near(answer["phi_ddot"], state.phi_ddot, size["phi_ddot"] + back, times=10)
 
 
 @PROPERTY
@@ -200,10 +200,10 @@ def test_inverse_returns_what_forward_was_given(case: tuple[Stand, State]) -> No
 def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State]) -> None:
     """Six flywheels and more reach every V*."""
     stand, state = case
-    found, size = evaluate(stand, state, ["inverse"]), scale(stand, state, "inverse")
-    if found["rank"] < 6 or found["sigma"][-1] < 1e-4 * found["sigma"][0]:
+    answer, size = evaluate(stand, state, ["inverse"]), scale(stand, state, "inverse")
+    if answer["rank"] < 6 or answer["sigma"][-1] < 1e-4 * answer["sigma"][0]:
         return  # near singular: no property of digits
-    moved = replace(state, phi_ddot=vec(found["phi_ddot"]))
+    moved = replace(state, phi_ddot=vec(answer["phi_ddot"]))
     reached = np.abs(np.linalg.inv(pieces(stand, state).K)) @ size["residual"]
     assert_near(value(stand, moved, "forward", "V_dot"), state.V_dot, scale(stand, moved, "forward")["V_dot"] + reached)
 
@@ -213,6 +213,6 @@ def test_forward_returns_what_inverse_was_asked_for(case: tuple[Stand, State]) -
 def test_coupled_form_returns_the_motion_of_its_torque(case: tuple[Stand, State]) -> None:
     stand, state = case
     state = of_a_motion(stand, state)
-    found, size = evaluate(stand, state, ["coupled"]), scale(stand, state, "coupled")
-    assert_near(found["V_dot"], state.V_dot, size["V_dot"])
-    assert_near(found["phi_ddot"], state.phi_ddot, size["phi_ddot"])
+    answer, size = evaluate(stand, state, ["coupled"]), scale(stand, state, "coupled")
+    assert_near(answer["V_dot"], state.V_dot, size["V_dot"])
+    assert_near(answer["phi_ddot"], state.phi_ddot, size["phi_ddot"])

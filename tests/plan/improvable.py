@@ -26,10 +26,12 @@ def setting(bounds: Bounds | None = None, **weights: tuple[float, ...]) -> Impro
     """bench8 with motors, inside these bounds, by these weights (acceleration 1 where none is given)."""
     stand, motion = example("bench8")
     stand = replace(stand, flywheels=tuple(replace(s, motor=MOTOR) for s in stand.flywheels))
-    given = {"acceleration": NONE, "torque": NONE, "speed_variation": NONE, "power": NONE, **weights}
+    all_weights = {"acceleration": NONE, "torque": NONE, "speed_variation": NONE, "power": NONE, **weights}
     if not weights:
-        given["acceleration"] = (1.0,) * N
-    return Improver.of(Problem.of(stand, replace(motion, bounds=bounds or Bounds(), objective=Objective(**given))))
+        all_weights["acceleration"] = (1.0,) * N
+    return Improver.of(
+        Problem.of(stand, replace(motion, bounds=bounds or Bounds(), objective=Objective(**all_weights)))
+    )
 
 
 class Plain(Improver):
@@ -50,12 +52,12 @@ class Plain(Improver):
 @cache
 def plain(winding: Winding) -> Periodic:
     """A programme of bench8 that nothing has improved."""
-    own = setting()
-    problem = replace(own.problem, motion=replace(own.problem.motion, winding=winding))
-    return search(problem, Plain(own), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
+    improver = setting()
+    problem = replace(improver.problem, motion=replace(improver.problem.motion, winding=winding))
+    return search(problem, Plain(improver), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
 
 
-def improved(own: Improver, winding: Winding) -> Candidate:
+def improved(improver: Improver, winding: Winding) -> Candidate:
     """The plain programme, improved and finished."""
     budget = Budget(UNTIL)
-    return own.finish(own.improve(plain(winding), "given", budget), budget)
+    return improver.finish(improver.improve(plain(winding), "given", budget), budget)

@@ -91,10 +91,10 @@ def required(
     """Harmonics drawn within `size` (m, rad); weights of the objective by kind, acceleration 1 where none is given."""
     rng = np.random.default_rng(seed)
     cos, sin = (rng.uniform(-1, 1, (len(harmonics), 6)) * np.repeat(size, 3) for _ in range(2))
-    given = {"acceleration": 0.0, "torque": 0.0, "speed_variation": 0.0, "power": 0.0, **weights}
+    all_weights = {"acceleration": 0.0, "torque": 0.0, "speed_variation": 0.0, "power": 0.0, **weights}
     if not weights:
-        given["acceleration"] = 1.0
-    objective = Objective(**{kind: tuple(np.broadcast_to(w, N).tolist()) for kind, w in given.items()})
+        all_weights["acceleration"] = 1.0
+    objective = Objective(**{kind: tuple(np.broadcast_to(w, N).tolist()) for kind, w in all_weights.items()})
     course = Harmonics(PERIOD, harmonics, cos, sin)
     return RequiredMotion("drawn", True, PERIOD, np.zeros(6), course, free, "any", bounds, objective, None)
 
@@ -119,11 +119,11 @@ STANDS = Path(mahovik.stands.__file__).parent
 @cache
 def example(stand: str, motion: str | None = None) -> tuple[Stand, RequiredMotion]:
     """A stand and a motion that stands beside it."""
-    found = load(STANDS / f"{stand}.toml")
-    return found, load_motion(STANDS / f"{motion or stand}.motion.json", found)
+    loaded = load(STANDS / f"{stand}.toml")
+    return loaded, load_motion(STANDS / f"{motion or stand}.motion.json", loaded)
 
 
 def problem(stand: str, motion: str | None = None, **changed: Any) -> Problem:
     """The planning problem of an example, with fields of the motion changed."""
-    found, required = example(stand, motion)
-    return Problem.of(found, replace(required, **changed))
+    loaded, required = example(stand, motion)
+    return Problem.of(loaded, replace(required, **changed))

@@ -40,9 +40,9 @@ def sat4() -> Stand:
 
 
 def slew(stand: Stand, **keys: Any) -> Slew:
-    found = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys), stand, "turn")
-    assert isinstance(found, Slew)
-    return found
+    motion = read_motion_or_slew(json.dumps({"schema": 1, "type": "slew", "rows": ATTITUDE} | keys), stand, "turn")
+    assert isinstance(motion, Slew)
+    return motion
 
 
 def about(axis: Sequence[float] | np.ndarray, angle: float) -> dict[str, list[float]]:

@@ -41,9 +41,9 @@ def move() -> tuple[Stand, RequiredMotion]:
 def test_bench8_moves_from_rest_to_rest() -> None:
     """Found, and exact between the nodes; the table is as exact; flywheels start at rest."""
     stand, motion = move()
-    own = Problem.of(stand, motion)
-    problem = FiniteProblem.from_problem(own)
-    (solved,) = search_finite(problem, preflight(own).bias, 0, Budget(2000)).found
+    model = Problem.of(stand, motion)
+    problem = FiniteProblem.from_problem(model)
+    (solved,) = search_finite(problem, preflight(model).bias, 0, Budget(2000)).found
     assert solved.residual < 1e-7
     table = table_of(problem, solved)
     fine = problem.grid_between_nodes(solved.space, 17)
@@ -56,12 +56,12 @@ def test_bench8_moves_from_rest_to_rest() -> None:
 def test_what_to_try_depends_on_the_stand(count: int, last: str) -> None:
     """Eight flywheels where a free carrier has fewer; nothing of a mean that is free."""
     stand, motion = move()
-    own = replace(stand, flywheels=stand.flywheels[:count], tasks=())
+    part = replace(stand, flywheels=stand.flywheels[:count], tasks=())
     weights = replace(motion.objective, **{kind: row[:count] for kind, row in vars(motion.objective).items()})
     motion = replace(motion, bounds=Bounds(), objective=weights)
-    found = plan_motion(own, motion, PlanOptions(steps=1, verify=False))
-    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
-    assert found.words[0].endswith(f"try another seed, more time, a smaller or slower motion {last}")
+    plan = plan_motion(part, motion, PlanOptions(steps=1, verify=False))
+    assert (plan.status, plan.reason) == ("NO_PROGRAM", "SEARCH")
+    assert plan.words[0].endswith(f"try another seed, more time, a smaller or slower motion {last}")
 
 
 @pytest.mark.slow
@@ -70,9 +70,9 @@ def test_a_finite_programme_is_verified_by_the_reference(tmp_path: Path) -> None
     stand, motion = move()
     angles = tuple(0.3 * k for k in range(8))
     motion = replace(motion, bounds=replace(motion.bounds, start_phi=angles))
-    found = plan_motion(stand, motion, PlanOptions(verify=False))
-    assert found.status == "OK"
-    save_programme(found.programmes[0], tmp_path / "p.json")
+    plan = plan_motion(stand, motion, PlanOptions(verify=False))
+    assert plan.status == "OK"
+    save_programme(plan.programmes[0], tmp_path / "p.json")
     programme = load_programme(tmp_path / "p.json")
     assert not any(item.failed for item in verify_programme(stand, motion, programme))
     assert programme.at(np.zeros(1)).phi[0] == pytest.approx(angles, abs=1e-9)
@@ -103,17 +103,17 @@ unbalance = { static = "20 g mm", dynamic = "40 g mm^2" }
 """A carrier that sags beside its pivot, so that the wheel turns faster and faster to hold it."""
 
 
-def turn(own: Stand, samples: int, free: bool = True) -> RequiredMotion:
+def turn(stand: Stand, samples: int, free: bool = True) -> RequiredMotion:
     """0.2 rad in 1 s, from the home pose or (`free`) from where the carrier hangs."""
     t = np.linspace(0.0, 1.0, samples)
     q = 0.2 * (10 * t**3 - 15 * t**4 + 6 * t**5)
     table = {"t": t.tolist(), "q": q[:, None].tolist()}
     document = {"schema": 1, "type": "finite", "duration": 1.0, "samples": table, "free_mean": [free]}
-    return read_motion(json.dumps(document), own, "m.json")
+    return read_motion(json.dumps(document), stand, "m.json")
 
 
-def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, FiniteSolution]:
-    problem = Problem.of(own, required)
+def solve_finite(required: RequiredMotion, stand: Stand) -> tuple[FiniteProblem, FiniteSolution]:
+    problem = Problem.of(stand, required)
     finite = FiniteProblem.from_problem(problem)
     (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).found
     return finite, solved
@@ -125,9 +125,9 @@ def found_for(required: RequiredMotion, own: Stand) -> tuple[FiniteProblem, Fini
 )
 def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: bool, parts: int) -> None:
     """The wheel's motion gives the required acceleration by the reference; few samples need breaks between them."""
-    own = loads(PIVOT)
-    required = turn(own, samples, free)
-    finite, solved = found_for(required, own)
+    stand = loads(PIVOT)
+    required = turn(stand, samples, free)
+    finite, solved = solve_finite(required, stand)
     assert len(solved.space.breaks) == parts * (samples - 1) + 1
     table = table_of(finite, solved)
     assert np.ptp(table.phi) > 9 * 2 * np.pi and np.abs(table.phi_dot[0]).max() < 1e-9
@@ -135,7 +135,7 @@ def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: boo
     course, angles = required.at(t, solved.motion.bias), table.at(t)
     errors, wanted = [], []
     for k in range(len(t)):
-        now = moment(own, course.q[k], course.q_dot[k], angles.phi[k], angles.phi_dot[k])
+        now = moment(stand, course.q[k], course.q_dot[k], angles.phi[k], angles.phi_dot[k])
         wanted.append(now.V_dot(course.q_ddot[k]))
         errors.append(forward(now.at, angles.phi_ddot[k]) - wanted[-1])
     assert np.abs(errors).max() < 1e-5 * np.abs(wanted).max()

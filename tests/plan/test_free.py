@@ -54,19 +54,19 @@ def periodic(row: list[float], **keys: Any) -> dict[str, Any]:
     }
 
 
-def moved(found: Any) -> list[tuple[str, str, float, float]]:
+def moved(plan: Any) -> list[tuple[str, str, float, float]]:
     """Path, unit, value before and after of the numbers that moved."""
-    return list(zip(*(found["changes"][name] for name in ("path", "unit", "before", "after")), strict=True))
+    return list(zip(*(plan["changes"][name] for name in ("path", "unit", "before", "after")), strict=True))
 
 
-def judged(stand: Stand, found: Any, motion: dict[str, Any]) -> None:
+def judged(stand: Stand, plan: Any, motion: dict[str, Any]) -> None:
     """The literal reference accepts the programme on the stand that results, read anew from its own keys."""
-    assert found.ok and found["status"] == "OK", found.messages
-    again = Stand.from_dict(found["stand"])
-    assert mahovik.verify(again, programme=found, motion=motion).ok
+    assert plan.ok and plan["status"] == "OK", plan.messages
+    again = Stand.from_dict(plan["stand"])
+    assert mahovik.verify(again, programme=plan, motion=motion).ok
     refused = {
         item.quantity
-        for item in verify_programme(stand, read_motion(json.dumps(motion), stand), programme_of(found))
+        for item in verify_programme(stand, read_motion(json.dumps(motion), stand), programme_of(plan))
         if item.failed
     }
     assert refused >= {"stand", "residual"}  # on the stand as it was the programme is wrong
@@ -81,16 +81,16 @@ def test_two_wheels_out_of_place_move_until_they_shake_along_one_axis() -> None:
         "*t.unbalance.static": [0, "3 kg mm"],
     }
     motion = UP | {"free": bounds}
-    found = mahovik.plan(stand, motion=motion, free=list(bounds), seed=2)
-    judged(stand, found, motion)
+    plan = mahovik.plan(stand, motion=motion, free=list(bounds), seed=2)
+    judged(stand, plan, motion)
     Omega = 2 * np.pi * 20
     needed = 3e-4 * abs(7.0 - 1105.398 / Omega**2 + 10j / Omega)
-    tables = Mechanics.of(Stand.from_dict(found["stand"])).tables
+    tables = Mechanics.of(Stand.from_dict(plan["stand"])).tables
     across = tables.unbalance * np.sqrt(1.0 - tables.axis[:, 2] ** 2)
     assert across.sum() == pytest.approx(needed, rel=1e-6)
     ranges = {"position": (0.08, "m"), "angles": (np.radians(20), "rad"), "unbalance": (3e-3, "kg m")}
-    assert len(moved(found)) == 2 * 6
-    for path, unit, _, after in moved(found):
+    assert len(moved(plan)) == 2 * 6
+    for path, unit, _, after in moved(plan):
         most, known = next(ranges[key] for key in ranges if key in path)
         assert abs(after) <= most and unit == known
 
@@ -107,10 +107,10 @@ def test_products_of_inertia_turn_a_carrier() -> None:
     """Two wheels that turn against each other, in free space: 2 U_d Omega^2 turns all that has J about y."""
     stand = with_wheels({"dynamic": 1e-5}, (1, -1))
     motion = periodic([0, 0, 0, 0, 1e-3, 0], free={"w*.unbalance.dynamic": [0, 1e-3], "w*.position": [-0.1, 0.1]})
-    found = mahovik.plan(stand, motion=motion, free=["w*.unbalance.dynamic", "w*.position"])
-    judged(stand, found, motion)
-    U = [after for path, _, _, after in moved(found) if path.endswith("dynamic")]
-    J = float(Mechanics.of(Stand.from_dict(found["stand"])).mean_inertia[4, 4])
+    plan = mahovik.plan(stand, motion=motion, free=["w*.unbalance.dynamic", "w*.position"])
+    judged(stand, plan, motion)
+    U = [after for path, _, _, after in moved(plan) if path.endswith("dynamic")]
+    J = float(Mechanics.of(Stand.from_dict(plan["stand"])).mean_inertia[4, 4])
     assert sum(U) == pytest.approx(1e-3 * J, rel=2e-3)  # sin of 1 mrad, and what the wheels turn about z
 
 
@@ -119,11 +119,11 @@ def test_one_wheel_does_on_a_rail_with_the_unbalance_of_the_closed_formula() -> 
     springs = {"stiffness": [0, 0, 20000, 0, 0, 0], "damping": [0, 0, 40, 0, 0, 0]}
     stand = with_wheels({"static": 1e-3}, (1,), gravity=[0, 0, -9.81], hold={"freedoms": ["z"]}, suspension=springs)
     motion = periodic([3e-4], free={"w1.unbalance.static": [0, "3 kg mm"]})
-    found = mahovik.plan(stand, motion=motion, free="w1.unbalance.static")
-    judged(stand, found, motion)
+    plan = mahovik.plan(stand, motion=motion, free="w1.unbalance.static")
+    judged(stand, plan, motion)
     Omega = 2 * np.pi * 20
     needed = 3e-4 * abs(20000 - 6.5 * Omega**2 + 40j * Omega) / Omega**2
-    assert moved(found)[0][3] == pytest.approx(needed, rel=1e-6)
+    assert moved(plan)[0][3] == pytest.approx(needed, rel=1e-6)
 
 
 @pytest.mark.slow
@@ -146,9 +146,9 @@ def test_a_number_of_the_suspension_moves_by_ten_per_cent_of_its_value() -> None
     Omega = 2 * np.pi * 20
     wanted = 1.07 * k
     motion = periodic([1e-3 * Omega**2 / abs(wanted - 6.5 * Omega**2)], bounds={"acceleration": 1e-3})
-    found = mahovik.plan(stand, motion=motion, free="suspension.stiffness[2][2]")
-    judged(stand, found, motion)
-    assert moved(found)[0][3] == pytest.approx(wanted, rel=1e-3)
+    plan = mahovik.plan(stand, motion=motion, free="suspension.stiffness[2][2]")
+    judged(stand, plan, motion)
+    assert moved(plan)[0][3] == pytest.approx(wanted, rel=1e-3)
 
 
 def test_slopes_are_those_of_differences() -> None:
@@ -160,17 +160,17 @@ def test_slopes_are_those_of_differences() -> None:
     numbers = StandNumbers(stand, stand.to_dict())
     unknowns = free_numbers(numbers, [*bounds, "carrier.mass"], motion.free)
     assert len(unknowns) == 9
-    own = FreeProblem(stand, numbers, unknowns, Problem.of(stand, motion))
+    problem = FreeProblem(stand, numbers, unknowns, Problem.of(stand, motion))
     rng = np.random.default_rng(1)
-    y = rng.uniform(*own.box)
+    y = rng.uniform(*problem.box)
     course = Periodic(motion.span, np.array([1.0, -1.0]), rng.normal(size=(2, 5)), rng.normal(size=6) * 1e-2)
-    grid = own.start.grid(32, 2)
-    J, P, n = own.slopes(y, course, grid), len(y), course.waves.size
+    grid = problem.start.grid(32, 2)
+    J, P, n = problem.slopes(y, course, grid), len(y), course.waves.size
 
     def rows(x: Any) -> Any:
-        return own.rows(y + x[:P], course.step(x[P:], own.start.free), grid)
+        return problem.rows(y + x[:P], course.step(x[P:], problem.start.free), grid)
 
-    steps = np.concatenate([own.size, np.ones(n), np.full(6, 0.1)]) * 1e-5
+    steps = np.concatenate([problem.size, np.ones(n), np.full(6, 0.1)]) * 1e-5
     for k, h in enumerate(steps[:-6]):  # by the bias, rows of torque are left out: it is small
         e = h * np.eye(len(steps))[k]
         D = (rows(e) - rows(-e)) / (2 * h)
@@ -183,7 +183,9 @@ def test_what_moves_together_is_one_unknown() -> None:
     numbers = StandNumbers(stand, stand.to_dict())
     bounds: dict[str, Any] = {"left.position": [-1, 1], "right.position": ["-10 mm", "20 mm"], "*t.mass": ["400 g", 1]}
     tied = free_numbers(numbers, ["*t.position", "left.mass"], bounds, [["*t.position"], ["left.mass", "right.mass"]])
-    assert [(len(each.numbers), each.low, each.high) for each in tied] == [(2, -0.01, 0.02)] * 3 + [(2, 0.4, 1.0)]
+    assert [(len(unknown.numbers), unknown.low, unknown.high) for unknown in tied] == [(2, -0.01, 0.02)] * 3 + [
+        (2, 0.4, 1.0)
+    ]
     ten = free_numbers(numbers, ["left.mass"], {})
     assert (ten[0].low, ten[0].high) == pytest.approx((0.45, 0.55))
 
@@ -213,7 +215,7 @@ def test_what_cannot_move_is_refused_in_one_line(free: list[str], keys: dict[str
 
 def test_a_motion_beyond_the_bounds_says_how_near_the_search_came_and_what_lacks() -> None:
     motion = UP | {"free": {"*t.unbalance.static": [0, "0.9 kg mm"]}}
-    found = mahovik.plan(SHAKER, motion=motion, free="*t.unbalance.static", time=2)
-    assert (found["status"], found["reason"], found["programme"], found.ok) == ("NO_PROGRAM", "SEARCH", None, False)
-    words = next(line for line in found.messages if "no stand was found" in line)
+    plan = mahovik.plan(SHAKER, motion=motion, free="*t.unbalance.static", time=2)
+    assert (plan["status"], plan["reason"], plan["programme"], plan.ok) == ("NO_PROGRAM", "SEARCH", None, False)
+    words = next(line for line in plan.messages if "no stand was found" in line)
     assert "widen their bounds" in words

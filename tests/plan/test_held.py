@@ -33,30 +33,30 @@ SHAKER = stand(
 )
 
 
-def motion(own: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
+def motion(stand: Stand, rows: dict[str, list[float]], **keys: Any) -> RequiredMotion:
     document = {"schema": 1, "type": "periodic", "period": 1.0, "harmonics": [{"k": 1, **rows}], **keys}
-    return read_motion(json.dumps(document), own, "m.json")
+    return read_motion(json.dumps(document), stand, "m.json")
 
 
-def planned(own: Stand, required: RequiredMotion, **options: Any) -> Plan:
-    return plan_motion(own, required, replace(QUICK, **options))
+def planned(stand: Stand, required: RequiredMotion, **options: Any) -> Plan:
+    return plan_motion(stand, required, replace(QUICK, **options))
 
 
 def test_a_pendulum_is_swung_by_the_closed_formula() -> None:
     """J theta'' + m g l sin theta = -J_w phi'': the acceleration of the wheel is known at every time."""
     required = motion(PENDULUM, {"cos": [0.3]}, winding="rock")
-    found = planned(PENDULUM, required)
-    assert found.status == "OK" and found.programmes[0].report["verified"]
+    plan = planned(PENDULUM, required)
+    assert plan.status == "OK" and plan.programmes[0].report["verified"]
     t = np.linspace(0.0, 1.0, 50)
     theta, theta_ddot = 0.3 * np.cos(2 * np.pi * t), -0.3 * (2 * np.pi) ** 2 * np.cos(2 * np.pi * t)
     weight = 2.5 * 9.81 * 0.12
     inertia = 0.03 + 2.5 * 0.12**2 + 0.01  # the wheel at O1, its spin inertia about the axle
     wanted = -(inertia * theta_ddot + weight * np.sin(theta)) / 0.01
-    assert np.abs(found.programmes[0].at(t).phi_ddot[:, 0] - wanted).max() < 1e-6 * np.abs(wanted).max()
+    assert np.abs(plan.programmes[0].at(t).phi_ddot[:, 0] - wanted).max() < 1e-6 * np.abs(wanted).max()
 
 
-def with_motor(own: Stand, motor: str) -> Stand:
-    return loads(dumps(own).replace('name = "w1"', f'name = "w1"\nmotor = {motor}'))
+def with_motor(stand: Stand, motor: str) -> Stand:
+    return loads(dumps(stand).replace('name = "w1"', f'name = "w1"\nmotor = {motor}'))
 
 
 def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
@@ -66,19 +66,19 @@ def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
     report = plain.programmes[0].report
     (torque,), (speed,) = report["peak_torque"], report["peak_speed"]
     for share, kinds in ((0.9, ["torque", "speed"]), (1.1, [])):
-        own = with_motor(PENDULUM, f"{{ torque = {share * torque}, speed = {share * speed} }}")
-        found = planned(own, required, verify=False)
-        lines = [line for line in found.warnings if line.startswith("w1: peak")]
-        assert found.status == "OK" and len(lines) == len(kinds)
+        stand = with_motor(PENDULUM, f"{{ torque = {share * torque}, speed = {share * speed} }}")
+        plan = planned(stand, required, verify=False)
+        lines = [line for line in plan.warnings if line.startswith("w1: peak")]
+        assert plan.status == "OK" and len(lines) == len(kinds)
         peaks = {"torque": (torque, "N m"), "speed": (speed, "rad/s")}
         for kind, line in zip(kinds, lines, strict=True):
             peak, unit = peaks[kind]
             begin = f"w1: peak {kind} {peak:.4g} {unit} is above its motor's {share * peak:.4g} {unit}"
             assert line.startswith(begin) and f"add {kind} to the bounds" in line
-    assert motor_warnings(own, {**report, "runup": {"peak": {"torque": [9e9], "speed": [0.0]}}})[0].startswith(
+    assert motor_warnings(stand, {**report, "runup": {"peak": {"torque": [9e9], "speed": [0.0]}}})[0].startswith(
         "w1: peak torque in the run-up 9e+09 N m"
     )
-    assert motor_warnings(own, {**report, "rundown": {"reason": "none found"}}) == ()
+    assert motor_warnings(stand, {**report, "rundown": {"reason": "none found"}}) == ()
 
 
 def test_six_numbers_with_zeros_for_what_is_blocked_are_the_same_motion() -> None:
@@ -123,7 +123,7 @@ SLIDING = stand('freedoms = ["z"]', wheel(1, [1, 0, 0], 40) + wheel(2, [-1, 0, 0
 
 
 @pytest.mark.parametrize(
-    ("own", "keys", "reason", "words"),
+    ("stand", "keys", "reason", "words"),
     [
         (
             PENDULUM,
@@ -135,10 +135,10 @@ SLIDING = stand('freedoms = ["z"]', wheel(1, [1, 0, 0], 40) + wheel(2, [-1, 0, 0
         (SLIDING, {"rows": {"cos": [0.028]}}, "FIRST_MOMENT", "along z"),
     ],
 )
-def test_what_is_refused_is_named_by_its_freedom(own: Stand, keys: dict[str, Any], reason: str, words: str) -> None:
+def test_what_is_refused_is_named_by_its_freedom(stand: Stand, keys: dict[str, Any], reason: str, words: str) -> None:
     """m z of a sliding carrier is met by at most sum m_s rho_s: 3 kg, 80 g m: 26.7 mm without a spring."""
-    found = planned(own, motion(own, **keys))
-    assert (found.status, found.reason) == ("NO_PROGRAM", reason) and words in found.words[0]
+    plan = planned(stand, motion(stand, **keys))
+    assert (plan.status, plan.reason) == ("NO_PROGRAM", reason) and words in plan.words[0]
 
 
 def test_bounds_are_kept_or_refused() -> None:
@@ -146,8 +146,8 @@ def test_bounds_are_kept_or_refused() -> None:
     required = motion(
         SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin", bounds={"speed": 130.0, "acceleration": 50.0}
     )
-    found = planned(SHAKER, required, verify=False)
-    assert found.status == "OK" and max(found.programmes[0].report["peak_acceleration"]) <= 50.0
+    plan = planned(SHAKER, required, verify=False)
+    assert plan.status == "OK" and max(plan.programmes[0].report["peak_acceleration"]) <= 50.0
     tight = replace(required, bounds=replace(required.bounds, speed=(1.0,) * 2, acceleration=(1.0,) * 2))
     assert planned(SHAKER, tight).reason == "BOUND_REACH"
 
@@ -155,25 +155,25 @@ def test_bounds_are_kept_or_refused() -> None:
 @pytest.mark.parametrize("hold", HOLDS)
 def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
     """Adjoints of screws against products of 4x4 matrices; and V* against differences of V."""
-    own = stand(hold, wheel(1, [0, 0, 1]))
-    assert own.hold is not None
+    held = stand(hold, wheel(1, [0, 0, 1]))
+    assert held.hold is not None
     rng = np.random.default_rng(3)
-    x, rate, second = rng.normal(size=(3, 4, len(own.hold.freedoms)))
-    C, O1, V, _, V_dot = Frame.of(own).twists(Course(x, rate, second))
+    x, rate, second = rng.normal(size=(3, 4, len(held.hold.freedoms)))
+    C, O1, V, _, V_dot = Frame.of(held).twists(Course(x, rate, second))
     e = 1e-6
     for i in range(4):
-        carrier = carrier_at(own, x[i], rate[i])
+        carrier = carrier_at(held, x[i], rate[i])
         assert np.abs(carrier.C - C[i]).max() < 1e-14 and np.abs(carrier.O1 - O1[i]).max() < 1e-14
         assert np.abs(carrier.A @ rate[i] - V[i]).max() < 1e-13
         assert np.abs(carrier.A @ second[i] + carrier.drift - V_dot[i]).max() < 1e-13
-        sides = [twist(own, x[i] + h * rate[i] + h * h / 2 * second[i], rate[i] + h * second[i]) for h in (e, -e)]
+        sides = [twist(held, x[i] + h * rate[i] + h * h / 2 * second[i], rate[i] + h * second[i]) for h in (e, -e)]
         assert np.abs((sides[0] - sides[1]) / (2 * e) - V_dot[i]).max() < 1e-7
 
 
 def test_a_programme_file_names_its_coordinates_and_is_verified() -> None:
     required = motion(SHAKER, {"cos": [2e-3]}, period=0.05, winding="spin")
-    found = planned(SHAKER, required, verify=False).programmes[0]
-    again = read_programme(programme_text(found))
+    programme = planned(SHAKER, required, verify=False).programmes[0]
+    again = read_programme(programme_text(programme))
     assert again.coordinates == ("z",) and len(again.bias) == 1
     assert not any(item.failed for item in verify_programme(SHAKER, required, again))
     wrong = replace(again, coordinates=("x",))

@@ -38,8 +38,8 @@ def setting(kind: str) -> tuple[Cost, RandomCourse, PrescribedMotion]:
 def rows_at(cost: Cost, at: PrescribedMotion, angles: Angles) -> Rows:
     """The one kind of rows, without derivatives by the bias."""
     mean_speed = np.array([OMEGA, -OMEGA, 0.0])
-    (found,) = cost.rows(angles, mean_speed, Rows.torque(linear(at, *angles))).values()
-    return found
+    (rows,) = cost.rows(angles, mean_speed, Rows.torque(linear(at, *angles))).values()
+    return rows
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -47,7 +47,7 @@ def test_rows_are_what_they_say(kind: str) -> None:
     """Each is its definition, times the square root of its weight: J is linear in the weights."""
     cost, motion, at = setting(kind)
     angles = Angles(*motion[3:])
-    found = rows_at(cost, at, angles).value / np.sqrt(WEIGHTS)
+    values = rows_at(cost, at, angles).value / np.sqrt(WEIGHTS)
     tau = linear(at, *angles).tau
     J = cost.spin_inertia
     motors = [s.motor for s in at.mechanics.stand.flywheels if s.motor is not None]
@@ -66,7 +66,7 @@ def test_rows_are_what_they_say(kind: str) -> None:
         "speed_variation": (speed - [OMEGA, -OMEGA, 0.0]) / OMEGA,
         "power": power / (J * OMEGA**3),
     }[kind]
-    assert found == pytest.approx(expected, rel=1e-12)
+    assert values == pytest.approx(expected, rel=1e-12)
 
 
 ALL = Bounds(
@@ -89,15 +89,15 @@ def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
     stand, motion, at = bounded_setting()
     t = np.linspace(0.0, 1.1, 12)
     angles, tau = Angles(*motion[3:]), linear(at, *motion[3:]).tau
-    found = exceeded_bounds(ALL, stand, t, angles, motion.phi, tau, np.zeros(6))
-    assert [each.ratio for each in found] == sorted((each.ratio for each in found), reverse=True)
-    by = {(each.kind, each.of): each for each in found}
+    excesses = exceeded_bounds(ALL, stand, t, angles, motion.phi, tau, np.zeros(6))
+    assert [excess.ratio for excess in excesses] == sorted((excess.ratio for excess in excesses), reverse=True)
+    by = {(excess.kind, excess.of): excess for excess in excesses}
     names = [s.name for s in stand.flywheels]
     for s in range(N):
         worst = int(np.argmax(abs(motion.phi_ddot[:, s])))
-        each = by.pop(("acceleration", names[s]))
-        assert each.value == abs(motion.phi_ddot[worst, s]) and each.time == t[worst] and each.limit == 500.0
-        assert f"{each.value:.6g} rad/s^2" in each.words and names[s] in each.words
+        excess = by.pop(("acceleration", names[s]))
+        assert excess.value == abs(motion.phi_ddot[worst, s]) and excess.time == t[worst] and excess.limit == 500.0
+        assert f"{excess.value:.6g} rad/s^2" in excess.words and names[s] in excess.words
     assert ("speed_min", names[1]) not in by
     wide = Bounds(speed=(1e9,) * N, acceleration=(1e9,) * N, torque=(1e9,) * N)
     assert exceeded_bounds(wide, stand, t, angles, motion.phi, tau, np.zeros(6)) == ()

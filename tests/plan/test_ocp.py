@@ -31,23 +31,23 @@ from plan.test_held import motion
 
 def of_bench8() -> Problem:
     """With several kinds of objective."""
-    found = example_problem("bench8")
+    problem = example_problem("bench8")
     weights = {"acceleration": 1.0, "torque": 0.5, "speed_variation": 0.3, "power": 0.0}
     kinds = {kind: (value,) * 8 for kind, value in weights.items()}
-    return replace(found, motion=replace(found.motion, objective=replace(found.motion.objective, **kinds)))
+    return replace(problem, motion=replace(problem.motion, objective=replace(problem.motion.objective, **kinds)))
 
 
 def of_auv6() -> Problem:
     """Flywheels in a fluid, one of them on an instrument."""
-    own = load(path("auv6"))
+    stand = load(path("auv6"))
     course = {"cos": [1e-3] * 6, "sin": [-1e-3] * 6}
-    return Problem.of(own, motion(own, course, period=0.5))
+    return Problem.of(stand, motion(stand, course, period=0.5))
 
 
-def of_held(own: Stand, size: float) -> Problem:
+def of_held(stand: Stand, size: float) -> Problem:
     """A motion along all freedoms."""
-    assert own.hold is not None
-    return Problem.of(own, motion(own, {"cos": [size] * len(own.hold.freedoms)}, period=0.5))
+    assert stand.hold is not None
+    return Problem.of(stand, motion(stand, {"cos": [size] * len(stand.hold.freedoms)}, period=0.5))
 
 
 def of_table() -> Problem:
@@ -66,17 +66,17 @@ def tilted() -> Stand:
 @pytest.mark.parametrize("problem", [of_bench8, of_auv6, of_table])
 def test_a_node_is_what_the_residual_says(problem: Any) -> None:
     """R (a row for each freedom), torques, and J are those of the planner, by the other derivation."""
-    own, rng, M = problem(), np.random.default_rng(3), 5
-    N, m, required = own.N, own.rows_count, own.motion
-    cost = Cost.of(own.mechanics, required.objective, 2.0 * math.pi / required.span)
+    model, rng, M = problem(), np.random.default_rng(3), 5
+    N, m, required = model.N, model.rows_count, model.motion
+    cost = Cost.of(model.mechanics, required.objective, 2.0 * math.pi / required.span)
     t, bias = np.linspace(0.0, required.span, M), rng.normal(size=m) * 1e-3
     phi, v, a = rng.normal(size=(3, M, N))
     angles = Angles(phi, v * cost.Omega, a * cost.Omega**2)
-    inputs, zero = carrier_inputs(own.stand, required, bias, t), np.zeros((N, M))
-    values = node_function(own.stand, own, cost).map(M)(phi.T, v.T, a.T, zero, inputs)
+    inputs, zero = carrier_inputs(model.stand, required, bias, t), np.zeros((N, M))
+    values = node_function(model.stand, model, cost).map(M)(phi.T, v.T, a.T, zero, inputs)
     R, tau, J = (np.asarray(x).T for x in values)
-    at = prescribe(own.mechanics, required.at(t), bias)
-    known, drive = own.norm.dimensionless(residual(at, *angles)), torques(at, *angles)
+    at = prescribe(model.mechanics, required.at(t), bias)
+    known, drive = model.norm.dimensionless(residual(at, *angles)), torques(at, *angles)
     np.testing.assert_allclose(R, known, rtol=1e-10, atol=1e-10 * np.abs(known).max())
     unit = cost.spin_inertia * cost.Omega**2
     np.testing.assert_allclose(tau * unit, drive, rtol=1e-8, atol=1e-10 * np.abs(drive).max())
@@ -85,17 +85,23 @@ def test_a_node_is_what_the_residual_says(problem: Any) -> None:
 
 def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
     """Least sum of phi_s''^2 with sum I_s phi_s'' given: phi_s'' goes as I_s, so 1 to 1/sqrt(2) at 45 degrees."""
-    own = of_held(tilted(), 0.3)
-    T, t = own.motion.span, np.linspace(0.0, own.motion.span, 201)
+    problem = of_held(tilted(), 0.3)
+    T, t = problem.motion.span, np.linspace(0.0, problem.motion.span, 201)
     course = Fourier(np.zeros(2), np.array([[1.0, 0.0]]), np.zeros((1, 2)))  # the second wheel does nothing at first
     start = make_programme(
-        own.stand, own.motion.name, own.motion.span, np.zeros(1), (0, 0) if own.motion.periodic else None, course, {}
+        problem.stand,
+        problem.motion.name,
+        problem.motion.span,
+        np.zeros(1),
+        (0, 0) if problem.motion.periodic else None,
+        course,
+        {},
     )
-    found = solve(own, start, Mesh(12), Budget(0))
-    assert found.usable and found.span == T
-    at = prescribe(own.mechanics, own.motion.at(t))
-    assert own.norm.relative(residual(at, *found.at(t))) < 1e-4
-    phi_ddot = found.at(t[1:-1]).phi_ddot
+    solution = solve(problem, start, Mesh(12), Budget(0))
+    assert solution.usable and solution.span == T
+    at = prescribe(problem.mechanics, problem.motion.at(t))
+    assert problem.norm.relative(residual(at, *solution.at(t))) < 1e-4
+    phi_ddot = solution.at(t[1:-1]).phi_ddot
     assert np.abs(phi_ddot[:, 1] - phi_ddot[:, 0] / math.sqrt(2.0)).max() < 1e-4 * np.abs(phi_ddot).max()
 
 
@@ -104,36 +110,36 @@ def test_bench8_is_solved() -> None:
     """Verified, and no worse than its start, which has (12) at the nodes by the other derivation as well."""
     lines: list[str] = []
     stand, motion_ = example("bench8")
-    found = plan_ocp(stand, replace(motion_, winding="rock"), on_progress=lambda state: lines.append(state.words))
-    assert found.status == "OK"
-    report: Any = found.programmes[0].report
-    own = report["ocp"]
+    plan = plan_ocp(stand, replace(motion_, winding="rock"), on_progress=lambda state: lines.append(state.words))
+    assert plan.status == "OK"
+    report: Any = plan.programmes[0].report
+    ocp = report["ocp"]
     assert report["verified"] and report["method"] == "ocp" and report["residual"] < 1e-6
-    assert own["objective"] <= own["objective_of_start"] * (1.0 + 1e-6)
-    assert own["objective_at_nodes"] == pytest.approx(own["objective"], rel=1e-3)
+    assert ocp["objective"] <= ocp["objective_of_start"] * (1.0 + 1e-6)
+    assert ocp["objective_at_nodes"] == pytest.approx(ocp["objective"], rel=1e-3)
     first = next(line for line in lines if line.startswith("IPOPT: iteration"))
     assert float(first.split("violation ")[1]) < 1e-4
-    assert sum(line.startswith("IPOPT: iteration") for line in lines) >= own["iterations"]
+    assert sum(line.startswith("IPOPT: iteration") for line in lines) >= ocp["iterations"]
 
 
-def finite(own: Stand) -> RequiredMotion:
+def finite(stand: Stand) -> RequiredMotion:
     """A turn by 0.2 rad from rest to rest in half a second."""
     x = np.linspace(0.0, 1.0, 13)
     q = [[0.2 * s**3 * (10 - 15 * s + 6 * s * s)] for s in x]
     keys = {"schema": 1, "type": "finite", "duration": 0.5, "samples": {"t": (0.5 * x).tolist(), "q": q}}
-    return read_motion(json.dumps(keys), own, "m.json")
+    return read_motion(json.dumps(keys), stand, "m.json")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("periodic", [True, False])
 def test_a_plan_of_a_held_carrier_is_verified_and_keeps_its_bounds(periodic: bool) -> None:
-    own, options = tilted(), PlanOptions(steps=60, enough=1)
-    required = motion(own, {"cos": [0.1]}, winding="rock") if periodic else finite(own)
-    free = plan_ocp(own, required, options).programmes[0].report
+    stand, options = tilted(), PlanOptions(steps=60, enough=1)
+    required = motion(stand, {"cos": [0.1]}, winding="rock") if periodic else finite(stand)
+    free = plan_ocp(stand, required, options).programmes[0].report
     most = 0.99 * float(free["peak_acceleration"][0])
-    found = plan_ocp(own, replace(required, bounds=Bounds(acceleration=(most, 1e3))), options)
-    report: Any = found.programmes[0].report
-    assert found.status == "OK" and report["verified"] and report["method"] == "ocp"
+    plan = plan_ocp(stand, replace(required, bounds=Bounds(acceleration=(most, 1e3))), options)
+    report: Any = plan.programmes[0].report
+    assert plan.status == "OK" and report["verified"] and report["method"] == "ocp"
     assert report["peak_acceleration"][0] <= most and report["objective"] >= free["objective"] * (1.0 - 1e-6)
 
 
@@ -141,9 +147,9 @@ def test_what_is_refused_before_the_search(monkeypatch: pytest.MonkeyPatch) -> N
     """Fewer flywheels than freedoms; CasADi that is not there."""
     with pytest.raises(UsageError, match=r"the stand has 2 flywheels; \(13\) needs at least 6"):
         plan_ocp(*example("shaker2"))
-    own = stand('freedoms = ["z", "yaw"]', wheel(1, [0, 0, 1]))
+    held = stand('freedoms = ["z", "yaw"]', wheel(1, [0, 0, 1]))
     with pytest.raises(UsageError, match=r"the stand has 1 flywheels; .* needs at least 2"):
-        plan_ocp(own, motion(own, {"cos": [0.1, 0.1]}))
+        plan_ocp(held, motion(held, {"cos": [0.1, 0.1]}))
     monkeypatch.setattr(ocp, "find_spec", lambda _: None)
     with pytest.raises(UsageError, match="pip install casadi"):
         plan_ocp(*example("bench8"))

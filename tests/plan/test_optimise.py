@@ -36,16 +36,16 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
     """A stand of all features, every kind of objective and bound, all of them active."""
     features = replace(EVERYTHING, motors=True)
     weights = {"acceleration": 1.0, "torque": (0.5, 1.0, 2.0), "speed_variation": 0.7, "power": 0.1}
-    found, _ = drawn_problem(14, WHEELS, features, bounds=bounds, free=free, **weights)
-    cost = Cost.of(found.mechanics, found.motion.objective, 2 * np.pi / found.motion.span)
-    return Improver(found, cost).stage(H, 30.0, objective=0.8, wider=1.1), wheels(WHEELS, H)
+    problem, _ = drawn_problem(14, WHEELS, features, bounds=bounds, free=free, **weights)
+    cost = Cost.of(problem.mechanics, problem.motion.objective, 2 * np.pi / problem.motion.span)
+    return Improver(problem, cost).stage(H, 30.0, objective=0.8, wider=1.1), wheels(WHEELS, H)
 
 
 @pytest.mark.parametrize("free", [(True,) * 6, (True, False, True, False, False, True)])
 def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
     """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
-    here, motion = stage(free)
-    point = here.at(motion)
+    problem, motion = stage(free)
+    point = problem.at(motion)
     model = point.model()
     unknowns = motion.waves.size + sum(free)
     assert model.A.shape == (6 * (2 * H + 1), unknowns)
@@ -53,7 +53,7 @@ def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
     for column in range(unknowns):
         d = np.zeros(unknowns)
         d[column] = step
-        ahead, behind = (here.at(motion.step(sign * d, here.problem.free)) for sign in (1.0, -1.0))
+        ahead, behind = (problem.at(motion.step(sign * d, problem.problem.free)) for sign in (1.0, -1.0))
         by_c = (ahead.c - behind.c) / (2 * step)
         assert abs(model.A[:, column] - by_c).max() <= 2e-5 * max(abs(by_c).max(), 1e-3 * abs(model.A).max())
         by_value = (ahead.value - behind.value) / (2 * step)
@@ -63,11 +63,11 @@ def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
 @cache
 def tight() -> Bounds:
     """Acceleration, torque, speed and rocking range at 0.85 of the plain programme's, the same for all flywheels."""
-    own, motion = setting().problem, plain("rock")
-    peaks = figures(own, motion)
-    swing = own.grid(997, motion.H).basis.value[:, 1:] @ motion.waves[:, 1:].T
+    problem, motion = setting().problem, plain("rock")
+    peaks = figures(problem, motion)
+    swing = problem.grid(997, motion.H).basis.value[:, 1:] @ motion.waves[:, 1:].T
     most = (*(peaks[f"peak_{kind}"] for kind in ("acceleration", "torque", "speed")), np.abs(swing))
-    acceleration, torque, speed, angle = ((0.85 * float(each.max()),) * N for each in most)
+    acceleration, torque, speed, angle = ((0.85 * float(largest.max()),) * N for largest in most)
     return Bounds(acceleration=acceleration, torque=torque, speed=speed, angle=angle)
 
 
@@ -79,41 +79,43 @@ def inside() -> Candidate:
 
 def test_bounds_that_the_start_breaks_are_kept() -> None:
     """Four kinds at once; the programme stays exact."""
-    own = setting(tight())
-    broken = {each.kind for each in own.evaluate(plain("rock"), "rock").exceeded_bounds}
+    improver = setting(tight())
+    broken = {excess.kind for excess in improver.evaluate(plain("rock"), "rock").exceeded_bounds}
     assert broken == {"acceleration", "torque", "speed", "angle"}
-    found = inside()
-    assert found.exceeded_bounds == ()
-    assert found.utilisation < 1.0
-    assert found.residual < own.problem.tolerance
+    candidate = inside()
+    assert candidate.exceeded_bounds == ()
+    assert candidate.utilisation < 1.0
+    assert candidate.residual < improver.problem.tolerance
 
 
 def test_what_cannot_be_kept_is_told() -> None:
     """A tenth of what is possible: the excess is that of the programme, recomputed on another grid."""
-    own = setting(Bounds(acceleration=(60.0,) * N))
-    found = own.rescue(own.improve(plain("rock"), "rock", Budget(UNTIL)), None)
-    assert found is not None and found.exact and not found.is_programme
-    worst = found.exceeded_bounds[0]
-    peaks = np.abs(found.motion.at(own.problem.grid(4001, found.motion.H).basis).phi_ddot).max(axis=0)
+    improver = setting(Bounds(acceleration=(60.0,) * N))
+    candidate = improver.rescue(improver.improve(plain("rock"), "rock", Budget(UNTIL)), None)
+    assert candidate is not None and candidate.exact and not candidate.is_programme
+    worst = candidate.exceeded_bounds[0]
+    peaks = np.abs(candidate.motion.at(improver.problem.grid(4001, candidate.motion.H).basis).phi_ddot).max(axis=0)
     assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
     assert worst.ratio == pytest.approx(worst.value / 60.0)
-    assert {each.of for each in found.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
-    assert found.utilisation == pytest.approx(worst.ratio, rel=1e-6)
+    assert {excess.of for excess in candidate.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
+    assert candidate.utilisation == pytest.approx(worst.ratio, rel=1e-6)
 
 
 def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """A search of which the bound has left one attempt that is no programme; its message names the bound as well."""
-    own, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
-    attempt = own.evaluate(free.with_harmonics(2), "rock", free)
+    improver, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
+    attempt = improver.evaluate(free.with_harmonics(2), "rock", free)
     search: Search[Candidate] = Search(beyond=[attempt])
     assert not attempt.exact
     words = not_found_message(search)
     assert "the nearest attempt exceeds a bound, torque of w" in words
     assert "bound is 0.03" in words and "try wider bounds" in words and "bound" not in not_found_message(Search())
     monkeypatch.setattr(Improver, "rescue", lambda *_: None)
-    (nearest,) = own.choose([], [attempt], seconds=None)  # without the clock: the outcome is the same on a busy machine
+    (nearest,) = improver.choose(
+        [], [attempt], seconds=None
+    )  # without the clock: the outcome is the same on a busy machine
     assert nearest.exact and not nearest.is_programme
-    disregards = own.exact(attempt, free, None)
+    disregards = improver.exact(attempt, free, None)
     assert nearest.utilisation < 0.9 * disregards.utilisation, "it is no nearer than one that disregards the bound"
     worst = nearest.exceeded_bounds[0]
     assert (worst.kind, worst.limit) == ("torque", 0.03) and worst.value > 0.1

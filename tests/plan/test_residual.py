@@ -42,12 +42,12 @@ def test_derivatives_are_those_of_differences(number: int) -> None:
     """Derivatives by angle, speed and acceleration are central differences up to rounding and the third derivative."""
     _, mechanics, motion = random_course(70 + number, 3, KINDS[number])
     at = prescribe(mechanics, motion.course)
-    found = linear(at, *motion[3:])
-    assert abs(found.R - residual(at, *motion[3:])).max() <= 1e-12 * abs(found.R).max()
+    value = linear(at, *motion[3:])
+    assert abs(value.R - residual(at, *motion[3:])).max() <= 1e-12 * abs(value.R).max()
     sizes = (1e-5, 1e-3, 1e-1)
     by = ("by_phi", "by_phi_dot", "by_phi_ddot")
     for argument, (step, name) in enumerate(zip(sizes, by, strict=True)):
-        exact, exact_tau = getattr(found, name), getattr(found, "tau_" + name)
+        exact, exact_tau = getattr(value, name), getattr(value, "tau_" + name)
         for s in range(3):
             around = []
             for sign in (1.0, -1.0):
@@ -57,8 +57,8 @@ def test_derivatives_are_those_of_differences(number: int) -> None:
             difference, difference_tau = ((a - b) / (2 * step) for a, b in zip(*around, strict=True))
             assert abs(exact[:, :, s] - difference).max() <= 1e-6 * max(abs(difference).max(), 1e-9)
             assert abs(exact_tau[:, s] - difference_tau[:, s]).max() <= 1e-6 * max(abs(exact_tau).max(), 1e-3)
-            others = [k for k in range(3) if k != s]
-            assert abs(difference_tau[:, others]).max() == 0.0
+            rest = [k for k in range(3) if k != s]
+            assert abs(difference_tau[:, rest]).max() == 0.0
 
 
 HELD = replace(EVERYTHING, laws={"suspension": 1, "leg": 0}, stream=False)
@@ -95,10 +95,10 @@ def test_acceleration_is_that_of_the_reference(number: int) -> None:
     N, M = len(stand.flywheels), 3
     chart, y = chart_of(stand, rng), rng.normal(size=(M, 12)) * ([0.1] * 3 + [0.8] * 3 + [1.0] * 6)
     phi, phi_dot, phi_ddot = (rng.normal(size=(M, N)) * size for size in (3.0, 60.0, 900.0))
-    found = chart.acceleration(drive(chart.mechanics, phi, phi_dot, phi_ddot), y)
+    acceleration = chart.acceleration(drive(chart.mechanics, phi, phi_dot, phi_ddot), y)
     for m in range(M):
         expected = literal_acceleration(chart, y[m], phi[m], phi_dot[m], phi_ddot[m])
-        assert abs(found[m] - expected).max() <= 1e-10 * abs(expected).max()
+        assert abs(acceleration[m] - expected).max() <= 1e-10 * abs(expected).max()
 
 
 @pytest.mark.parametrize("number", range(6))
@@ -107,12 +107,12 @@ def test_linear_equations_of_a_chart_are_those_of_differences(number: int) -> No
     rng = np.random.default_rng(300 + number)
     stand = random_stand(rng, 2, KINDS[number])
     chart, y = chart_of(stand, rng), rng.normal(size=(2, 12)) * ([0.1] * 3 + [0.8] * 3 + [1.0] * 6)
-    given = drive(chart.mechanics, *(rng.normal(size=(2, 2)) * size for size in (3.0, 60.0, 900.0)))
-    found = chart.jacobian(given, y)
+    drives = drive(chart.mechanics, *(rng.normal(size=(2, 2)) * size for size in (3.0, 60.0, 900.0)))
+    jacobian = chart.jacobian(drives, y)
     for k in range(12):
         d = 1e-6 * np.eye(12)[k]
-        difference = (chart.rate(given, y + d) - chart.rate(given, y - d)) / 2e-6
-        assert abs(found[:, :, k] - difference).max() <= 1e-5 * max(abs(difference).max(), 1.0)
+        difference = (chart.rate(drives, y + d) - chart.rate(drives, y - d)) / 2e-6
+        assert abs(jacobian[:, :, k] - difference).max() <= 1e-5 * max(abs(difference).max(), 1.0)
 
 
 def wave(t: Array, N: int, shift: float = 0.0) -> tuple[Array, Array, Array]:
@@ -131,8 +131,8 @@ def wave(t: Array, N: int, shift: float = 0.0) -> tuple[Array, Array, Array]:
 def followed(chart: Chart, start: Array, until: float, nodes: int, shift: float = 0.0) -> Array:
     """States (M, 12) by collocation."""
     t = np.linspace(0.0, until, nodes + 1)
-    given = drive(chart.mechanics, *wave(t, chart.mechanics.N, shift))
-    return course(chart, given, t[1], start, np.tile(start, (len(t), 1)), None).y
+    drives = drive(chart.mechanics, *wave(t, chart.mechanics.N, shift))
+    return course(chart, drives, t[1], start, np.tile(start, (len(t), 1)), None).y
 
 
 def test_course_is_that_of_an_adaptive_integration() -> None:
@@ -142,12 +142,12 @@ def test_course_is_that_of_an_adaptive_integration() -> None:
     chart = chart_of(stand, rng)
     y = rng.normal(size=12) * ([0.1] * 3 + [0.8] * 3 + [1.0] * 6)
     until = 0.04
-    found = followed(chart, y, until, 80)[-1]
+    course = followed(chart, y, until, 80)[-1]
 
     def rate(at: float, z: Array) -> Array:
         turn = Rotation.from_quat(z[3:7])
-        here = np.concatenate([z[:3], turn.as_euler("ZYX")[::-1], z[7:]])
-        V_dot = literal_acceleration(chart, here, *(x[0] for x in wave(np.array([at]), 3)))
+        final = np.concatenate([z[:3], turn.as_euler("ZYX")[::-1], z[7:]])
+        V_dot = literal_acceleration(chart, final, *(x[0] for x in wave(np.array([at]), 3)))
         a, b, c, w = z[3:7]
         p, q, r = z[10:]
         turning = [w * p + b * r - c * q, w * q + c * p - a * r, w * r + a * q - b * p, -a * p - b * q - c * r]
@@ -156,7 +156,7 @@ def test_course_is_that_of_an_adaptive_integration() -> None:
     z0 = np.concatenate([y[:3], turn_of(y).as_quat(), y[6:]])
     end = solve_ivp(rate, (0.0, until), z0, method="DOP853", rtol=1e-11, atol=1e-13).y[:, -1]
     expected = np.concatenate([end[:3], Rotation.from_quat(end[3:7]).as_euler("ZYX")[::-1], end[7:]])
-    assert abs(found - expected).max() <= 1e-8
+    assert abs(course - expected).max() <= 1e-8
 
 
 def test_a_carrier_thrown_about_is_said_so() -> None:
@@ -173,11 +173,11 @@ def test_rest_is_rest_and_moves_with_the_angles(seed: int) -> None:
     rng = np.random.default_rng(seed)
     chart = chart_of(random_stand(rng, 3, HELD), rng)
     phi = rng.normal(size=3)
-    found = equilibrium(chart, phi)
+    rest = equilibrium(chart, phi)
     zero = np.zeros(3)
-    assert abs(literal_acceleration(chart, found.y, phi, zero, zero)).max() <= 1e-8
+    assert abs(literal_acceleration(chart, rest.y, phi, zero, zero)).max() <= 1e-8
     for s in range(3):
         step = 1e-5 * np.eye(3)[s]
-        ahead, behind = (equilibrium(chart, phi + d, found.y).y for d in (step, -step))
+        ahead, behind = (equilibrium(chart, phi + d, rest.y).y for d in (step, -step))
         difference = (ahead - behind) / 2e-5
-        assert abs(found.by_phi[:, s] - difference).max() <= 1e-5 * abs(difference).max()
+        assert abs(rest.by_phi[:, s] - difference).max() <= 1e-5 * abs(difference).max()

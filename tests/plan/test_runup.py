@@ -129,9 +129,9 @@ def test_a_general_stand_is_run_up_and_verified() -> None:
     """Eight unequal wheels that spin, 10 turns: the independent verification passes every item of both tables."""
     stand, motion = example("bench8")
     asked = replace(motion, runup=1.0, winding="spin")
-    found = plan_motion(stand, asked, PlanOptions(verify=False))
-    assert found.status == "OK", found.words
-    items = verify_programme(stand, asked, found.programmes[0])
+    plan = plan_motion(stand, asked, PlanOptions(verify=False))
+    assert plan.status == "OK", plan.words
+    items = verify_programme(stand, asked, plan.programmes[0])
     assert [item for item in items if item.failed] == []
     assert {"run-up end", "run-down end"} <= {item.quantity for item in items}
 
@@ -151,7 +151,7 @@ def test_what_is_refused_is_left_out_and_nothing_else() -> None:
     assert left.runup is made.runup and left.rundown is None
     reason = "refused by the verification: run-down end not finite, at most 1e-05, no equilibrium to start from"
     assert left.report["rundown"] == {"reason": f"run-down: found, but {reason}"}
-    assert [each["name"] for each in left.report["verification"]] == ["residual", "run-up end", "run-up bound speed"]
+    assert [check["name"] for check in left.report["verification"]] == ["residual", "run-up end", "run-up bound speed"]
     assert left.report["verified"] is False and left.report["runup"] == made.report["runup"]
     assert failed_items(left) == ""
 
@@ -176,20 +176,20 @@ def test_ctrl_c_in_a_run_up_keeps_the_programme(monkeypatch: pytest.MonkeyPatch)
 
     solve = runups.solve
 
-    def first(*given: Any, up: bool, **more: Any) -> Any:
+    def first(*arguments: Any, up: bool, **more: Any) -> Any:
         if up:
             raise KeyboardInterrupt
-        return solve(*given, up=up, **more)
+        return solve(*arguments, up=up, **more)
 
     monkeypatch.setattr(runups, "solve", first)
     stand, motion = example("shaker2", "shaker2_spin")
-    found = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), WISHES)
-    assert found.interrupted and found.status == "OK_LIMIT"
-    assert found.words == (
+    plan = plan_motion(stand, replace(motion, winding=(1, -1), runup=0.12, bounds=Bounds()), WISHES)
+    assert plan.interrupted and plan.status == "OK_LIMIT"
+    assert plan.words == (
         "run-up: interrupted",
         "run-down: interrupted after 0 of 5 attempts, none was found",
     )
-    assert len(found.programmes) == 1
+    assert len(plan.programmes) == 1
 
 
 def pressing(times: int) -> Any:
@@ -209,8 +209,8 @@ def test_ctrl_c_in_the_verification_waits_for_its_end(periodic: bool, monkeypatc
     stand, motion = example("shaker2", "shaker2_spin") if periodic else move()
     place = "mahovik.use.plan.planner.certify"
     monkeypatch.setattr(place, pressing(1))
-    found = plan_motion(stand, motion)
-    assert found.interrupted and found.programmes[0].report["verified"]
+    plan = plan_motion(stand, motion)
+    assert plan.interrupted and plan.programmes[0].report["verified"]
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     monkeypatch.setattr(place, pressing(2))
     with pytest.raises(KeyboardInterrupt):
@@ -235,17 +235,17 @@ def shaker(freedom: str = "z") -> Stand:
 
 def shaken(bounds: Bounds, apart: float = 0.0) -> tuple[Stand, RequiredMotion, Programme]:
     """(k - m w^2 + i c w) Z = mu w^2 (e^ia + e^ib): wheels `apart` from each other (rad) at constant speed."""
-    own = shaker()
+    stand = shaker()
     response = STIFFNESS - MASS * OMEGA**2 + 1j * DAMPING * OMEGA
     size = 2.0 * MU * OMEGA**2 * math.cos(apart / 2) / abs(response)
     document = {"schema": 1, "type": "periodic", "period": PERIOD, "harmonics": [{"k": 1, "cos": [size]}]}
-    required = replace(read_motion(json.dumps(document), own, "m.json"), runup=HELD_LASTS, bounds=bounds)
+    required = replace(read_motion(json.dumps(document), stand, "m.json"), runup=HELD_LASTS, bounds=bounds)
     mean = cmath.phase(response) + apart / 2 * np.array([1.0, -1.0])
     course = Fourier(mean, np.zeros((0, 2)), np.zeros((0, 2)))
     programme = make_programme(
-        own, required.name, required.span, np.array([-MASS * 9.81 / STIFFNESS]), (1, 1), course, {}
+        stand, required.name, required.span, np.array([-MASS * 9.81 / STIFFNESS]), (1, 1), course, {}
     )
-    return own, required, programme
+    return stand, required, programme
 
 
 @cache
@@ -257,7 +257,7 @@ def sway(table: RunUpTable, start: Array) -> Array:
     """z, z' at the end by m z'' + c z' + k z + m g = mu sum (phi'' sin phi + phi'^2 cos phi)."""
 
     def rates(t: float, y: Array) -> Array:
-        phi, phi_dot, phi_ddot = (each[0] for each in table.at(np.array([t])))
+        phi, phi_dot, phi_ddot = (samples[0] for samples in table.at(np.array([t])))
         shaking = MU * float(np.sum(phi_ddot * np.sin(phi) + phi_dot**2 * np.cos(phi)))
         return np.array([y[1], (shaking - DAMPING * y[1] - STIFFNESS * y[0]) / MASS - 9.81])
 
@@ -282,41 +282,41 @@ def test_a_shaker_goes_through_its_resonance_by_the_closed_formula(up: bool) -> 
 
 @pytest.mark.slow
 def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
-    own, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
-    found = ProgrammeCase.of(own, required, made()).runups()
-    assert not any(item.failed for item in found)
-    names = {item.quantity for item in found}
+    stand, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
+    checks = ProgrammeCase.of(stand, required, made()).runups()
+    assert not any(item.failed for item in checks)
+    names = {item.quantity for item in checks}
     assert {"run-up end", "run-down end", "run-up bound deviation", "run-up bound torque"} <= names
     table = made().runup
     assert table is not None
     turned = replace(table.samples, phi=table.samples.phi + np.array([2e-3, 0.0]))
     turned_table = replace(made(), runup=replace(table, samples=turned))
-    wrong = ProgrammeCase.of(own, required, turned_table).runups()
+    wrong = ProgrammeCase.of(stand, required, turned_table).runups()
     assert "run-up end" in {item.quantity for item in wrong if item.failed}
 
 
 @pytest.mark.parametrize("hold", HOLDS)
 def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> None:
     """u* against multipliers of the hold; coordinates, displacements and their changes against differences."""
-    own = stand(hold, wheel(1, [0, 1, 1], 3, (0.1, 0, 0)) + wheel(2, [1, 0, 0], 2))
-    assert own.hold is not None
-    rng, m = np.random.default_rng(8), len(own.hold.freedoms)
+    held = stand(hold, wheel(1, [0, 1, 1], 3, (0.1, 0, 0)) + wheel(2, [1, 0, 0], 2))
+    assert held.hold is not None
+    rng, m = np.random.default_rng(8), len(held.hold.freedoms)
     q0, y = rng.normal(size=m) * 0.3, rng.normal(size=(3, 2 * m)) * 0.4
     phi, phi_dot, phi_ddot = rng.normal(size=(3, 3, 2)) * 3
-    chart = Chart.at(Mechanics.of(own), q0)
-    given = drive(chart.mechanics, phi, phi_dot, phi_ddot)
-    rate, S = chart.rate(given, y), chart.mechanics.freedoms
+    chart = Chart.at(Mechanics.of(held), q0)
+    drives = drive(chart.mechanics, phi, phi_dot, phi_ddot)
+    rate, S = chart.rate(drives, y), chart.mechanics.freedoms
     for i in range(3):
         q, u = q0 + y[i, :m], y[i, m:]
-        assert np.abs(twist(own, q, rate[i, :m]) - S @ u).max() < 1e-12
-        at = moment(own, q, rate[i, :m], phi[i], phi_dot[i]).at
+        assert np.abs(twist(held, q, rate[i, :m]) - S @ u).max() < 1e-12
+        at = moment(held, q, rate[i, :m], phi[i], phi_dot[i]).at
         expected = rates(at, np.zeros(2), phi_ddot[i], np.full(2, False))[0]
         assert np.abs(rate[i, m:] - expected).max() < 1e-10 * max(1.0, np.abs(expected).max())
     still = Course(y[:, :m] + q0, rate[:, :m], np.zeros((3, m)))
     assert np.abs(chart.of(still) - y).max() < 1e-12
     away = chart.displacement(y)
     for i in range(3):
-        told = displacement(own, q0 + y[i, :m], q0)
+        told = displacement(held, q0 + y[i, :m], q0)
         assert [np.linalg.norm(away[i, :3]), np.linalg.norm(away[i, 3:])] == pytest.approx(told, abs=1e-12)
     moved = rng.normal(size=(3, 2 * m, 1))
     changes = chart.displacement_change(y, moved)[:, :, 0].reshape(3, 2, 3)
@@ -329,6 +329,6 @@ def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> N
 
 
 def test_what_nothing_holds_along_a_freedom_is_told() -> None:
-    own = stand('freedoms = ["z"]', wheel(1, [0, 1, 0]))
+    held = stand('freedoms = ["z"]', wheel(1, [0, 1, 0]))
     with pytest.raises(MahovikError, match=r"accelerates by 9\.81 m/s2; nothing holds it there"):
-        equilibrium(Chart.at(Mechanics.of(own), np.zeros(1)), np.zeros(1))
+        equilibrium(Chart.at(Mechanics.of(held), np.zeros(1)), np.zeros(1))

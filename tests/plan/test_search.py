@@ -36,8 +36,8 @@ def test_programmes_of_the_examples_are_exact(
     stand: str, motion: str | None, wanted: dict[str, Any], residual: float, kind: str, winding: list[int]
 ) -> None:
     """demo3 has balanced flywheels and turns alone, auv6 V|V| in its drag."""
-    own = problem(stand, motion, **wanted)
-    (first, *_) = search(own, Plain(Improver.of(own)), preflight(own).bias, 0, Budget(4000, None)).found
+    model = problem(stand, motion, **wanted)
+    (first, *_) = search(model, Plain(Improver.of(model)), preflight(model).bias, 0, Budget(4000, None)).found
     assert first.residual < residual
     assert (first.kind, first.motion.winding.tolist()) == (kind, winding)
 
@@ -46,9 +46,9 @@ def motion(bounds: Bounds, winding: Winding = "any") -> RequiredMotion:
     return replace(required(3, bounds=bounds), winding=winding)
 
 
-def refused(found: Preflight) -> tuple[str, str]:
-    assert found.refusal is not None
-    return found.refusal.reason, found.refusal.words
+def refused(answer: Preflight) -> tuple[str, str]:
+    assert answer.refusal is not None
+    return answer.refusal.reason, answer.refusal.words
 
 
 @pytest.mark.parametrize(
@@ -57,8 +57,8 @@ def refused(found: Preflight) -> tuple[str, str]:
 def test_what_has_a_programme_is_not_refused(stand: str, motion: str | None) -> None:
     """In well below a second; the last at 99.99 % of its unbalance."""
     begun = time.process_time()
-    found = preflight(problem(stand, motion))
-    assert found.refusal is None
+    answer = preflight(problem(stand, motion))
+    assert answer.refusal is None
     assert time.process_time() - begun < 1.0
 
 
@@ -94,9 +94,9 @@ def test_unbalance_bounds_the_amplitude() -> None:
     assert isinstance(motion.course, Harmonics)
     for factor, within in ((1.0, True), (1.05, False)):
         course = replace(motion.course, cos=motion.course.cos * factor)
-        found = preflight(problem("shaker2", "shaker2_spin", course=course))
-        assert (found.refusal is None) == within
-    reason, words = refused(found)
+        answer = preflight(problem("shaker2", "shaker2_spin", course=course))
+        assert (answer.refusal is None) == within
+    reason, words = refused(answer)
     assert reason == "FIRST_MOMENT"
     assert "along z" in words
     assert "possible with 95 %" in words
@@ -114,11 +114,11 @@ def test_bounds_bound_the_wrench() -> None:
 
 def test_mean_pose_carries_the_weight() -> None:
     """The bias of auv6: buoyancy above weight; free directions (translation, yaw about z) stay."""
-    found = preflight(problem("auv6"))
-    assert np.all(found.bias[:3] == pytest.approx(0.0, abs=1e-9))
-    assert 0.01 < np.abs(found.bias[3:]).max() < 0.3
-    assert any(line.startswith("the mean pose is tilted") and "phi" in line for line in found.warnings)
-    assert any("1e-05 is accepted" in line for line in found.warnings)
+    answer = preflight(problem("auv6"))
+    assert np.all(answer.bias[:3] == pytest.approx(0.0, abs=1e-9))
+    assert 0.01 < np.abs(answer.bias[3:]).max() < 0.3
+    assert any(line.startswith("the mean pose is tilted") and "phi" in line for line in answer.warnings)
+    assert any("1e-05 is accepted" in line for line in answer.warnings)
 
 
 QUICK = PlanOptions(verify=False)
@@ -127,27 +127,27 @@ QUICK = PlanOptions(verify=False)
 def test_the_best_of_a_few_is_kept() -> None:
     """The best by the objective of `enough` programmes, with its figures."""
     stand, motion = example("bench8")
-    found = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, enough=2))
-    assert found.status == "OK"
-    (first,) = found.programmes
-    best, *others = found.effort["objective_spread"]
-    assert first.report["objective"] == best and others and best <= min(others)
+    plan = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, enough=2))
+    assert plan.status == "OK"
+    (first,) = plan.programmes
+    best, *rest = plan.effort["objective_spread"]
+    assert first.report["objective"] == best and rest and best <= min(rest)
     assert first.report["residual"] < 1e-6
-    assert not any("of the unbalance" in line for line in found.warnings)
+    assert not any("of the unbalance" in line for line in plan.warnings)
     assert len(first.report["peak_torque"]) == 8
-    assert found.effort["windings_tried"] == {"rock": 256}
+    assert plan.effort["windings_tried"] == {"rock": 256}
 
 
 def test_what_no_search_finds_is_said_to_be_no_proof() -> None:
     """Two wheels that turn at constant speed have one amplitude: at another none is found in any time."""
     stand, motion = example("shaker2")
-    found = plan_motion(stand, replace(motion, winding=(1, -1)), replace(QUICK, seconds=1.5))
-    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
-    (words,) = found.words
+    plan = plan_motion(stand, replace(motion, winding=(1, -1)), replace(QUICK, seconds=1.5))
+    assert (plan.status, plan.reason) == ("NO_PROGRAM", "SEARCH")
+    (words,) = plan.words
     assert "does not prove" in words
     assert "cut by time" in words
-    assert found.effort["cut_by_time"]
-    assert any("of the unbalance is needed along z" in line for line in found.warnings)
+    assert plan.effort["cut_by_time"]
+    assert any("of the unbalance is needed along z" in line for line in plan.warnings)
 
 
 def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -163,14 +163,14 @@ def test_an_interrupted_search_gives_what_it_has(monkeypatch: pytest.MonkeyPatch
         improve(self, *arguments)
 
     monkeypatch.setattr(StartBatch, "improve", interrupted)
-    found = plan_motion(stand, replace(motion, winding="any", course=_half(motion)), QUICK)
-    assert found.interrupted
-    assert found.status == "OK"
-    assert found.programmes[0].report["kind"] == "rock"
-    found = plan_motion(stand, motion, QUICK)
-    assert found.interrupted
-    assert (found.status, found.reason) == ("NO_PROGRAM", "SEARCH")
-    assert "interrupted" in found.words[0]
+    plan = plan_motion(stand, replace(motion, winding="any", course=_half(motion)), QUICK)
+    assert plan.interrupted
+    assert plan.status == "OK"
+    assert plan.programmes[0].report["kind"] == "rock"
+    plan = plan_motion(stand, motion, QUICK)
+    assert plan.interrupted
+    assert (plan.status, plan.reason) == ("NO_PROGRAM", "SEARCH")
+    assert "interrupted" in plan.words[0]
 
 
 def _half(motion: RequiredMotion) -> Harmonics:
@@ -187,9 +187,9 @@ def test_a_singular_attitude_is_told() -> None:
     stand, motion = example("bench8")
     leg = Leg(ground=(0.0, 0.0, 0.0), carrier=(0.0, 0.0, 0.0), length=0.1, stiffness=1.0, damping=0.0)
     still = Harmonics(0.1, (), np.zeros((0, 6)), np.zeros((0, 6)))
-    found = plan_motion(stand.with_laws(Legs((leg,))), replace(motion, course=still), QUICK)
-    assert found.status == "SINGULAR_ATTITUDE"
-    assert found.words[0] == "leg of no length on the way"
+    plan = plan_motion(stand.with_laws(Legs((leg,))), replace(motion, course=still), QUICK)
+    assert plan.status == "SINGULAR_ATTITUDE"
+    assert plan.words[0] == "leg of no length on the way"
 
 
 @pytest.mark.slow
@@ -197,18 +197,18 @@ def test_a_bound_that_cannot_be_kept() -> None:
     """OK_LIMIT: a programme all the same, exact, with the excess that it really has, in words and in the report."""
     stand, motion = example("bench8")
     bounded = replace(motion, winding="rock", bounds=Bounds(acceleration=(60.0,) * 8))
-    found = plan_motion(stand, bounded, replace(QUICK, steps=90))
-    assert found.status == "OK_LIMIT"
-    (programme,) = found.programmes
+    plan = plan_motion(stand, bounded, replace(QUICK, steps=90))
+    assert plan.status == "OK_LIMIT"
+    (programme,) = plan.programmes
     assert programme.report["residual"] < 1e-6
     t = np.linspace(0.0, 0.1, 3001)
     peak = np.abs(programme.at(t).phi_ddot).max()
     assert peak > 60.0
-    told = float(found.words[0].split(": ")[1].split()[0])
+    told = float(plan.words[0].split(": ")[1].split()[0])
     assert told == pytest.approx(peak, rel=1e-3)
-    assert f"bound is 60: {peak / 60.0:.2g}" in found.words[0]
+    assert f"bound is 60: {peak / 60.0:.2g}" in plan.words[0]
     assert programme.report["bounds_used"] == pytest.approx(peak / 60.0, rel=1e-3)
-    assert list(programme.report["exceeded"]) == list(found.words)
+    assert list(programme.report["exceeded"]) == list(plan.words)
 
 
 def test_the_end_of_the_steps_gives_the_best_so_far() -> None:

@@ -117,25 +117,25 @@ def case(seed: int, flywheels: int) -> tuple[Stand, State]:
 @pytest.mark.parametrize("seed", range(6))
 def test_the_motion_that_results_is_that_of_the_second_derivation(seed: int) -> None:
     stand, state = case(seed, 3 + seed)
-    found = evaluate(stand, state, ["inverse", "torque", "points"])
-    moved = replace(state, task="", demand=(), phi_ddot=tuple(found["phi_ddot"]))
+    answer = evaluate(stand, state, ["inverse", "torque", "points"])
+    moved = replace(state, task="", demand=(), phi_ddot=tuple(answer["phi_ddot"]))
     second = Second(stand)
     V_dot = second.evaluate(moved, ["forward"])["V_dot"]
-    np.testing.assert_allclose(found["V_dot"], V_dot, rtol=0, atol=1e-9 * np.abs(V_dot).max())
+    np.testing.assert_allclose(answer["V_dot"], V_dot, rtol=0, atol=1e-9 * np.abs(V_dot).max())
     moved = replace(moved, V_dot=tuple(V_dot))
-    others = second.evaluate(moved, ["torque", "points"])
-    np.testing.assert_allclose(found["tau"], others["tau"], rtol=0, atol=1e-9 * np.abs(others["tau"]).max())
+    expected = second.evaluate(moved, ["torque", "points"])
+    np.testing.assert_allclose(answer["tau"], expected["tau"], rtol=0, atol=1e-9 * np.abs(expected["tau"]).max())
     reached = []
     for row in stand.tasks[0].rows:
         k = COMPONENTS.index(row.component)
         if not row.of:
             reached.append(V_dot[k])
             continue
-        reading = others["points"][row.of]
+        reading = expected["points"][row.of]
         gravity = reading["C"].T @ np.array(stand.gravity)
         reached.append((reading["specific_force"] + gravity)[k] if k < 3 else reading["angular_acceleration"][k - 3])
     left = np.array(state.demand) - reached
-    np.testing.assert_allclose(found["residual"], left, rtol=0, atol=1e-9 * np.abs(V_dot).max())
+    np.testing.assert_allclose(answer["residual"], left, rtol=0, atol=1e-9 * np.abs(V_dot).max())
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -144,13 +144,13 @@ def test_the_answer_is_the_least_in_both_norms(seed: int) -> None:
     stand, state = case(20 + seed, 1 + seed)
     at = pieces(stand, state)
     rows, demanded = task_rows(at, stand, stand.tasks[0]), np.array(state.demand)
-    asked, found = scaled_task(at, rows, demanded), least_error(scaled_task(at, rows, demanded))
+    asked, answer = scaled_task(at, rows, demanded), least_error(scaled_task(at, rows, demanded))
     G = rows.S @ np.linalg.solve(at.K, rows.S.T)
     root = inverse_root((G + G.T) / 2)
-    left, matrix = root @ found.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))
+    left, matrix = root @ answer.residual, root @ asked.A / np.sqrt(np.diag(at.Theta_ff))
     size = np.linalg.norm(matrix, 2) * np.linalg.norm(root @ asked.c)
     assert np.linalg.norm(matrix.T @ left) < 1e-9 * size
-    y = np.sqrt(np.diag(at.Theta_ff)) * found.phi_ddot
+    y = np.sqrt(np.diag(at.Theta_ff)) * answer.phi_ddot
     _, sigma, Vt = np.linalg.svd(matrix)
     free = Vt[int(np.sum(sigma > 1e-9 * sigma[0])) :]
     assert np.linalg.norm(free @ y) < 1e-8 * np.linalg.norm(y)
@@ -199,9 +199,9 @@ def test_excessive_by_hand(motor: str, demand: float, speed: float, status: str)
         stand = replace(stand, inverse_most=3.0)
     state = replace(random_state(stand, np.random.default_rng(1)), V=(0.0,) * 6, phi_dot=(speed,))
     state = replace(state, task="turn", demand=(demand,))
-    found = evaluate(stand, state, ["inverse", "torque"])
-    assert found["status"] == status
-    np.testing.assert_allclose(found["tau"], [-demand], rtol=1e-12)
+    answer = evaluate(stand, state, ["inverse", "torque"])
+    assert answer["status"] == status
+    np.testing.assert_allclose(answer["tau"], [-demand], rtol=1e-12)
     plain = evaluate(stand, replace(state, task="", demand=(), V_dot=(0, 0, 0, demand, 0, 0)), ["inverse"])
     assert ("EXCESSIVE" in plain["status"]) == (status == "EXCESSIVE")
 
@@ -209,10 +209,10 @@ def test_excessive_by_hand(motor: str, demand: float, speed: float, status: str)
 def test_a_wheel_cannot_turn_the_carrier_across_its_axis() -> None:
     stand = loads(PENDULUM.replace("MOTOR", ""))
     state = replace(random_state(stand, np.random.default_rng(1)), V=(0.0,) * 6, phi_dot=(0.0,))
-    found = evaluate(stand, replace(state, task="across", demand=(1.0,)), ["inverse"])
-    assert found["status"] == "UNREACHABLE|RANK_DEFICIENT"
-    np.testing.assert_allclose(found["residual"], [1.0])
-    assert (found["rank"], found["sigma"].shape) == (0, (1,))
+    answer = evaluate(stand, replace(state, task="across", demand=(1.0,)), ["inverse"])
+    assert answer["status"] == "UNREACHABLE|RANK_DEFICIENT"
+    np.testing.assert_allclose(answer["residual"], [1.0])
+    assert (answer["rank"], answer["sigma"].shape) == (0, (1,))
 
 
 def test_wants_beside_a_task() -> None:

@@ -68,10 +68,10 @@ def test_the_compiled_c_agrees_and_a_wrong_shear_of_the_lowest_layer_is_found() 
     wrong = 0
     for _, state in draw(stand, 0, 12, wrenches=False):
         inputs = small_backend().arguments(state)
-        own, other = (small_backend().call("forward", inputs | more)[1]["V_dot"] for more in ({}, {"table": table}))
+        right, other = (small_backend().call("forward", inputs | more)[1]["V_dot"] for more in ({}, {"table": table}))
         off = differences(small_backend().evaluate, state, expectations(stand, state))
         assert max(off.values()) <= AGREEMENT
-        wrong += not np.allclose(own, other, rtol=1e-9)
+        wrong += not np.allclose(right, other, rtol=1e-9)
     assert wrong >= 3
 
 
@@ -82,9 +82,9 @@ def test_at_each_depth_it_is_the_uniform_stream_of_that_depth() -> None:
         u = stream_at(sheared(), state.position)
         uniform = replace(sheared(), profile=None, stream=tuple(u.tolist()))
         want = ["forward", "momentum", "torque"]
-        found, expected = reference.evaluate(sheared(), state, want), reference.evaluate(uniform, state, want)
+        answer, expected = reference.evaluate(sheared(), state, want), reference.evaluate(uniform, state, want)
         for name in expected:
-            np.testing.assert_array_equal(found[name], expected[name])
+            np.testing.assert_array_equal(answer[name], expected[name])
 
 
 def test_rigorous_balls_hold_it() -> None:
@@ -222,10 +222,10 @@ def test_the_report_names_the_velocity_of_each_station() -> None:
 
 def test_simulators_see_its_numbers() -> None:
     generated = generate_all(loads(FILE))
-    found = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
-    assert found["stream_profile.depth[3]"].value == 50.0
-    assert found["stream_profile.shear[1,2]"].value == pytest.approx(0.01)
-    assert found["stream_profile.shear[1,2]"].unit.name == "1/s"
+    parameters = {m.name: m for m in laws(loads(FILE), generated.layout, generated.values)}
+    assert parameters["stream_profile.depth[3]"].value == 50.0
+    assert parameters["stream_profile.shear[1,2]"].value == pytest.approx(0.01)
+    assert parameters["stream_profile.shear[1,2]"].unit.name == "1/s"
 
 
 def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused() -> None:
@@ -235,7 +235,7 @@ def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused
     assert "position" not in mahovik.check(weightless)["rest"]["state"]
     assert still.profile is not None
     deep = replace(weightless, profile=replace(still.profile, depth=(5.0, 10.0, 50.0)))
-    found = mahovik.check(deep)
-    said = [line for line in found.messages if line.startswith("rest pose")]
-    assert found["rest"] is None
+    result = mahovik.check(deep)
+    said = [line for line in result.messages if line.startswith("rest pose")]
+    assert result["rest"] is None
     assert "depth 0 m is outside of stream_profile, which is given from 5 m to 50 m" in said[0]

@@ -54,12 +54,18 @@ class Firmware:
     def take(self, state: State, noise: float) -> int:
         attitude = (1.0, 0.0, 0.0, 0.0)
         x = {"position": state.position, "attitude": attitude, "V": state.V, "phi": state.phi, "phi_dot": state.phi_dot}
-        given: dict[str, Any] = {**self._tables, "x": x, "V_dot": state.V_dot, "phi_ddot": state.phi_ddot, "wrench": []}
-        status, found = self._run(
-            "identify_step", {**given, "noise": [noise] * 6, "forget": 0.0, "estimate": self.estimate}
+        arguments: dict[str, Any] = {
+            **self._tables,
+            "x": x,
+            "V_dot": state.V_dot,
+            "phi_ddot": state.phi_ddot,
+            "wrench": [],
+        }
+        status, outputs = self._run(
+            "identify_step", {**arguments, "noise": [noise] * 6, "forget": 0.0, "estimate": self.estimate}
         )
         if status == 0:
-            self.estimate = {name: found["estimate"][name] for name in self.estimate}
+            self.estimate = {name: outputs["estimate"][name] for name in self.estimate}
         return int(status)
 
 
@@ -76,7 +82,7 @@ def moved(stand: Stand, unbalance: np.ndarray) -> Stand:
 def samples(stand: Stand, true: Stand, count: int, seed: int) -> list[State]:
     """States of spinning flywheels with V* of the true stand, by the literal reference."""
     rng, N = np.random.default_rng(seed), len(stand.flywheels)
-    found = []
+    samples = []
     for _ in range(count):
         state = replace(
             rest_state(stand),
@@ -86,8 +92,8 @@ def samples(stand: Stand, true: Stand, count: int, seed: int) -> list[State]:
             phi_ddot=tuple(rng.normal(size=N)),
         )
         V_dot = forward(pieces(true, state), np.array(state.phi_ddot))
-        found.append(replace(state, V_dot=tuple(V_dot.tolist())))
-    return found
+        samples.append(replace(state, V_dot=tuple(V_dot.tolist())))
+    return samples
 
 
 @pytest.mark.parametrize(("precision", "error"), [(DOUBLE, 1e-9), (FLOAT, 1e-6)])
@@ -99,10 +105,10 @@ def test_planted_unbalances_are_found(precision: Precision, error: float) -> Non
     firmware = Firmware(stand, precision)
     for state in samples(stand, moved(stand, planted), 40, 2):
         assert firmware.take(state, 1e-3) == 0
-    found = np.array(firmware.estimate["unbalance"], dtype=np.float64)
+    estimate = np.array(firmware.estimate["unbalance"], dtype=np.float64)
     deviation = np.sqrt(np.diag(covariance(firmware.estimate)))
     assert np.abs(planted).max() > 1e-4
-    assert np.all(np.abs(found - planted) <= error + 1e-3 * deviation)
+    assert np.all(np.abs(estimate - planted) <= error + 1e-3 * deviation)
     assert np.all(deviation < 1e-6)
 
 

@@ -41,9 +41,9 @@ def launched() -> Iterator[Browser]:
 
 def box_of(element: Locator) -> FloatRect:
     """Place of an element in the window."""
-    found = element.bounding_box()
-    assert found is not None
-    return found
+    box = element.bounding_box()
+    assert box is not None
+    return box
 
 
 class Opened:

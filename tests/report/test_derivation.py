@@ -103,7 +103,7 @@ def cell(text: str) -> float:
 def matrix(tex: str) -> np.ndarray:
     """A matrix of numbers of the page."""
     body = tex[tex.index(r"\begin{bmatrix}") + 15 : tex.index(r"\end{bmatrix}")]
-    return np.array([[cell(each.strip()) for each in row.split("&")] for row in body.split(r"\\")])
+    return np.array([[cell(text.strip()) for text in row.split("&")] for row in body.split(r"\\")])
 
 
 def shown_matrices(example: Stand, state: State) -> tuple[np.ndarray, np.ndarray]:
@@ -113,7 +113,7 @@ def shown_matrices(example: Stand, state: State) -> tuple[np.ndarray, np.ndarray
     K, columns = matrix(K_c), []
     tables = [b for b in numbers["Numbers: flywheels"] if isinstance(b, Table)]
     for table, phi in zip(tables, state.phi, strict=True):
-        rows = np.array([[cell(each) for each in row[1:]] for row in table.rows])
+        rows = np.array([[cell(text) for text in row[1:]] for row in table.rows])
         waves = np.array([1, np.cos(phi), np.sin(phi), np.cos(2 * phi), np.sin(2 * phi)])
         rates = np.array([0, -np.sin(phi), np.cos(phi), 0, 0])
         mu, J, t = rows[:3] @ waves, rows[3:9] @ waves, rows[9:] @ waves

@@ -39,7 +39,7 @@ def test_the_folder_is_whole_and_sealed(tmp_path: Path) -> None:
     """C, stand file, raw output, page, summary; sums that `sha256sum` takes, and a change is seen."""
     folder = tmp_path / "out"
     collected(folder, [GOOD, BAD, ABLE])
-    names = {each.relative_to(folder).as_posix() for each in folder.rglob("*") if each.is_file()}
+    names = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
     wanted = {"index.html", "evidence.json", "SHA256SUMS", "demo3.toml", "c/demo3.c", "c/manifest.json"}
     assert wanted | {"raw/good/output.txt"} <= names
     assert (folder / "demo3.toml").read_bytes() == Path(DEMO3).read_bytes()
@@ -53,28 +53,28 @@ def test_the_folder_is_whole_and_sealed(tmp_path: Path) -> None:
     (folder / "demo3.toml").unlink()
     (folder / "demo3.toml").symlink_to(DEMO3)  # the same text, but not what was written
     (folder / "more.txt").write_text("")
-    found = [line.replace(str(folder), "") for line in check(folder)]
+    lines = [line.replace(str(folder), "") for line in check(folder)]
     changed = ["/demo3.toml: was changed", "/raw/good/output.txt: was changed"]
-    assert found == ["/c/demo3.h: is missing", *changed, "/more.txt: is not listed"]
+    assert lines == ["/c/demo3.h: is missing", *changed, "/more.txt: is not listed"]
 
 
 def test_verdicts_are_summed_up(tmp_path: Path) -> None:
     """A failure fails; a missing tool fails only where that is asked; what is left out never runs."""
     unwanted = piece("unwanted", "exit 1")
-    found = collected(tmp_path / "out", [GOOD, BAD, ABLE, unwanted], wanted={"good", "bad", "able"})
-    assert [outcome.verdict for outcome in found] == [
+    outcomes = collected(tmp_path / "out", [GOOD, BAD, ABLE, unwanted], wanted={"good", "bad", "able"})
+    assert [outcome.verdict for outcome in outcomes] == [
         Verdict.PASSED,
         Verdict.FAILED,
         Verdict.MISSING,
         Verdict.LEFT_OUT,
     ]
-    assert failures(found) == ["bad"]
-    assert failures(found, strict=True) == ["bad", "able"]
-    assert conclusion(found) == (
+    assert failures(outcomes) == ["bad"]
+    assert failures(outcomes, strict=True) == ["bad", "able"]
+    assert conclusion(outcomes) == (
         "1 of 2 pieces passed; FAILED: bad; not run: tool missing: able; left out by option: unwanted"
     )
     summary = json.loads((tmp_path / "out" / "evidence.json").read_text())
-    assert [each["verdict"] for each in summary["pieces"]] == [outcome.verdict.value for outcome in found]
+    assert [entry["verdict"] for entry in summary["pieces"]] == [outcome.verdict.value for outcome in outcomes]
     assert summary["structure"] == identities(load(DEMO3)).structure
 
 
@@ -120,10 +120,10 @@ def test_what_is_somebody_elses_is_refused(tmp_path: Path, what: str) -> None:
             (folder / "letter.txt").write_text("dear reader\n")
         else:
             (folder / "index.html").write_text("all is well\n")
-    before = {each: each.read_bytes() for each in tmp_path.rglob("*") if each.is_file()}
+    before = {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
     with pytest.raises(UsageError, match="nothing was written"):
         collected(folder, [piece("unrun", f"touch {tmp_path}/run")])
-    assert {each: each.read_bytes() for each in tmp_path.rglob("*") if each.is_file()} == before
+    assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
 def test_the_page_stands_alone(tmp_path: Path) -> None:
@@ -138,10 +138,10 @@ def test_the_page_stands_alone(tmp_path: Path) -> None:
     ids = {value for _, key, value in parsed.attributes if key == "id"}
     for address in (value for _, key, value in parsed.attributes if key in ("src", "href")):
         assert address[1:] in ids if address.startswith("#") else (tmp_path / "out" / address).is_file()
-    found = identities(load(DEMO3))
+    hashes = identities(load(DEMO3))
     for text in (
-        found.structure,
-        found.physics,
+        hashes.structure,
+        hashes.physics,
         f"mahovik {__version__}",
         "apt-get install no-such-tool",
         "<span>again</span> <span>a-difference;</span>",
@@ -187,11 +187,11 @@ def test_demo3_passes(tmp_path: Path, real: str, more: list[str]) -> None:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     assert check(tmp_path / "out") == []
-    for each in (tmp_path / "out").rglob("*"):
-        if each.is_file():
-            text = each.read_text(encoding="utf-8", errors="replace")
-            assert str(tmp_path) not in text, each
-            assert "mahovik-" not in text or "mahovik-dev" in text, each
+    for file in (tmp_path / "out").rglob("*"):
+        if file.is_file():
+            text = file.read_text(encoding="utf-8", errors="replace")
+            assert str(tmp_path) not in text, file
+            assert "mahovik-" not in text or "mahovik-dev" in text, file
 
 
 def test_a_piece_is_its_command(tmp_path: Path) -> None:
@@ -199,9 +199,9 @@ def test_a_piece_is_its_command(tmp_path: Path) -> None:
     first = "mahovik check demo3.toml >/dev/null && mkdir more && echo 1 >more/a.txt && echo $PWD; "
     right = replace(GOOD, command=lambda _: f"{first} test -f demo3.toml", kept=("more/*",))
     wrong = replace(right, name="wrong", command=lambda _: f"{first} test -d demo3.toml")
-    found = collected(tmp_path / "out", [right, wrong])
-    assert [outcome.verdict for outcome in found] == [Verdict.PASSED, Verdict.FAILED]
-    assert found[0].files == {"output.txt": b"good\n", "a.txt": b"1\n"}
+    outcomes = collected(tmp_path / "out", [right, wrong])
+    assert [outcome.verdict for outcome in outcomes] == [Verdict.PASSED, Verdict.FAILED]
+    assert outcomes[0].files == {"output.txt": b"good\n", "a.txt": b"1\n"}
     assert not (tmp_path / "out" / "more").exists()
 
 

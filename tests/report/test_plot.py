@@ -22,11 +22,11 @@ def shown(*columns: tuple[str, str, object], index: tuple[str, str, object] | No
 
 def test_a_run_has_speeds_in_rpm_and_angles_in_degrees() -> None:
     wheels = [("phi_dot w1", "rad/s", 10.0 * T), ("phi_dot w2", "rad/s", T), ("tau w1", "N m", 0.5 * T)]
-    found = shown(("x", "m", 1e-3 * T), ("y", "m", 0.0 * T), *wheels, ("phi w1", "rad", T), ("psi", "rad", T))
-    assert list(found) == ["place of O1, m", "speed of the flywheels, rpm", "drive torque, N m", "attitude, deg"]
-    speeds = found["speed of the flywheels, rpm"].lines
+    panels = shown(("x", "m", 1e-3 * T), ("y", "m", 0.0 * T), *wheels, ("phi w1", "rad", T), ("psi", "rad", T))
+    assert list(panels) == ["place of O1, m", "speed of the flywheels, rpm", "drive torque, N m", "attitude, deg"]
+    speeds = panels["speed of the flywheels, rpm"].lines
     assert [line.name for line in speeds] == ["w1", "w2"] and speeds[0].y[-1] == pytest.approx(30.0 * RPM)
-    assert found["attitude, deg"].lines[0].y[-1] == pytest.approx(np.degrees(3.0))
+    assert panels["attitude, deg"].lines[0].y[-1] == pytest.approx(np.degrees(3.0))
 
 
 def test_what_is_required_is_dashed_in_the_colour_of_what_is_reached() -> None:
@@ -41,11 +41,11 @@ def test_of_a_held_run_what_moves_and_the_reaction_are_shown() -> None:
     columns = [(f"v_{a}", "m/s", zero) for a in "xyz"]
     columns += [("qw", "", np.cos(angle / 2)), ("qx", "", zero), ("qy", "", np.sin(angle / 2)), ("qz", "", zero)]
     columns += [(f"hold.reaction.{a}", "N", T) for a in "xyz"] + [(f"hold.reaction.{a}", "N m", zero) for a in "kmn"]
-    found = shown(*columns)
-    assert list(found) == ["attitude as a rotation vector, in E0, deg", "reaction of the hold, in E1 about O1, N"]
-    assert np.abs(next(iter(found.values())).lines[1].y - np.degrees(angle)).max() < 1e-9
+    panels = shown(*columns)
+    assert list(panels) == ["attitude as a rotation vector, in E0, deg", "reaction of the hold, in E1 about O1, N"]
+    assert np.abs(next(iter(panels.values())).lines[1].y - np.degrees(angle)).max() < 1e-9
     held = shown(*columns, ("q pitch", "rad", angle), ("q_dot pitch", "rad/s", T))
-    assert list(held) == [list(found)[1], "freedoms, deg", "rates of the freedoms, rad/s"]
+    assert list(held) == [list(panels)[1], "freedoms, deg", "rates of the freedoms, rad/s"]
     follows = shown(("q pitch", "rad", angle), ("required pitch", "rad", angle))
     assert [line.name for line in follows["freedoms, deg"].lines] == ["pitch", "pitch, required"]
 

@@ -13,20 +13,20 @@ from mahovik.proof import reference, rigorous
 
 
 def flat(balls: Any) -> list[arb]:
-    return [balls] if isinstance(balls, arb) else [x for each in balls for x in flat(each)]
+    return [balls] if isinstance(balls, arb) else [x for part in balls for x in flat(part)]
 
 
 def middles(balls: Any) -> NDArray[np.float64]:
     """Midpoints, rounded to double, in the shape of the quantity."""
 
     def nested(value: Any) -> Any:
-        return float(value.mid()) if isinstance(value, arb) else [nested(each) for each in value]
+        return float(value.mid()) if isinstance(value, arb) else [nested(part) for part in value]
 
     return np.array(nested(balls), dtype=np.float64)
 
 
 def forward_is_enclosed(stand: Stand, state: State) -> None:
     """V_dot of (8) in balls is that of the literal reference."""
-    found = rigorous.evaluate(rigorous.exact_at(stand, state), "forward")
+    balls = rigorous.evaluate(rigorous.exact_at(stand, state), "forward")
     expected = reference.evaluate(stand, state, ["forward"])["V_dot"]
-    np.testing.assert_allclose(middles(found["V_dot"]).ravel(), expected, rtol=1e-9)
+    np.testing.assert_allclose(middles(balls["V_dot"]).ravel(), expected, rtol=1e-9)

@@ -49,9 +49,9 @@ def check_agreement(stand: Stand, state: State) -> None:
             expected = reference.evaluate(stand, state, [want], at)
         except StateError:
             continue
-        found, natural = rigorous.evaluate(exact, want), scales_of(stand, state, want)
-        assert found.keys() == expected.keys() == natural.keys()
-        for key, balls in found.items():
+        enclosures, natural = rigorous.evaluate(exact, want), scales_of(stand, state, want)
+        assert enclosures.keys() == expected.keys() == natural.keys()
+        for key, balls in enclosures.items():
             value = middles(balls).reshape(np.shape(expected[key]))
             off, reason = difference(value, expected[key], natural[key], DOUBLE.floor)
             assert off <= 1e-12, (want, key, off, reason)
@@ -148,5 +148,5 @@ def test_functions_of_balls_hold_those_of_their_numbers(x: float, y: float, a: f
         (angle_over_sine, lambda s, c: math.atan2(s, c) / s if s else 1.0 / c),
     ):
         with suppress(StateError):
-            found = function(X, Y)
-            assert found.arb.union(found.arb + arb(0, 1e-12)).contains(arb(of_floats(x, y))), function
+            enclosure = function(X, Y)
+            assert enclosure.arb.union(enclosure.arb + arb(0, 1e-12)).contains(arb(of_floats(x, y))), function

@@ -95,8 +95,8 @@ def library(precision: Precision, *flags: str) -> tuple[Any, Any]:
 def run(precision: Precision, name: str, *arguments: Any, flags: tuple[str, ...] = ("-O2",)) -> list[np.ndarray]:
     """Results of a routine for arrays of arguments: a list of arrays."""
     ffi, compiled = library(precision, *flags)
-    given = [np.ascontiguousarray(a, dtype=precision.scalar) for a in arguments]
-    results = [np.empty_like(given[0]) for _ in range(2 if name == "sincos" else 1)]
-    pointers = [ffi.cast(f"{precision.name} *", a.ctypes.data) for a in (*given, *results)]
-    getattr(compiled, f"all_{name}")(*pointers, len(given[0]))
+    values = [np.ascontiguousarray(a, dtype=precision.scalar) for a in arguments]
+    results = [np.empty_like(values[0]) for _ in range(2 if name == "sincos" else 1)]
+    pointers = [ffi.cast(f"{precision.name} *", a.ctypes.data) for a in (*values, *results)]
+    getattr(compiled, f"all_{name}")(*pointers, len(values[0]))
     return results

@@ -81,9 +81,9 @@ def closest_to_quarter_turns(precision: Precision, largest: float) -> list[float
     the significand.
     """
     with mp.workprec(BITS):
-        found: set[float] = set()
+        values: set[float] = set()
         limit = 1 << precision.significand
         for exponent in range(-precision.significand, int(np.log2(largest)) - precision.significand + 2):
             for p, _ in convergents(mp.pi / 2 / mp.mpf(2) ** exponent, limit):
-                found.update(m * p * 2.0**exponent for m in (1, 2, 3, (limit - 1) // p))
-        return sorted(x for x in found if x <= largest)
+                values.update(m * p * 2.0**exponent for m in (1, 2, 3, (limit - 1) // p))
+        return sorted(x for x in values if x <= largest)

@@ -43,13 +43,13 @@ def numbers_of_every_size(precision: Precision, count: int) -> np.ndarray:
 def arguments_of_every_kind(precision: Precision, count: int) -> dict[str, tuple[np.ndarray, ...]]:
     """Arguments of each routine by its name, of the element type."""
     angles = [*angles_of_every_kind(precision, count), 0.0, -0.0, 1e-40, precision.max_phase]
-    found = {
+    kinds = {
         "sincos": (np.array(angles),),
         "sqrt": (numbers_of_every_size(precision, count),),
         "atan2": points_of_every_kind(precision, count),
         "exp": (np.array([*exponents(precision, count), -1e4, -1e30, -1e-40]),),
     }
-    return {name: tuple(a.astype(precision.scalar) for a in arguments) for name, arguments in found.items()}
+    return {name: tuple(a.astype(precision.scalar) for a in arguments) for name, arguments in kinds.items()}
 
 
 @PRECISIONS

@@ -27,8 +27,8 @@ def exponents(precision: Precision, count: int) -> np.ndarray:
         borders * (1 + np.finfo(precision.scalar).eps * draw.integers(-3, 4, len(borders))),
         [lowest, 0.0, -0.0],
     ]
-    found = np.concatenate(parts).astype(precision.scalar)
-    return found[found >= lowest]
+    values = np.concatenate(parts).astype(precision.scalar)
+    return values[values >= lowest]
 
 
 def worst_error(precision: Precision, x: np.ndarray, got: np.ndarray) -> float:

@@ -25,17 +25,17 @@ def interpreter(rows: int, count: int, precision: Precision) -> Interpreter:
 
 def share_of(precision: Precision, W: Array, low: Array, high: Array, start: Array, towards: Array) -> Any:
     y = np.full(W.shape[1], np.nan).astype(precision.scalar)
-    given = [np.ravel(np.asarray(each)).astype(precision.scalar) for each in (W, low, high, start, towards)]
-    found = interpreter(*W.shape, precision).call(f"largest_share_{len(W)}", *given, y)
-    return float(found), y.astype(float)
+    values = [np.ravel(np.asarray(array)).astype(precision.scalar) for array in (W, low, high, start, towards)]
+    outputs = interpreter(*W.shape, precision).call(f"largest_share_{len(W)}", *values, y)
+    return float(outputs), y.astype(float)
 
 
 def by_linear_programme(W: Array, low: Array, high: Array, start: Array, towards: Array) -> float | None:
     N = W.shape[1]
     options = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     bounds = [*zip(low, high, strict=True), (0, 1)]
-    found = linprog(np.r_[np.zeros(N), -1], A_eq=np.c_[W, -towards], b_eq=start, bounds=bounds, options=options)
-    return float(found.x[-1]) if found.status == 0 else None
+    solution = linprog(np.r_[np.zeros(N), -1], A_eq=np.c_[W, -towards], b_eq=start, bounds=bounds, options=options)
+    return float(solution.x[-1]) if solution.status == 0 else None
 
 
 def demand(rng: np.random.Generator) -> tuple[Array, Array, Array, Array, Array]:
@@ -63,18 +63,18 @@ def demand(rng: np.random.Generator) -> tuple[Array, Array, Array, Array, Array]
 
 def compare(seeds: range) -> None:
     for seed in seeds:
-        given = demand(np.random.default_rng(seed))
-        W, low, high, start, towards = given
-        found, y = share_of(DOUBLE, *given)
-        expected = by_linear_programme(*given)
+        problem = demand(np.random.default_rng(seed))
+        W, low, high, start, towards = problem
+        share, y = share_of(DOUBLE, *problem)
+        expected = by_linear_programme(*problem)
         if expected is None:
-            assert found == -1, seed
+            assert share == -1, seed
             assert np.all(np.isnan(y)), seed
             continue
-        assert found == pytest.approx(expected, abs=1e-9), seed
+        assert share == pytest.approx(expected, abs=1e-9), seed
         assert np.all((low <= y) & (y <= high)), seed
         scale = np.abs(np.c_[W, start, towards]).max()
-        assert np.abs(W @ y - start - found * towards).max() <= 1e-11 * scale, seed
+        assert np.abs(W @ y - start - share * towards).max() <= 1e-11 * scale, seed
 
 
 def test_the_share_is_that_of_a_linear_programme() -> None:
@@ -87,10 +87,10 @@ def test_units_of_the_unknowns_do_not_matter() -> None:
     for _ in range(60):
         W, low, high, start, towards = demand(rng)
         for unit in (1e-7, 1e7):
-            given = W / unit, low * unit, high * unit, start, towards
-            share = share_of(DOUBLE, *given)[0]
+            scaled = W / unit, low * unit, high * unit, start, towards
+            share = share_of(DOUBLE, *scaled)[0]
             assert share == pytest.approx(share_of(DOUBLE, W, low, high, start, towards)[0], abs=1e-9)
-            assert share_of(FLOAT, *given)[0] == pytest.approx(share, abs=2e-4)
+            assert share_of(FLOAT, *scaled)[0] == pytest.approx(share, abs=2e-4)
 
 
 def test_a_demand_far_out_of_reach_has_no_share() -> None:
@@ -107,6 +107,6 @@ def test_a_demand_far_out_of_reach_has_no_share() -> None:
     start = [1314.05924142, 137.82989308, 672.82422114, -342.19922998, 2733.90526805]
     towards = [-46.62128376, 8.50581204, -19.07028755, -17.47989725, -74.06161004]
     for precision in (FLOAT, DOUBLE):
-        share, y = share_of(precision, *(np.array(each) for each in (W, low, high, start, towards)))
+        share, y = share_of(precision, *(np.array(array) for array in (W, low, high, start, towards)))
         assert share == -1
         assert np.all(np.isnan(y))

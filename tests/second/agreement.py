@@ -36,12 +36,12 @@ def evaluate(stand: Stand, state: State, want: Sequence[str]) -> dict[str, Any]:
 
 def expectations(stand: Stand, state: State, wants: Sequence[str] = WANTS) -> Expected:
     """want -> what the reference gives and its natural scales; None where it refuses."""
-    found: Expected = {}
+    answers: Expected = {}
     scales = Scales(stand)
     for want in wants:
         measured = scales.want(state, want)
-        found[want] = None if measured is None else (measured.values, dict(measured.scales))
-    return found
+        answers[want] = None if measured is None else (measured.values, dict(measured.scales))
+    return answers
 
 
 def differences(
@@ -51,19 +51,19 @@ def differences(
 
     `evaluate(state, want)`. Refusing what the reference evaluates is an infinite difference, and the other way round.
     """
-    found: dict[tuple[str, str], float] = {}
-    for want, given in expected.items():
+    worst: dict[tuple[str, str], float] = {}
+    for want, wanted in expected.items():
         values = attempt(evaluate, state, want)
-        if given is None and values is None:
+        if wanted is None and values is None:
             continue
-        if given is None or values is None:
-            found[want, "refused"] = np.inf
+        if wanted is None or values is None:
+            worst[want, "refused"] = np.inf
             continue
-        for name, value in given[0].items():
+        for name, value in wanted[0].items():
             if name not in NOT_THERE:
-                off, _ = difference(values.get(name), value, given[1][name])
-                found[want, name] = np.inf if np.isnan(off) else off
-    return found
+                off, _ = difference(values.get(name), value, wanted[1][name])
+                worst[want, name] = np.inf if np.isnan(off) else off
+    return worst
 
 
 def worst_difference(stand: Stand, state: State, *evaluates: Callable[[State, Sequence[str]], dict[str, Any]]) -> float:

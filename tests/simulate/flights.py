@@ -35,8 +35,8 @@ class Recorder:
         run_compiler([*WARNINGS, *BITS, "-O1", plain, "-shared", "-fPIC", *sources, "-o", library], name)
         self.ffi = cffi.FFI()
         declarations = preprocess(recorder.with_suffix(".h"), plain).replace("extern const ", "extern ")
-        own = declarations[declarations.index(f"typedef {real} {name}_real;") :]  # the system's headers left out
-        self.ffi.cdef(own)
+        prototypes = declarations[declarations.index(f"typedef {real} {name}_real;") :]  # the system's headers left out
+        self.ffi.cdef(prototypes)
         self.library: Any = self.ffi.dlopen(library)
         self.calls: list[bytes] = []
         self.full = False
@@ -64,8 +64,8 @@ class Recorder:
 
     def call(self, function: str, *arguments: Any) -> int:
         """A function of the recorder with log, table and state, and more arguments."""
-        found = getattr(self.library, f"{self.name}_recorder_{function}")
-        return int(found(self.recorder, self.table, self.x, *arguments))
+        entry = getattr(self.library, f"{self.name}_recorder_{function}")
+        return int(entry(self.recorder, self.table, self.x, *arguments))
 
     def fly(self, steps: int, seed: int = 1, every: int = 7) -> list[int]:
         """Steps of all kinds; a start before every `every`th. Returns their statuses."""

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 import mahovik
 
 
-def columns(stand: Any, until: float, **given: Any) -> dict[str, NDArray[np.float64]]:
+def columns(stand: Any, until: float, **options: Any) -> dict[str, NDArray[np.float64]]:
     """The columns of a run that is complete."""
-    found = mahovik.simulate(stand, until=until, **given)
-    assert found["stopped"] is None
-    return {f"{one.name} [{one.unit}]" if one.unit else one.name: one.values for one in found.columns}
+    run = mahovik.simulate(stand, until=until, **options)
+    assert run["stopped"] is None
+    return {f"{one.name} [{one.unit}]" if one.unit else one.name: one.values for one in run.columns}

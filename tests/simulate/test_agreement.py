@@ -105,44 +105,44 @@ def test_c_agrees_with_scipy(text: str, dt: float) -> None:
 
 @pytest.mark.parametrize(("text", "first"), [(LAWS, 0), (MIXED, 1)], ids=["laws", "mixed"])
 def test_speed_laws_are_kept_exactly(text: str, first: int) -> None:
-    found = simulate(case(busy(), text, every=0.0037))
-    motion = case(busy(), text).motion(found["t [s]"])
+    run = simulate(case(busy(), text, every=0.0037))
+    motion = case(busy(), text).motion(run["t [s]"])
     for s, name in list(enumerate(("w1", "w2", "w3")))[first:]:
         for k, column in enumerate((f"phi {name} [rad]", f"phi_dot {name} [rad/s]", f"phi_ddot {name} [rad/s2]")):
-            np.testing.assert_array_equal(found[column], motion[k][:, s])
+            np.testing.assert_array_equal(run[column], motion[k][:, s])
 
 
-def energy(stand: Stand, found: Run, row: int) -> float:
+def energy(stand: Stand, run: Run, row: int) -> float:
     """Kinetic energy by the reference at a row of a run."""
-    x = [found[name][row] for name in list(found.columns)[:14]]
+    x = [run[name][row] for name in list(run.columns)[:14]]
     names = [s.name for s in stand.flywheels]
     state = replace(
         rest_state(stand),
         position=tuple(x[1:4]),
         quaternion=tuple(x[4:8]),
         V=tuple(x[8:14]),
-        phi=tuple(found[f"phi {n} [rad]"][row] for n in names),
-        phi_dot=tuple(found[f"phi_dot {n} [rad/s]"][row] for n in names),
+        phi=tuple(run[f"phi {n} [rad]"][row] for n in names),
+        phi_dot=tuple(run[f"phi_dot {n} [rad/s]"][row] for n in names),
     )
     return float(reference.evaluate(stand, state, ["momentum"])["energy"])
 
 
 @pytest.mark.parametrize("text", quick(1, [LAWS.partition("[wrench]")[0], MIXED]), ids=["laws", "mixed"])
 def test_energy_is_the_work_of_the_torques_that_speed_laws_need(text: str) -> None:
-    found = simulate(case(free(), text, every=1e-4))
-    power = np.asarray(sum(found[f"tau w{s} [N m]"] * found[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3)))
-    power = power[found["t [s]"] <= 0.0095]  # before the first corner
+    run = simulate(case(free(), text, every=1e-4))
+    power = np.asarray(sum(run[f"tau w{s} [N m]"] * run[f"phi_dot w{s} [rad/s]"] for s in (1, 2, 3)))
+    power = power[run["t [s]"] <= 0.0095]  # before the first corner
     work = np.trapezoid(power, dx=1e-4)
-    assert energy(free(), found, len(power) - 1) - energy(free(), found, 0) == pytest.approx(work, rel=1e-5)
+    assert energy(free(), run, len(power) - 1) - energy(free(), run, 0) == pytest.approx(work, rel=1e-5)
 
 
 @pytest.mark.parametrize(
     "wrong", [{"dt": 0.0}, {"dt": -1.0}, {"dt": float("nan")}, {"every": 0.0}, {"until": float("inf")}, {"order": 3}]
 )
 def test_bad_numbers_are_refused(wrong: dict[str, Any]) -> None:
-    given = {"until": 0.1, "every": 0.01, **wrong}
+    arguments = {"until": 0.1, "every": 0.01, **wrong}
     with pytest.raises(UsageError, match="expected"):
-        Case(free(), steady_regime(free(), [0.0] * 3), rest_state(free()), **given)
+        Case(free(), steady_regime(free(), [0.0] * 3), rest_state(free()), **arguments)
 
 
 SHAKER = load(stands.path("shaker2"))
@@ -166,12 +166,12 @@ def largest_difference(a: Run, b: Run, quantity: str) -> float:
 def test_a_strong_run_up_agrees_with_scipy(torque: float) -> None:
     """The figures of docs/studies.md. Torques of 20 N m settle to 0.03 N m, so both are asked of them."""
     judge = simulate(steep_case(run_up(torque)), "scipy")
-    found = simulate(steep_case(run_up(torque)))
-    assert largest_difference(found, judge, "tau") < 1e-4
-    assert largest_difference(found, judge, "phi_dot") < 1e-5
-    assert largest_difference(found, judge, "v_dot") < 1e-4
+    run = simulate(steep_case(run_up(torque)))
+    assert largest_difference(run, judge, "tau") < 1e-4
+    assert largest_difference(run, judge, "phi_dot") < 1e-5
+    assert largest_difference(run, judge, "v_dot") < 1e-4
     if torque >= 3.0:
-        assert np.abs(found["tau left [N m]"][1:]).max() < 0.031
+        assert np.abs(run["tau left [N m]"][1:]).max() < 0.031
 
 
 def test_what_is_too_steep_is_refused_before_the_run() -> None:
@@ -183,11 +183,11 @@ def test_what_is_too_steep_is_refused_before_the_run() -> None:
 
 
 def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsRecorder) -> None:
-    given: dict[str, Any] = {"regime": {"default": {"torque": "0.1 mN m", "initial_speed": 200}}}
-    mahovik.simulate(mahovik.load(stands.path("sat4")), until=0.001, real="float", dt=1e-5, **given)
-    assert ["use --carried, or --real double" in str(each.message) for each in recwarn] == [True]
+    options: dict[str, Any] = {"regime": {"default": {"torque": "0.1 mN m", "initial_speed": 200}}}
+    mahovik.simulate(mahovik.load(stands.path("sat4")), until=0.001, real="float", dt=1e-5, **options)
+    assert ["use --carried, or --real double" in str(warning.message) for warning in recwarn] == [True]
     recwarn.clear()
-    mahovik.simulate(mahovik.load(stands.path("sat4")), until=0.001, real="float", dt=1e-5, carried=True, **given)
+    mahovik.simulate(mahovik.load(stands.path("sat4")), until=0.001, real="float", dt=1e-5, carried=True, **options)
     assert not recwarn.list
 
 
@@ -206,10 +206,10 @@ def test_interruption_keeps_what_was_computed(monkeypatch: pytest.MonkeyPatch) -
         if t > 0.025:
             raise KeyboardInterrupt
 
-    found = simulate(case(free(), TORQUES), progress=stop)
-    assert found.interrupted
-    assert found.stopped == "stopped at t = 0.03 s of 0.05 s"
-    assert len(found["t [s]"]) == 4
+    run = simulate(case(free(), TORQUES), progress=stop)
+    assert run.interrupted
+    assert run.stopped == "stopped at t = 0.03 s of 0.05 s"
+    assert len(run["t [s]"]) == 4
 
 
 def with_motors(motor: Motor) -> Stand:
@@ -221,10 +221,10 @@ def with_motors(motor: Motor) -> Stand:
 def test_a_speed_law_that_the_motor_cannot_give_is_told() -> None:
     stand = with_motors(Motor(0.01, None, None, None, None, 0.0, 0.0, 0.1))
     text = "schema = 1\n[flywheel.left]\nramp = { to = 100, duration = 0.1 }\n[flywheel.right]\nhold = true\n"
-    found = simulate(Case(stand, loads_regime(text, stand, 0.05), rest_state(stand), 0.05))
-    t, missing = found.weak_motors["left"]
+    run = simulate(Case(stand, loads_regime(text, stand, 0.05), rest_state(stand), 0.05))
+    t, missing = run.weak_motors["left"]
     assert 0.0 <= t <= 0.05
-    assert missing == pytest.approx(np.abs(found["motor left [N m]"]).max() - 0.01, rel=1e-12)
+    assert missing == pytest.approx(np.abs(run["motor left [N m]"]).max() - 0.01, rel=1e-12)
 
 
 RAIL = """
@@ -262,9 +262,9 @@ def test_an_exciter_on_a_rail_is_that_of_two_equations(law: dict[str, Any]) -> N
     at = np.linspace(0.0, 1.0, 11)
     expected = solve_ivp(rates, (0, 1), [0.0] * 4, rtol=1e-10, atol=1e-12, method="DOP853", t_eval=at).y
     start = {"position": [0, 0, 0]}
-    found = columns(loads(RAIL), 1.0, every=0.1, start=start, regime={"flywheel": {"ex": law}})
+    run = columns(loads(RAIL), 1.0, every=0.1, start=start, regime={"flywheel": {"ex": law}})
     for row, name in zip(expected, ("x [m]", "v_x [m/s]", "phi ex [rad]", "phi_dot ex [rad/s]"), strict=True):
-        np.testing.assert_allclose(found[name], row, rtol=0.0, atol=2e-5 * np.abs(row).max())
+        np.testing.assert_allclose(run[name], row, rtol=0.0, atol=2e-5 * np.abs(row).max())
 
 
 def test_what_a_curve_delivers_is_mirrored_holds_beyond_its_ends_and_is_read_with_units() -> None:

@@ -69,8 +69,8 @@ def lagrange(inertia: float, curves: list[Any], until: float, times: Array) -> A
 
     start = np.zeros(10)
     start[4] = 2.0
-    found = solve_ivp(rate, (0.0, until), start, "DOP853", times, rtol=1e-10, atol=1e-11)
-    return np.asarray(found.y.T)
+    solution = solve_ivp(rate, (0.0, until), start, "DOP853", times, rtol=1e-10, atol=1e-11)
+    return np.asarray(solution.y.T)
 
 
 @lru_cache
@@ -86,7 +86,7 @@ LIGHT, HEAVY = (2.0, 2.5, 3.0), (6.0, 10.0, 6.0)
 def test_the_motion_is_that_of_lagranges_equations() -> None:
     motion = run(LIGHT)
     wheels = mahovik.example("two_exciters").to_dict()["flywheel"]
-    curves = [[[float(x) for x in point] for point in each["motor"]["torque_speed"]["value"]] for each in wheels]
+    curves = [[[float(x) for x in point] for point in wheel["motor"]["torque_speed"]["value"]] for wheel in wheels]
     until = 1.5
     times = motion["t"][motion["t"] <= until + 1e-9]
     y = lagrange(2.5, curves, until, times)
@@ -125,5 +125,5 @@ def test_a_weak_motor_hangs_at_the_resonance(torque: float, speed: float) -> Non
     model = mahovik.build(mahovik.Stand.of(loads(FILES["rail.toml"])))
     curve = [[0, torque], [50 * np.pi, 0]]
     motion = model.simulate(20.0, regime={"flywheel": {"ex": {"torque_speed": curve}}}, dt=1e-3, every=0.01)
-    found = motion["phi_dot"][-500:, 0].mean()
-    assert found == pytest.approx(speed, abs=0.05) if torque < 1.0 else found > speed
+    mean_speed = motion["phi_dot"][-500:, 0].mean()
+    assert mean_speed == pytest.approx(speed, abs=0.05) if torque < 1.0 else mean_speed > speed

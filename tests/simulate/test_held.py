@@ -64,10 +64,10 @@ def case(stand: Stand, text: str, until: float = 0.03, **more: Any) -> Case:
 )
 def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> None:
     chosen = case(busy(name), text, dt=2e-5)
-    found, other = simulate(chosen, "c"), simulate(chosen, "scipy")
-    assert [*found.columns] == [*other.columns] and found.stopped is None and other.stopped is None
+    run, other = simulate(chosen, "c"), simulate(chosen, "scipy")
+    assert [*run.columns] == [*other.columns] and run.stopped is None and other.stopped is None
     for head, column in other.columns.items():
-        assert np.abs(found[head] - column).max() <= 1e-5 * max(1e-3, float(np.abs(column).max())), head
+        assert np.abs(run[head] - column).max() <= 1e-5 * max(1e-3, float(np.abs(column).max())), head
 
 
 def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
@@ -78,13 +78,13 @@ def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
     document = {**PENDULUM, "name": "spring", "gravity": [0, 0, 0], "suspension": suspension,
                 "hold": {"freedoms": ["pitch"], "pivot": [0, 0, pivot]}}  # fmt: skip
     start = {"angles": [0, zero + apart, 0]}
-    found = columns(mahovik.Stand.from_dict(document), 2.0, start=start, dt=1e-3, every=0.1)
+    run = columns(mahovik.Stand.from_dict(document), 2.0, start=start, dt=1e-3, every=0.1)
     inertia = 0.02 + 2.5 * (0.2 + pivot) ** 2 + 0.001
     decay = friction / (2 * inertia)
     circular = np.sqrt(spring / inertia - decay**2)
-    t = np.arange(len(found["qy"])) * 0.1
+    t = np.arange(len(run["qy"])) * 0.1
     swing = np.exp(-decay * t) * (np.cos(circular * t) + decay / circular * np.sin(circular * t))
-    assert 2 * np.arctan2(found["qy"], found["qw"]) == pytest.approx(zero + apart * swing, abs=1e-8)
+    assert 2 * np.arctan2(run["qy"], run["qw"]) == pytest.approx(zero + apart * swing, abs=1e-8)
 
 
 def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
@@ -93,14 +93,14 @@ def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
     document["flywheel"] = [{**PENDULUM["flywheel"][0], "unbalance": {"static": "50 g mm"}}]
     speed = 100.0
     start = {"phi_dot": [speed]}
-    found = columns(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3)
-    letters = {a: found[f"hold.reaction.{a} [{'N' if a in 'xyz' else 'N m'}]"] for a in "xyzkmn"}
+    run = columns(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3)
+    letters = {a: run[f"hold.reaction.{a} [{'N' if a in 'xyz' else 'N m'}]"] for a in "xyzkmn"}
     turning = np.hypot(letters["x"], letters["z"] - 2.5 * 9.81)
     assert turning == pytest.approx(np.full(len(turning), 5e-5 * speed**2), rel=1e-9)
     assert np.abs(letters["y"]).max() < 1e-12
-    for column in list(found)[1:20]:
+    for column in list(run)[1:20]:
         if column.startswith(("x", "y", "z", "v_", "omega")):
-            assert not found[column].any(), column  # it does not move at all
+            assert not run[column].any(), column  # it does not move at all
 
 
 @pytest.mark.parametrize(
@@ -133,11 +133,11 @@ def test_a_run_has_the_coordinates_of_the_freedoms_and_counts_whole_turns() -> N
     """A carrier that spins on a hinge through several turns: its angle and its speed, and no column of what is held."""
     document = {**PENDULUM, "gravity": [0, 0, 0], "hold": {"freedoms": ["pitch"], "angles": [0, 0.5, 0]}}
     start = {"u": [40.0]}
-    found = columns(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05)
-    assert [name for name in found if name.startswith("q")][4:] == ["q pitch [rad]", "q_dot pitch [rad/s]"]
+    run = columns(mahovik.Stand.from_dict(document), 0.5, start=start, dt=1e-3, every=0.05)
+    assert [name for name in run if name.startswith("q")][4:] == ["q pitch [rad]", "q_dot pitch [rad/s]"]
     error = 500 * 0.04**5 / 120 / 2**4  # of a quaternion, at half the speed, by Runge-Kutta of fourth order
-    assert found["q pitch [rad]"] == pytest.approx(40.0 * found["t [s]"], abs=error)
-    assert found["q_dot pitch [rad/s]"] == pytest.approx(np.full(11, 40.0), abs=1e-9)
+    assert run["q pitch [rad]"] == pytest.approx(40.0 * run["t [s]"], abs=error)
+    assert run["q_dot pitch [rad/s]"] == pytest.approx(np.full(11, 40.0), abs=1e-9)
 
 
 MASS, ARM, INERTIA, GRAVITY = 1.7, 0.23, 0.011, 9.81

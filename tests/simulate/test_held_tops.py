@@ -113,10 +113,10 @@ def test_a_gyroscope_on_a_spherical_joint_precesses_by_its_closed_formula(tilt: 
     """Neither height nor rate of the axis change, and the joint bears weight and centripetal force."""
     stand, start, rate = steady(tilt, precession)
     run = columns(stand, 1.0, start=start, every=0.05, dt=2e-4)
-    found, t = axis(run), run["t [s]"]
-    assert np.abs(found[2] - math.cos(tilt)).max() < 1e-11
+    directions, t = axis(run), run["t [s]"]
+    assert np.abs(directions[2] - math.cos(tilt)).max() < 1e-11
     going_round = math.sin(tilt) * np.exp(1j * (precession * t + math.pi / 2))
-    assert np.abs(found[0] + 1j * found[1] - going_round).max() < 1e-11
+    assert np.abs(directions[0] + 1j * directions[1] - going_round).max() < 1e-11
     assert np.abs(run["phi_dot rotor [rad/s]"] - rate).max() < 1e-11 * abs(rate)
     force = np.linalg.norm([run[f"hold.reaction.{name} [N]"] for name in "xyz"], axis=0)
     mass = FRAME + ROTOR

@@ -56,10 +56,10 @@ def steps_of(recorder: Recorder, data: bytes | None = None) -> list[Outcome | Da
     return list(replay(machine, records(recorder.log if data is None else data)))
 
 
-def outcomes(found: list[Outcome | Damage]) -> list[Outcome]:
+def outcomes(steps: list[Outcome | Damage]) -> list[Outcome]:
     """Findings of a replay, none of them damage."""
-    replayed = [o for o in found if isinstance(o, Outcome)]
-    assert len(replayed) == len(found)
+    replayed = [o for o in steps if isinstance(o, Outcome)]
+    assert len(replayed) == len(steps)
     return replayed
 
 
@@ -70,21 +70,21 @@ def test_every_step_has_the_bits_of_the_flight(flown: Recorder) -> None:
     """Through locks, wrenches, a stream, written states, changing steps, restarts and refusals; to the very end."""
     flown.new("recorder")
     statuses = flown.fly(STEPS)
-    found = outcomes(steps_of(flown))
-    assert all(o.equal for o in found)
-    assert [o.step.count for o in found] == list(range(STEPS))
-    assert [o.status for o in found] == statuses
+    steps = outcomes(steps_of(flown))
+    assert all(o.equal for o in steps)
+    assert [o.step.count for o in steps] == list(range(STEPS))
+    assert [o.status for o in steps] == statuses
     assert -5 in statuses  # an order that is none
-    assert found[-1].after["position"].tolist() == list(flown.x.position)
-    assert found[-1].after["V"].tolist() == list(flown.x.V)
-    assert np.any(found[-1].after["V"])
+    assert steps[-1].after["position"].tolist() == list(flown.x.position)
+    assert steps[-1].after["V"].tolist() == list(flown.x.V)
+    assert np.any(steps[-1].after["V"])
 
 
 def test_the_interpreter_needs_no_compiler(flown: Recorder) -> None:
     machine = interpreter_machine(flown.stand, flown.real)
-    found = list(replay(machine, records(flown.log)))
-    assert len(found) == STEPS
-    assert all(isinstance(o, Outcome) and o.equal for o in found)
+    steps = list(replay(machine, records(flown.log)))
+    assert len(steps) == STEPS
+    assert all(isinstance(o, Outcome) and o.equal for o in steps)
 
 
 def test_a_step_is_one_call_of_the_stated_size(flown: Recorder) -> None:
@@ -106,18 +106,18 @@ def test_a_log_can_be_replayed_from_any_start(bench8: Recorder) -> None:
     bench8.new("recorder")
     bench8.fly(STEPS, every=7)
     second = bench8.log.index(MAGIC, 1)
-    found = steps_of(bench8, bench8.log[second - 30 :])
-    assert isinstance(found[0], Damage) and "30 bytes before the first start" in found[0].message
-    assert [o.step.count for o in outcomes(found[1:])] == list(range(7, STEPS))
-    assert all(o.equal for o in outcomes(found[1:]))
+    steps = steps_of(bench8, bench8.log[second - 30 :])
+    assert isinstance(steps[0], Damage) and "30 bytes before the first start" in steps[0].message
+    assert [o.step.count for o in outcomes(steps[1:])] == list(range(7, STEPS))
+    assert all(o.equal for o in outcomes(steps[1:]))
 
 
 def test_other_c_is_found_at_its_first_step(tmp_path: Path) -> None:
     """The C that flew had one constant in another bit."""
     flew = Recorder("bench8", "double", tmp_path, edit=("half = 0.5 * h", "half = 0.5000000000000001 * h"))
     flew.fly(6)
-    (found,) = outcomes(steps_of(flew))
-    assert not found.equal and "hash" in found.difference
+    (outcome,) = outcomes(steps_of(flew))
+    assert not outcome.equal and "hash" in outcome.difference
 
 
 def test_any_flipped_bit_is_found(bench8: Recorder) -> None:
@@ -128,9 +128,9 @@ def test_any_flipped_bit_is_found(bench8: Recorder) -> None:
         place = rng.randrange(len(whole))
         data = bytearray(whole)
         data[place] ^= 1 << rng.randrange(8)
-        found = steps_of(bench8, bytes(data))
-        good = [o for o in found if isinstance(o, Outcome)]
-        assert len(good) < len(found) or place < len(MAGIC)
+        steps = steps_of(bench8, bytes(data))
+        good = [o for o in steps if isinstance(o, Outcome)]
+        assert len(good) < len(steps) or place < len(MAGIC)
         assert all(o.equal for o in good) and len(good) < 6
 
 
@@ -151,9 +151,9 @@ def test_damage_is_named_and_what_is_before_it_is_replayed(
 ) -> None:
     bench8.new("recorder")
     bench8.fly(6, every=10**9)
-    found = steps_of(bench8, spoil(bench8.calls))
-    assert any(isinstance(o, Damage) and words in o.message for o in found)
-    good = [o for o in found if isinstance(o, Outcome)]
+    replayed = steps_of(bench8, spoil(bench8.calls))
+    assert any(isinstance(o, Damage) and words in o.message for o in replayed)
+    good = [o for o in replayed if isinstance(o, Outcome)]
     assert [o.step.count for o in good] == list(range(steps)) and all(o.equal for o in good)
 
 
@@ -233,13 +233,13 @@ def test_a_write_that_fails_is_counted_and_the_flight_goes_on(bench8: Recorder) 
     bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4, bench8.ffi.NULL)
     assert bench8.call("start") == 0
     bench8.call("step", [0.0] * 8, [0] * 8, 1e-3, 4, bench8.ffi.NULL)
-    found = steps_of(bench8)
-    gap = [each for each in found if isinstance(each, Damage)]
+    replayed = steps_of(bench8)
+    gap = [step for step in replayed if isinstance(step, Damage)]
     assert len(gap) == 1
     assert "missing" in gap[0].message
-    steps = [each for each in found if isinstance(each, Outcome)]
-    assert [each.step.count for each in steps] == [0, 1, 2, 6]
-    assert all(each.equal for each in steps)
+    steps = [step for step in replayed if isinstance(step, Outcome)]
+    assert [step.step.count for step in steps] == [0, 1, 2, 6]
+    assert all(step.equal for step in steps)
 
 
 def test_a_table_that_is_not_the_default_is_in_the_log(flown: Recorder) -> None:
@@ -249,8 +249,8 @@ def test_a_table_that_is_not_the_default_is_in_the_log(flown: Recorder) -> None:
     flown.fly(STEPS)
     start = next(r for r in records(flown.log) if isinstance(r, Start))
     assert start.table
-    found = steps_of(flown)
-    assert len(found) == STEPS
-    assert all(isinstance(o, Outcome) and o.equal and o.table is not None for o in found)
+    steps = steps_of(flown)
+    assert len(steps) == STEPS
+    assert all(isinstance(o, Outcome) and o.equal and o.table is not None for o in steps)
     flown.new("recorder")
     flown.fly(STEPS)

@@ -109,8 +109,8 @@ hold = {{ basis = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, {x}]] }}
 """
         stand = loads(text)
         assert stand.hold is not None
-        cosine, found = 1 / np.sqrt(1 + 1.000001 * x * x), condition_of_twists(stand, twists(stand.hold))
-        assert found == pytest.approx((1 + cosine) / (1 - cosine), rel=1e-9)
+        cosine, condition = 1 / np.sqrt(1 + 1.000001 * x * x), condition_of_twists(stand, twists(stand.hold))
+        assert condition == pytest.approx((1 + cosine) / (1 - cosine), rel=1e-9)
 
 
 def test_a_closed_basis_is_said_to_have_no_coordinates() -> None:
@@ -127,8 +127,8 @@ def test_a_suspension_on_what_is_blocked_is_a_warning() -> None:
     assert clamped in summarize(loads(with_hold("freedoms = []") + leg)).warnings
     suspended = with_hold('freedoms = ["z"]') + "[suspension]\nstiffness = [5, 0, 7, 0, 0, 0]\n"
     warnings = summarize(loads(suspended)).warnings
-    (found,) = [line for line in warnings if "blocks" in line]
-    assert "X of its wrench" in found and "Z" not in found
+    (warning,) = [line for line in warnings if "blocks" in line]
+    assert "X of its wrench" in warning and "Z" not in warning
     free = with_hold('freedoms = ["z"]') + "[suspension]\nstiffness = [0, 0, 7, 0, 0, 0]\n"
     assert not any("blocks" in line for line in summarize(loads(free)).warnings)
 
@@ -136,7 +136,7 @@ def test_a_suspension_on_what_is_blocked_is_a_warning() -> None:
 def test_the_identities_know_the_hold() -> None:
     free, one, other = loads(STAND), loads(with_hold(GOOD[0])), loads(with_hold('freedoms = ["yaw"]'))
     names = [identities(stand) for stand in (free, one, other)]
-    assert len({each.physics for each in names}) == 3
+    assert len({hashes.physics for hashes in names}) == 3
     assert names[0].structure != names[1].structure == names[2].structure
     assert identities(replace(one, hold=None)) == names[0]
 

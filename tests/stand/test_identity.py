@@ -63,8 +63,8 @@ def with_one_other(value: Any, place: str) -> Iterator[tuple[str, Any]]:
             ):
                 yield where, replace(value, **{field.name: other})  # type: ignore[type-var]
     elif isinstance(value, tuple):
-        for k, each in enumerate(value):
-            for where, other in with_one_other(each, f"{place}[{k}]"):
+        for k, item in enumerate(value):
+            for where, other in with_one_other(item, f"{place}[{k}]"):
                 yield where, (*value[:k], other, *value[k + 1 :])
 
 
@@ -82,12 +82,12 @@ def test_every_number_of_a_stand_changes_its_physics() -> None:
     steering = ControlDerivatives((ControlDerivative(0, (Velocity(0, False), Control("b", "race", False)), 2.5),), 0.25)
     laws = (drag, Fins((fin,)), Propellers((propeller,)), fading, steering)
     stand = replace(stand, carrier=stand.carrier.with_laws(*laws))
-    found = {"as it is": identities(stand).physics}
+    hashes = {"as it is": identities(stand).physics}
     for place, other in with_one_other(stand, ""):
-        found[place] = identities(other).physics
-    assert all(any(f" {law.__name__}." in place for place in found) for law in (*carrier_laws(), *body_laws()))
+        hashes[place] = identities(other).physics
+    assert all(any(f" {law.__name__}." in place for place in hashes) for law in (*carrier_laws(), *body_laws()))
     places: dict[str, str] = {}
-    same = [(place, places[digest]) for place, digest in found.items() if places.setdefault(digest, place) != place]
+    same = [(place, places[digest]) for place, digest in hashes.items() if places.setdefault(digest, place) != place]
     assert same == []
 
 

@@ -36,12 +36,12 @@ def motor_of(text: str) -> Motor:
 
 
 def test_units_stand_in_each_number_or_beside_all() -> None:
-    each = motor_of('torque_speed = [[0, "200 mN m"], ["3000 rpm", 0.15], ["6000 rpm", 0]]')
+    motor = motor_of('torque_speed = [[0, "200 mN m"], ["3000 rpm", 0.15], ["6000 rpm", 0]]')
     by_all = motor_of('torque_speed = { value = [[0, 200], [3000, 150], [6000, 0]], unit = ["rpm", "mN m"] }')
-    assert each == by_all
-    assert each.torque_speed == ((0.0, 0.2), (3000 * RPM, 0.15), (6000 * RPM, 0.0))
-    assert each.limit == (*((-w, T) for w, T in each.torque_speed[:0:-1]), *each.torque_speed)
-    assert (each.at_rest, each.peak, each.no_load) == (0.2, 0.2, 6000 * RPM)
+    assert motor == by_all
+    assert motor.torque_speed == ((0.0, 0.2), (3000 * RPM, 0.15), (6000 * RPM, 0.0))
+    assert motor.limit == (*((-w, T) for w, T in motor.torque_speed[:0:-1]), *motor.torque_speed)
+    assert (motor.at_rest, motor.peak, motor.no_load) == (0.2, 0.2, 6000 * RPM)
 
 
 def test_a_curve_with_negative_speeds_is_as_it_stands() -> None:
@@ -96,7 +96,7 @@ def test_structure_counts_points_and_physics_has_the_numbers() -> None:
     )
     assert identities(one).structure == identities(other).structure
     assert identities(one).physics != identities(other).physics
-    assert len({identities(each).structure for each in (line, one, longer)}) == 3
+    assert len({identities(stand).structure for stand in (line, one, longer)}) == 3
 
 
 def test_reach_is_that_of_the_curve() -> None:

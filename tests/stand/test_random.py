@@ -30,9 +30,9 @@ NORMAL = ("position", "V", "phi_dot", "phi_ddot", "V_dot", "tau")
 def stand(angles: Sequence = "ship") -> Stand:
     """Two flywheels, wrenches on some bodies, no suspension: no state is near a branch."""
     laws = {**EVERYTHING.laws, "suspension": 0}
-    found = random_stand(np.random.default_rng(4), 2, replace(EVERYTHING, angles=angles, laws=laws))
-    assert 0 < sum(body.wrench_input for body in found.bodies) < len(found.bodies)
-    return found
+    example = random_stand(np.random.default_rng(4), 2, replace(EVERYTHING, angles=angles, laws=laws))
+    assert 0 < sum(body.wrench_input for body in example.bodies) < len(example.bodies)
+    return example
 
 
 def check_normal(values: Array, spread: Array) -> None:
@@ -73,13 +73,13 @@ IS_OF_KIND: dict[str, Callable[[State, float, float], bool]] = {
 
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_verify_draws_ordinary_extreme_and_wrenched_states(real: str) -> None:
-    found = draw(stand(), 1, 121, real)
-    kinds = Counter(name.split()[0] for name, _ in found)
+    states = draw(stand(), 1, 121, real)
+    kinds = Counter(name.split()[0] for name, _ in states)
     expected = {"rest": 1, "random": 60, "wrenched": 20}
     expected |= {kind: 6 if number < 5 else 5 for number, kind in enumerate(EXTREMES[1:])}
     assert kinds == expected
     phase, tiny = limits_of("phi", real)[0], 10.0 ** (LEAST_EXPONENT[real] / 31 + 4)
-    for name, state in found:
+    for name, state in states:
         kind = name.split()[0]
         if kind in IS_OF_KIND:
             assert IS_OF_KIND[kind](state, phase, tiny), name
@@ -88,7 +88,7 @@ def test_verify_draws_ordinary_extreme_and_wrenched_states(real: str) -> None:
         bodies = [body.name for body in stand().bodies if kind == "wrenched" or (body.wrench_input and kind != "rest")]
         assert list(state.wrench) == bodies, name
         assert all(all(wrench) for wrench in state.wrench.values())
-    ordinary = [state for name, state in found if name.startswith(("random", "wrenched"))]
+    ordinary = [state for name, state in states if name.startswith(("random", "wrenched"))]
     for symbol in NORMAL:
         values = np.array([getattr(state, symbol) for state in ordinary])
         check_normal(values, spread_of(symbol, values.shape[1]))

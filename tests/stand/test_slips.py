@@ -148,8 +148,8 @@ def test_a_free_carrier_without_mass() -> None:
 def test_the_densest_ball_is_the_bound(excess: float) -> None:
     """A ball of osmium of 2.4 kg has the inertia 2/5 m r^2; a little less is impossible."""
     radius = (2.4 / 22.6e3 / (4 / 3 * math.pi)) ** (1 / 3)
-    found = warnings(spun(f"{0.4 * 2.4 * radius**2 / excess!r} kg m^2"))
-    assert any("osmium" in line for line in found) == (excess > 1.0)
+    lines = warnings(spun(f"{0.4 * 2.4 * radius**2 / excess!r} kg m^2"))
+    assert any("osmium" in line for line in lines) == (excess > 1.0)
 
 
 FLOATING = """schema = 1
@@ -177,8 +177,8 @@ SUSPENSION = "[suspension]\nstiffness = [1e3, 1e3, 1e3, 9, 9, 9]\ndamping = [1, 
 def test_a_sign_on_a_diagonal_that_drives(old: str, new: str, line: str) -> None:
     text = FLOATING + SUSPENSION
     assert old in text and summarize(loads(text)).warnings == ()
-    (found,) = summarize(loads(text.replace(old, new))).warnings
-    assert found.startswith(line)
+    (warning,) = summarize(loads(text.replace(old, new))).warnings
+    assert warning.startswith(line)
 
 
 def test_a_center_of_buoyancy_below_the_centre_of_mass_of_what_can_tilt() -> None:

@@ -53,8 +53,8 @@ def test_unbalance_in_si_and_its_force() -> None:
 def test_the_speed_is_asked_or_the_motors_or_3000_rpm() -> None:
     with_motor = stand(extra='motor = {{ speed = "6000 rpm" }}\n')
     assert [
-        summarize(each, speed).unbalance[0].speed
-        for each, speed in ((stand(), None), (with_motor, None), (with_motor, 5.0))
+        summarize(example, speed).unbalance[0].speed
+        for example, speed in ((stand(), None), (with_motor, None), (with_motor, 5.0))
     ] == pytest.approx([100 * math.pi, 200 * math.pi, 5.0])
 
 

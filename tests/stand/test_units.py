@@ -134,9 +134,9 @@ def test_per_minute_is_rpm_where_a_speed_is_asked(unit: str) -> None:
     ],
 )
 def test_a_unit_that_does_not_fit_is_refused_with_a_hint(unit: str, dimension: Dimension, words: str) -> None:
-    with pytest.raises(QuantityError) as found:
+    with pytest.raises(QuantityError) as refusal:
         number(f"1 {unit}", dimension)
-    assert words in str(found.value)
+    assert words in str(refusal.value)
 
 
 FIELD = Dimension("a magnetic field", "T")
@@ -152,9 +152,9 @@ HINTS = (
 
 
 def refusal(unit: str, dimension: Dimension) -> str:
-    with pytest.raises(QuantityError) as found:
+    with pytest.raises(QuantityError) as refusal:
         number(f"20 {unit}", dimension)
-    return str(found.value)
+    return str(refusal.value)
 
 
 @pytest.mark.parametrize(("unit", "dimension", "meant"), HINTS)

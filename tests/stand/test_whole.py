@@ -38,13 +38,13 @@ def stand(*wheels: str) -> Stand:
 
 def test_a_wheel_beside_the_carrier() -> None:
     """3 kg and 1 kg at 0.4 m: the centre at 0.1 m, the reduced mass 0.75 kg, 0.75 x 0.4^2 = 0.12 kg m2 across."""
-    found = mass_properties(stand(wheel("w", "[0, 0, 1]", position="[0.4, 0, 0]")))
-    assert found.mass == 4.0
-    assert found.center_of_mass == pytest.approx((0.1, 0.0, 0.0))
+    properties = mass_properties(stand(wheel("w", "[0, 0, 1]", position="[0.4, 0, 0]")))
+    assert properties.mass == 4.0
+    assert properties.center_of_mass == pytest.approx((0.1, 0.0, 0.0))
     moments = (0.5 + 0.011, 0.6 + 0.011 + 0.12, 0.7 + 0.02 + 0.12)
-    assert np.allclose(found.inertia, np.diag(moments), rtol=0, atol=1e-15)
-    assert found.principal_inertia == pytest.approx(moments)
-    assert np.allclose(found.principal_axes, np.eye(3), rtol=0, atol=1e-12)
+    assert np.allclose(properties.inertia, np.diag(moments), rtol=0, atol=1e-15)
+    assert properties.principal_inertia == pytest.approx(moments)
+    assert np.allclose(properties.principal_axes, np.eye(3), rtol=0, atol=1e-12)
 
 
 def test_an_instrument_is_turned_with_its_wheel() -> None:
@@ -62,8 +62,8 @@ MOTOR = 'motor = {{ torque = {}, speed = "{} rpm" }}'
 def test_capacity_of_three_wheels_on_the_axes() -> None:
     """0.02 kg m2 at 3000 rpm is 2 pi N m s; a box of three axes has its least reach along the shortest."""
     x, y, z = (MOTOR.format(torque, speed) for torque, speed in ((0.1, 3000), (0.2, 6000), (0.3, 3000)))
-    found = stand(wheel("x", "[1, 0, 0]", x), wheel("y", "[0, 1, 0]", y), wheel("z", "[0, 0, 1]", z))
-    momentum, torque = momentum_capacity(found), torque_capacity(found)
+    triad = stand(wheel("x", "[1, 0, 0]", x), wheel("y", "[0, 1, 0]", y), wheel("z", "[0, 0, 1]", z))
+    momentum, torque = momentum_capacity(triad), torque_capacity(triad)
     h = 2 * math.pi
     assert momentum.each == pytest.approx((h, 2 * h, h))
     assert momentum.axes == pytest.approx((h, 2 * h, h))
@@ -76,12 +76,12 @@ def test_capacity_of_three_wheels_on_the_axes() -> None:
 def test_wheels_reach_across_a_plane_that_they_leave_by_more_than_rounding(tilt: float, direction: float) -> None:
     """Two wheels along one axis but for a tilt, across which the least singular value of the axes is tilt/sqrt 2."""
     axes = ("[1, 0, 0]", "[0, 1, 0]", f"[0, 1, {tilt}]")
-    found = torque_capacity(stand(*(wheel(f"w{k}", axis, "motor = { torque = 1 }") for k, axis in enumerate(axes))))
-    assert found.direction == pytest.approx(direction, rel=1e-6, abs=0.0)
+    capacity = torque_capacity(stand(*(wheel(f"w{k}", axis, "motor = { torque = 1 }") for k, axis in enumerate(axes))))
+    assert capacity.direction == pytest.approx(direction, rel=1e-6, abs=0.0)
 
 
 @pytest.mark.parametrize(
-    ("given", "static_at", "dynamic_at"),
+    ("keys", "static_at", "dynamic_at"),
     [
         ('static = "3 g mm", static_at = "70 deg"', 70.0, None),
         ('static = "3 g mm", dynamic = "9 g mm^2", dynamic_at = "-20 deg"', 0.0, -20.0),
@@ -90,12 +90,12 @@ def test_wheels_reach_across_a_plane_that_they_leave_by_more_than_rounding(tilt:
     ],
 )
 def test_angles_of_unbalance_are_those_of_the_file(
-    given: str, static_at: float | None, dynamic_at: float | None
+    keys: str, static_at: float | None, dynamic_at: float | None
 ) -> None:
-    (row,) = summarize(stand(wheel("w", "[1, 0, 0]", f"unbalance = {{ {given} }}"))).unbalance
-    for found, expected in ((row.static_at, static_at), (row.dynamic_at, dynamic_at)):
-        assert (found is None) == (expected is None)
-        assert found is None or expected is None or math.degrees(found) == pytest.approx(expected)
+    (row,) = summarize(stand(wheel("w", "[1, 0, 0]", f"unbalance = {{ {keys} }}"))).unbalance
+    for angle, expected in ((row.static_at, static_at), (row.dynamic_at, dynamic_at)):
+        assert (angle is None) == (expected is None)
+        assert angle is None or expected is None or math.degrees(angle) == pytest.approx(expected)
 
 
 PHASES = 2.0 * np.pi * np.arange(8) / 8.0
@@ -106,8 +106,8 @@ def at_phase(state: State, phase: float) -> State:
 
 
 def matrices(stand: Stand, state: State) -> tuple[np.ndarray, np.ndarray]:
-    found = reference.pieces(stand, state)
-    return found.K, found.I
+    parts = reference.pieces(stand, state)
+    return parts.K, parts.I
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
@@ -115,9 +115,9 @@ def test_k_and_i_are_their_means_over_the_phases(seed: int) -> None:
     rng = np.random.default_rng(seed)
     stand = random_stand(rng, 3)
     state = random_state(stand, rng, phase_limit=10.0)
-    each = [matrices(stand, at_phase(state, phase)) for phase in PHASES]
+    at_phases = [matrices(stand, at_phase(state, phase)) for phase in PHASES]
     for k, mean in enumerate(matrices(mean_stand(stand), state)):
-        expected = np.mean([pair[k] for pair in each], axis=0)
+        expected = np.mean([pair[k] for pair in at_phases], axis=0)
         assert mean == pytest.approx(expected, rel=1e-12, abs=1e-12 * np.abs(expected).max())
 
 
@@ -136,21 +136,21 @@ def corners(columns: Array) -> Array:
 def test_facets_are_those_of_the_hull_of_all_corners_of_the_box(count: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
     columns = rng.normal(size=(count, 3)) * rng.uniform(0.1, 3.0, (count, 1))
-    found, points = envelope(columns), corners(columns)
+    facets, points = envelope(columns), corners(columns)
     hull = ConvexHull(points)
     planes = {tuple(np.round(row, 7)) for row in hull.equations}
     ours = {
         tuple(np.round([*(sign * np.array(facet.normal)), -facet.distance], 7))
-        for facet in found.facets
+        for facet in facets.facets
         for sign in (1.0, -1.0)
     }
-    assert len(ours) == len(planes) == 2 * len(found.facets)
-    for own in ours:
-        assert min(np.abs(np.array(own) - np.array(other)).max() for other in planes) < 1e-6
-    assert found.radius == pytest.approx(-hull.equations[:, 3].max(), rel=1e-9)
-    for facet in found.facets:
+    assert len(ours) == len(planes) == 2 * len(facets.facets)
+    for plane in ours:
+        assert min(np.abs(np.array(plane) - np.array(other)).max() for other in planes) < 1e-6
+    assert facets.radius == pytest.approx(-hull.equations[:, 3].max(), rel=1e-9)
+    for facet in facets.facets:
         assert np.max(points @ np.array(facet.normal)) == pytest.approx(facet.distance, rel=1e-9)
-        drawn = found.vertices(facet)
+        drawn = facets.vertices(facet)
         assert drawn @ np.array(facet.normal) == pytest.approx(np.full(len(drawn), facet.distance), rel=1e-9)
         for corner in drawn:
             assert np.abs(points - corner).max(axis=1).min() < 1e-9
@@ -173,12 +173,12 @@ def test_a_ray_ends_where_a_linear_programme_says(count: int, seed: int, rank: i
 
 
 def test_the_worst_directions_of_a_pyramid_are_between_its_faces() -> None:
-    found = envelope(PYRAMID)
-    assert found.radius == pytest.approx(4 / np.sqrt(6))
-    assert len(found.facets) == len(found.worst) == 6  # a rhombic dodecahedron: every facet is as near
-    for direction in found.worst:
+    facets = envelope(PYRAMID)
+    assert facets.radius == pytest.approx(4 / np.sqrt(6))
+    assert len(facets.facets) == len(facets.worst) == 6  # a rhombic dodecahedron: every facet is as near
+    for direction in facets.worst:
         assert np.sort(np.abs(direction)) == pytest.approx([0.0, np.sqrt(0.5), np.sqrt(0.5)], abs=1e-12)
-        assert found.reach(direction) == pytest.approx(found.radius)
+        assert facets.reach(direction) == pytest.approx(facets.radius)
 
 
 def test_wheels_in_a_plane_or_in_a_line_leave_a_direction_named() -> None:

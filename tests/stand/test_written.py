@@ -34,9 +34,9 @@ motor = { torque = "7.5 oz-in", speed = "6000 1/min", coulomb = 1e-4 }
 def test_numbers_with_units_are_listed_as_they_are_written(tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
     load(tmp_path / "a.toml")
-    found = {(each.where, each.key): each for each in written_numbers(tmp_path / "a.toml")[0]}
-    assert found["w1", "unbalance.static"] == Written("w1", "unbalance.static", "0.05 g mm", 5e-8, "kg m")
-    assert {key: (each.text, each.in_si) for key, each in found.items()} == {
+    numbers = {(number.where, number.key): number for number in written_numbers(tmp_path / "a.toml")[0]}
+    assert numbers["w1", "unbalance.static"] == Written("w1", "unbalance.static", "0.05 g mm", 5e-8, "kg m")
+    assert {key: (number.text, number.in_si) for key, number in numbers.items()} == {
         ("carrier", "mass"): ("12000 g", "12 kg"),
         ("carrier", "buoyancy.displaced_mass"): ("900 g", "0.9 kg"),
         ("carrier", "buoyancy.center"): ("[1 mm, 0, 0]", "[0.001, 0, 0] m"),

@@ -43,7 +43,7 @@ def linear(stand: Stand, state: State) -> Matrices:
     e, eta, V, phi, phi_dot = ca.vertsplit(x, [0, 3, 6, 12, 12 + N, 12 + 2 * N])
     at = second.arguments(moving)
     place, C = at["position"] + at["C"] @ e, ca.DM(at["C"]) @ turn(eta)
-    given: dict[str, Any] = {
+    arguments: dict[str, Any] = {
         **at,
         "position": place,
         "C": C,
@@ -54,15 +54,15 @@ def linear(stand: Stand, state: State) -> Matrices:
         "wrench": ca.horzcat(at["wrench"][:, 0] + u[N:], at["wrench"][:, 1:]),
     }
     for law in parts("energy", CarrierEnergy):
-        given |= law.arguments_near(stand, at["C"], place, C)
-    found = second.function("coupled")(**given)
-    rate = found["coupled_V_dot"]
-    drift = _drift(e, eta, at["V"], given["V"])
-    x_dot = ca.vertcat(*drift, rate, phi_dot, found["coupled_phi_ddot"])
-    y = ca.vertcat(ca.MX.zeros(0), *_outputs(second, moving, {**given, "V_dot": rate}))
+        arguments |= law.arguments_near(stand, at["C"], place, C)
+    acceleration = second.function("coupled")(**arguments)
+    rate = acceleration["coupled_V_dot"]
+    drift = _drift(e, eta, at["V"], arguments["V"])
+    x_dot = ca.vertcat(*drift, rate, phi_dot, acceleration["coupled_phi_ddot"])
+    y = ca.vertcat(ca.MX.zeros(0), *_outputs(second, moving, {**arguments, "V_dot": rate}))
     blocks = [ca.jacobian(f, z) for f in (x_dot, y) for z in (x, u)]
     values = ca.Function("linear", [x, u], blocks)(np.zeros(12 + 2 * N), np.zeros(N + 6))
-    return Matrices(*(each.full() for each in values))
+    return Matrices(*(matrix.full() for matrix in values))
 
 
 def _drift(e: Expr, eta: Expr, V0: Array, V: Expr) -> tuple[Expr, Expr]:
@@ -72,16 +72,16 @@ def _drift(e: Expr, eta: Expr, V0: Array, V: Expr) -> tuple[Expr, Expr]:
     return shift, (omega + ca.cross(eta, omega) / 2) - (omega0 - ca.cross(eta, omega0) / 2)
 
 
-def _outputs(second: Second, state: State, given: dict[str, Any]) -> Iterator[Expr]:
+def _outputs(second: Second, state: State, arguments: dict[str, Any]) -> Iterator[Expr]:
     """Place, velocity and acceleration (less gravity, a constant) in E0 of every point, on its axes as they are."""
     known = point_names(second.stand)
     if not known:
         return
     still = second.evaluate(state, ["points"])["points"]
-    found = second.function("points")(**given)
+    answers = second.function("points")(**arguments)
     for k, name in enumerate(known):
         to_own = still[name]["C"].T
-        axes = to_own @ found["points_C"][:, 3 * k : 3 * k + 3]
-        yield to_own @ found["points_position"][:, k]
-        yield axes @ found["points_twist"][:3, k]
-        yield axes @ found["points_specific_force"][:, k]
+        axes = to_own @ answers["points_C"][:, 3 * k : 3 * k + 3]
+        yield to_own @ answers["points_position"][:, k]
+        yield axes @ answers["points_twist"][:3, k]
+        yield axes @ answers["points_specific_force"][:, k]

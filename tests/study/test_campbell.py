@@ -19,11 +19,11 @@ from mahovik.use.vibration.speeds import SpeedPlan
 def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:
     """Hz: of A of `study/linear`, mean over a turn, about the rest."""
     rest, N = Scene.of(stand).rest, len(stand.flywheels)
-    found = []
+    frequencies = []
     for phi in 2 * np.pi * np.arange(2 * NODES) / (2 * NODES):
         state = replace(rest, phi=(phi,) * N, phi_dot=(speed,) * N)
-        found.append(linear_model(stand, state, [], locked=True).A)
-    values = np.linalg.eig(np.mean(found, axis=0))[0]
+        frequencies.append(linear_model(stand, state, [], locked=True).A)
+    values = np.linalg.eig(np.mean(frequencies, axis=0))[0]
     return np.sort(np.abs(values[values.imag > 1e-4])) / (2 * np.pi)
 
 
@@ -45,23 +45,25 @@ def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
 
 def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
     stand = load(stands.path("bench8"))
-    found = campbell(Scene.of(stand), SpeedPlan.common(stand, (0.0, 30.0)), np.linspace(0.0, 30.0, 40))
-    assert found.orders == (1, 2) and len(found.crossings) == 12
-    for each in found.crossings[::5]:
-        assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-9)
-        assert linear_frequencies(stand, each.speed)[each.mode - 1] == pytest.approx(each.frequency, rel=1e-6)
-        assert 0.0 < each.damping < 1.0
+    diagram = campbell(Scene.of(stand), SpeedPlan.common(stand, (0.0, 30.0)), np.linspace(0.0, 30.0, 40))
+    assert diagram.orders == (1, 2) and len(diagram.crossings) == 12
+    for crossing in diagram.crossings[::5]:
+        assert crossing.order * crossing.speed / (2 * np.pi) == pytest.approx(crossing.frequency, rel=1e-9)
+        assert linear_frequencies(stand, crossing.speed)[crossing.mode - 1] == pytest.approx(
+            crossing.frequency, rel=1e-6
+        )
+        assert 0.0 < crossing.damping < 1.0
 
 
 def test_a_free_stand_nutates() -> None:
     """J omega' = -omega x H of a gyrostat about its mass centre: the one frequency there is."""
     stand, speed = load(stands.path("sat4")), 500.0
     scene = Scene.of(stand)
-    own = scene.chart.mechanics
-    K = own.mean_inertia
+    mechanics = scene.chart.mechanics
+    K = mechanics.mean_inertia
     m, moment = K[0, 0], K[3:, :3]
     J = K[3:, 3:] + moment @ moment / m
-    H = speed * own.tables.Theta_ff @ own.tables.axis
+    H = speed * mechanics.tables.Theta_ff @ mechanics.tables.axis
     cross = np.array([[0, -H[2], H[1]], [H[2], 0, -H[0]], [-H[1], H[0], 0]])
     expected = np.abs(np.linalg.eigvals(np.linalg.solve(J, cross)).imag).max() / (2 * np.pi)
     natural = natural_at(scene, SpeedPlan.common(stand, (0.0, speed)), np.array([0.0, speed]))[0]
@@ -85,9 +87,9 @@ def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
     stand = replace(load(stands.path("bench8")), gravity=(0.0, 0.0, 0.0), laws=(Legs(LEGS[:ties]),))
     scene = Scene.of(stand)
     assert scene.free.shape[1] >= 6 - ties
-    found = campbell(scene, SpeedPlan.common(scene.stand, (0.0, 100.0)), np.linspace(0.0, 100.0, 60))
-    for each in found.crossings:
-        near = each.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4])
-        natural = natural_at(scene, SpeedPlan.common(stand, (0.0, 100.0)), near)[0][:, each.mode - 1]
-        assert natural == pytest.approx(each.frequency, rel=1e-2)
-        assert each.order * each.speed / (2 * np.pi) == pytest.approx(each.frequency, rel=1e-5)
+    diagram = campbell(scene, SpeedPlan.common(scene.stand, (0.0, 100.0)), np.linspace(0.0, 100.0, 60))
+    for crossing in diagram.crossings:
+        near = crossing.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4])
+        natural = natural_at(scene, SpeedPlan.common(stand, (0.0, 100.0)), near)[0][:, crossing.mode - 1]
+        assert natural == pytest.approx(crossing.frequency, rel=1e-2)
+        assert crossing.order * crossing.speed / (2 * np.pi) == pytest.approx(crossing.frequency, rel=1e-5)

@@ -63,7 +63,7 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
     c = CBackend(stand, "float")
     scales = Scales(stand, "float")
     for motion in MOTIONS:
-        for state in (round_to_float(stand, each) for each in states(stand, speeds(stand), motion)):
+        for state in (round_to_float(stand, exact) for exact in states(stand, speeds(stand), motion)):
             for want, (key, _) in QUANTITIES.items():
                 measured = scales.want(state, want)
                 assert measured is not None

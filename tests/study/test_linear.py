@@ -35,11 +35,11 @@ AGREEMENT = 1e-10
 """Relative to the largest number of a row; the largest of a hundred stands is 6e-12, where rows nearly cancel."""
 
 
-def disagreement(found: LinearModel, expected: Matrices) -> float:
+def disagreement(model: LinearModel, expected: Matrices) -> float:
     """Largest difference of A, B, C and D, each row relative to its largest number."""
     worst = 0.0
     for name in "ABCD":
-        a, b = getattr(found, name), getattr(expected, name)
+        a, b = getattr(model, name), getattr(expected, name)
         assert a.shape == b.shape
         if b.size:
             size = np.abs(b).max(axis=1, keepdims=True)
@@ -102,9 +102,9 @@ def test_files_read_back_to_the_same_bits(flywheels: Literal["free", "locked"], 
     stand, state = random_case(7, 2, points=2, wrench_inputs=True)
     model = linear_model(stand, state, locked=flywheels == "locked")
     start = {key: value for key, value in state_object(state).items() if key not in ("V_dot", "tau")}
-    found = mahovik.modes(stand, at=start, flywheels=flywheels)
+    result = mahovik.modes(stand, at=start, flywheels=flywheels)
     for suffix in ("json", "mat", "again.mat"):
-        found.save(tmp_path / f"model.{suffix}")
+        result.save(tmp_path / f"model.{suffix}")
     text = json.loads((tmp_path / "model.json").read_text())
     mat = loadmat(tmp_path / "model.mat", simplify_cells=True)
     for name in "ABCD":
@@ -113,8 +113,8 @@ def test_files_read_back_to_the_same_bits(flywheels: Literal["free", "locked"], 
         assert np.array_equal(mat[name].reshape(matrix.shape), matrix)
     for name in ("states", "inputs", "outputs"):
         for key, attribute in ((name, "name"), (f"{name[:-1]}_units", "unit")):
-            given = [getattr(each, attribute) for each in getattr(model, name)]
-            assert text[key] == given == list(mat[key])
+            names = [getattr(axis, attribute) for axis in getattr(model, name)]
+            assert text[key] == names == list(mat[key])
     assert text["flywheels"] == mat["flywheels"] == flywheels
     assert np.array_equal(mat["state"]["tau"], model.state.tau)
     content = (tmp_path / "model.mat").read_bytes()
@@ -136,25 +136,25 @@ damping = [8, 0, 100, 0.8, 0, 0]
 def test_a_mass_on_springs() -> None:
     """Every direction for itself: frequency sqrt(k/m), ratio c / 2 sqrt(k m); one is overdamped."""
     stand = loads(SPRUNG)
-    found = modes(linear_model(stand, rest_state(stand)))
+    result = modes(linear_model(stand, rest_state(stand)))
     k, m = np.array([800, 450, 200, 32, 12, 7.2]), np.array([2, 2, 2, 0.5, 0.3, 0.2])
     c = np.array([8, 0, 100, 0.8, 0, 0])
-    swinging = [mode for mode in found.modes if mode.kind == "oscillation"]
+    swinging = [mode for mode in result.modes if mode.kind == "oscillation"]
     expected = sorted((np.sqrt(k[i] / m[i]) / 2 / np.pi, c[i] / 2 / np.sqrt(k[i] * m[i])) for i in (0, 1, 3, 4, 5))
     assert np.allclose(sorted((mode.frequency, mode.damping) for mode in swinging), expected, rtol=1e-12, atol=1e-12)
-    decays = sorted(mode.eigenvalue.real for mode in found.modes if mode.kind == "decay")
+    decays = sorted(mode.eigenvalue.real for mode in result.modes if mode.kind == "decay")
     assert np.allclose(decays, np.sort(np.roots([2, 100, 200])), rtol=1e-12)
-    assert found.zeros == 0
-    assert not found.unstable
-    assert [str(x) for x in found.coordinates][:2] == ["x [m]", "y [m]"]
+    assert result.zeros == 0
+    assert not result.unstable
+    assert [str(x) for x in result.coordinates][:2] == ["x [m]", "y [m]"]
 
 
 def test_a_floating_stand_is_free_in_all_directions() -> None:
     stand = load(path("sat4"))
-    found = modes(linear_model(stand, rest_state(stand), locked=True))
-    assert [mode.kind for mode in found.modes] == ["free"] * 6
-    assert found.zeros == 12
-    assert np.array_equal([mode.shape.real for mode in found.modes], np.eye(6))
+    result = modes(linear_model(stand, rest_state(stand), locked=True))
+    assert [mode.kind for mode in result.modes] == ["free"] * 6
+    assert result.zeros == 12
+    assert np.array_equal([mode.shape.real for mode in result.modes], np.eye(6))
     assert len(modes(linear_model(stand, rest_state(stand))).modes) == 10
 
 
@@ -173,8 +173,8 @@ def test_a_spinning_flywheel_makes_it_nod() -> None:
     body = replace(stand.carrier, center_of_mass=(0.0,) * 3, inertia=((2.0, 0, 0), (0, 3.0, 0), (0, 0, 4.0)))
     plain = replace(stand, carrier=body, flywheels=(wheel,))
     state = replace(rest_state(plain), phi_dot=(600.0,))
-    found = modes(linear_model(plain, state, locked=True))
-    (nod,) = [mode for mode in found.modes if mode.kind == "oscillation"]
+    result = modes(linear_model(plain, state, locked=True))
+    (nod,) = [mode for mode in result.modes if mode.kind == "oscillation"]
     assert nod.frequency == pytest.approx(0.02 * 600 / np.sqrt(12) / 2 / np.pi, rel=1e-8)
     assert nod.damping == 0.0
 
@@ -187,11 +187,11 @@ WEIGHT, ARM, INERTIA, SPIN = 2.5 * 9.81, 0.2, 0.02 + 2.5 * 0.2**2, 1e-3
 def test_a_hanging_pendulum_has_the_frequency_of_the_formula(locked: bool, inertia: float) -> None:
     """sqrt(m g l / J) / 2 pi: a free flywheel about the same axis does not turn with the pendulum."""
     stand = loads(PENDULUM)
-    found = modes(linear_model(stand, rest(stand).state, [], locked=locked))
-    (swing,) = [mode for mode in found.modes if mode.kind == "oscillation"]
+    result = modes(linear_model(stand, rest(stand).state, [], locked=locked))
+    (swing,) = [mode for mode in result.modes if mode.kind == "oscillation"]
     assert swing.frequency == pytest.approx(math.sqrt(WEIGHT * ARM / inertia) / (2 * math.pi), rel=1e-12)
-    assert [channel.name for channel in found.coordinates] == ["q_pitch", *([] if locked else ["phi w1"])]
-    assert not found.unstable
+    assert [channel.name for channel in result.coordinates] == ["q_pitch", *([] if locked else ["phi w1"])]
+    assert not result.unstable
     upright = modes(linear_model(stand, home(stand), [], locked=locked))
     assert upright.unstable
     falls = max(mode.eigenvalue.real for mode in upright.modes)
@@ -202,9 +202,9 @@ def test_a_mass_on_a_rail_with_a_spring() -> None:
     text = PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', "slide = [0, 3, 4]")
     stand = loads(text + "[suspension]\nstiffness = [1e6, 500, 500, 1e6, 1e6, 1e6]\ndamping = [0, 3, 3, 0, 0, 0]\n")
     model = linear_model(stand, rest(stand).state, [], locked=True)
-    assert [str(each) for each in model.states] == ["q_1 [m]", "u_1 [m/s]"]
+    assert [str(variable) for variable in model.states] == ["q_1 [m]", "u_1 [m/s]"]
     assert pytest.approx(np.array([[0, 1], [-500 / 2.5, -3 / 2.5]]), abs=1e-9) == model.A
-    push = dict(zip((each.name for each in model.inputs), model.B[1], strict=True))
+    push = dict(zip((variable.name for variable in model.inputs), model.B[1], strict=True))
     assert push["wrench Y"] == pytest.approx(0.6 / 2.5) and push["wrench Z"] == pytest.approx(0.8 / 2.5)
 
 
@@ -253,11 +253,11 @@ def test_the_derivatives_are_those_of_the_reference() -> None:
 
 def test_flywheels_of_a_clamped_carrier_turn_alone() -> None:
     stand = loads(PENDULUM.replace('["pitch"]\npivot = [0, 0, -0.2]', "[]"))
-    found = linear_model(stand, home(stand), [])
-    assert pytest.approx(np.array([[0, 1], [0, 0]])) == found.A and found.B[1, 0] == pytest.approx(1 / SPIN)
-    assert [str(each) for each in found.states] == ["phi w1 [rad]", "phi_dot w1 [rad/s]"]
-    (mode,) = modes(found).modes
-    assert [each.name for each in modes(found).coordinates] == ["phi w1"] and abs(mode.shape[0]) == 1
+    model = linear_model(stand, home(stand), [])
+    assert pytest.approx(np.array([[0, 1], [0, 0]])) == model.A and model.B[1, 0] == pytest.approx(1 / SPIN)
+    assert [str(variable) for variable in model.states] == ["phi w1 [rad]", "phi_dot w1 [rad/s]"]
+    (mode,) = modes(model).modes
+    assert [variable.name for variable in modes(model).coordinates] == ["phi w1"] and abs(mode.shape[0]) == 1
     with pytest.raises(CheckError, match="the flywheels are locked, as `modes` has them by default; give"):
         linear_model(stand, home(stand), [], locked=True)
     knife_edge = loads(PENDULUM.replace('["pitch"]', '["x", "yaw"]'))
@@ -271,9 +271,9 @@ def test_friction_and_a_stop_are_in_the_linear_model() -> None:
     stop = "smoothing = 0.1\n[[hold.stop]]\nat = 0.01\nstiffness = 500\ndamping = 100\n"
     text = PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]', hold + stop)
     stand = replace(loads(text), gravity=(2.0, 0.0, 0.0))
-    found = rest(stand).state
+    state = rest(stand).state
     depth = 2.5 * 2.0 / 500
-    assert found.position[0] == pytest.approx(0.01 + depth, rel=1e-9)
-    model = linear_model(stand, found, [], locked=True)
+    assert state.position[0] == pytest.approx(0.01 + depth, rel=1e-9)
+    model = linear_model(stand, state, [], locked=True)
     drag = 3 + 0.2 / 0.1 + 100 * depth
     assert pytest.approx(np.array([[0, 1], [-500 / 2.5, -drag / 2.5]]), abs=1e-6) == model.A

@@ -58,44 +58,44 @@ def test_small_unbalance_is_answered_as_the_linear_model_says() -> None:
     left = []
     for share in (1e-2, 1e-3):
         one = unbalanced(stand, share)
-        found = periodic_response(one, [Omega] + [0.0] * 7).harmonics(find_view(one, "carrier"))[1]
+        harmonic = periodic_response(one, [Omega] + [0.0] * 7).harmonics(find_view(one, "carrier"))[1]
         model = linear_model(one, replace(Scene.of(one).rest, phi_dot=(Omega,) + (0.0,) * 7), ["carrier"], locked=True)
         phases = [replace(model.state, phi=(phi,) + (0.0,) * 7) for phi in (0.0, math.pi / 2)]
         # V* at rest without springs is the wrench over K; as the linear model has B = K^-1 there, its forces
         wrenches = [np.linalg.solve(model.B[6:], linear_model(one, at, []).state.V_dot) for at in phases]
         F = wrenches[0] - 1j * wrenches[1]
         H = model.C[6:] @ np.linalg.solve(1j * Omega * np.eye(12) - model.A, model.B) + model.D[6:]
-        left.append(np.abs(H @ F - found).max() / np.abs(found).max())
+        left.append(np.abs(H @ F - harmonic).max() / np.abs(harmonic).max())
     assert left[0] < 1e-2
     assert left[1] < left[0] / 5
 
 
-def state_at(found: Periodic, node: int = 0) -> State:
+def state_at(periodic: Periodic, node: int = 0) -> State:
     """The state of a periodic course at a node; the first is that of t = 0."""
-    chart, y = found.scene.chart.frame, found.y[node]
+    chart, y = periodic.scene.chart.frame, periodic.y[node]
     q = Rotation.from_matrix(chart.C @ Rotation.from_rotvec(y[3:6]).as_matrix()).as_quat(scalar_first=True)
-    turned = 2 * np.pi * np.array(found.turning.turns) * node / len(found.y)
+    turned = 2 * np.pi * np.array(periodic.turning.turns) * node / len(periodic.y)
     return replace(
-        found.scene.rest,
+        periodic.scene.rest,
         position=vec(chart.O1 + chart.C @ y[:3]),
         angles=None,
         quaternion=vec(q),
         V=vec(y[6:]),
-        phi=vec(turned + found.scene.rest.phi),
-        phi_dot=found.turning.speeds,
+        phi=vec(turned + periodic.scene.rest.phi),
+        phi_dot=periodic.turning.speeds,
     )
 
 
 def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     """sat4: no wrench is needed to hold its mean place, and its momentum is the same at all nodes, in E0: none."""
     stand = load(path("sat4"))
-    found = periodic_response(stand, [628.0, 0.0, 314.0, 0.0])
-    assert np.abs(found.hold).max() < 1e-14
-    assert found.stable
-    moved = found.y[:, :6]
+    response = periodic_response(stand, [628.0, 0.0, 314.0, 0.0])
+    assert np.abs(response.hold).max() < 1e-14
+    assert response.stable
+    moved = response.y[:, :6]
     assert np.abs(moved.mean(axis=0)).max() < np.abs(moved).max() ** 2, "its mean place is that of rest to second order"
-    momenta = [reference.evaluate(stand, state_at(found, i), ["momentum"])["Z0"] for i in (0, len(found.y) // 3)]
-    size = 60.0 * np.abs(found.y[:, 6:9]).max()
+    momenta = [reference.evaluate(stand, state_at(response, i), ["momentum"])["Z0"] for i in (0, len(response.y) // 3)]
+    size = 60.0 * np.abs(response.y[:, 6:9]).max()
     assert np.abs(momenta[0][:3]).max() < 1e-8 * size
     assert np.abs(momenta[1] - momenta[0]).max() < 1e-9
 
@@ -110,10 +110,10 @@ def test_a_floating_stand_keeps_its_centre_of_mass() -> None:
     ],
 )
 def test_common_periods(speeds: tuple[float, ...], base: float, turns: tuple[int, ...]) -> None:
-    found = common_period(speeds)
-    assert found.turns == turns
-    assert found.base == pytest.approx(base, rel=1e-12)
-    assert np.allclose(found.speeds, speeds, rtol=1e-9, atol=0)
+    period = common_period(speeds)
+    assert period.turns == turns
+    assert period.base == pytest.approx(base, rel=1e-12)
+    assert np.allclose(period.speeds, speeds, rtol=1e-9, atol=0)
 
 
 @pytest.mark.parametrize("speeds", [(100.0, 100.0 * math.sqrt(2)), (1.0, 1000.5), (100.0, 100.001)])
@@ -135,7 +135,7 @@ def test_speeds_as_asked() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "words"),
+    ("texts", "words"),
     [
         (["up=1"], 'unknown flywheel "up", expected one of left, right, all'),
         (["left"], "expected NAME=SPEED"),
@@ -150,19 +150,19 @@ def test_speeds_as_asked() -> None:
         (["left=1e5", "right=2*left"], "right would turn at"),
     ],
 )
-def test_speeds_that_are_refused(given: list[str], words: str) -> None:
+def test_speeds_that_are_refused(texts: list[str], words: str) -> None:
     with pytest.raises(UsageError, match=words.replace("*", r"\*")) as error:
-        read_speeds(load(path("shaker2")), given)
+        read_speeds(load(path("shaker2")), texts)
     assert "\n" not in str(error.value)
 
 
 def test_a_sweep_finds_the_resonance(bench8: Scene) -> None:
     speeds = read_speeds(bench8.stand, ["w1=30..150rpm", "w2=w1"])
-    found = vibration(bench8, speeds, find_view(bench8.stand, "carrier", "displacement"), steps=13)
-    peak = found.value[found.largest().step]
+    sweep = vibration(bench8, speeds, find_view(bench8.stand, "carrier", "displacement"), steps=13)
+    peak = sweep.value[sweep.largest().step]
     assert 80 * RPM < peak < 120 * RPM
-    assert found.largest().frequency * 2 * np.pi == pytest.approx(peak)
-    assert np.isfinite(found.sums().rms).all() and found.coarse is None
+    assert sweep.largest().frequency * 2 * np.pi == pytest.approx(peak)
+    assert np.isfinite(sweep.sums().rms).all() and sweep.coarse is None
 
 
 def undamped(share: float) -> Stand:
@@ -174,11 +174,11 @@ def undamped(share: float) -> Stand:
 def test_an_undamped_resonance_is_a_problem_and_the_sweep_goes_on() -> None:
     stand = undamped(1.0)
     view = find_view(stand, "carrier")
-    found = vibration(stand, read_speeds(stand, ["w1=84..96rpm"]), view, steps=3)
-    at = int(np.argmin(np.abs(found.value - 90 * RPM)))
-    assert {0, len(found.value) - 1}.isdisjoint(found.problems)
-    assert "an undamped resonance, or the carrier moves too violently" in found.problems[at]
-    assert np.isnan(found.sums().rms[at]).all()
+    sweep = vibration(stand, read_speeds(stand, ["w1=84..96rpm"]), view, steps=3)
+    at = int(np.argmin(np.abs(sweep.value - 90 * RPM)))
+    assert {0, len(sweep.value) - 1}.isdisjoint(sweep.problems)
+    assert "an undamped resonance, or the carrier moves too violently" in sweep.problems[at]
+    assert np.isnan(sweep.sums().rms[at]).all()
     with pytest.raises(CheckError, match="an undamped resonance"):
         vibration(stand, read_speeds(stand, ["w1=90rpm"]), view)
 
@@ -203,13 +203,13 @@ POSE_AND_V = (
 )
 
 
-def returned(found: Periodic, periods: int) -> float:
+def returned(periodic: Periodic, periods: int) -> float:
     """Distance of the carrier from where it began after some periods, relative to its amplitude."""
-    until = periods * found.turning.period
-    regime = steady_regime(found.scene.stand, found.turning.speeds)
-    run = simulate(Case(found.scene.stand, regime, state_at(found), until, until), "scipy")
+    until = periods * periodic.turning.period
+    regime = steady_regime(periodic.scene.stand, periodic.turning.speeds)
+    run = simulate(Case(periodic.scene.stand, regime, state_at(periodic), until, until), "scipy")
     data = np.column_stack([run[name] for name in POSE_AND_V])
-    off, size = np.abs(data[-1] - data[0]), np.ptp(found.y, axis=0)
+    off, size = np.abs(data[-1] - data[0]), np.ptp(periodic.y, axis=0)
     parts = ((slice(0, 3), 1.0), (slice(3, 7), 2.0), (slice(7, 10), 1.0), (slice(10, 13), 1.0))
     return float(max(k * off[a].max() / size[3 * i : 3 * i + 3].max() for i, (a, k) in enumerate(parts)))
 

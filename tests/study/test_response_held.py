@@ -46,9 +46,9 @@ def table(**unbalance: str) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def reaction(found: Any, quantity: str) -> Any:
+def reaction(response: Any, quantity: str) -> Any:
     """Magnitudes (H + 1, 3) of the harmonics of the reaction."""
-    return np.abs(found.harmonics(find_view(found.scene.stand, "hold.reaction", quantity)))
+    return np.abs(response.harmonics(find_view(response.scene.stand, "hold.reaction", quantity)))
 
 
 @pytest.mark.parametrize(
@@ -57,19 +57,19 @@ def reaction(found: Any, quantity: str) -> Any:
 )
 def test_a_force_table_reads_an_unbalance(unbalance: dict[str, str], force: float, moment: float) -> None:
     """U w^2 across the axis, a static one with its arm of 100 mm in the moment, at one order alone."""
-    found = periodic_response(stand_of(table(**unbalance)), [300.0])
+    response = periodic_response(stand_of(table(**unbalance)), [300.0])
     for quantity, size in (("force", force * 300.0**2), ("moment", moment * 300.0**2)):
-        np.testing.assert_allclose(reaction(found, quantity)[1], [size, size, 0.0], rtol=1e-12, atol=1e-12)
-    assert reaction(found, "force")[2:].max() < 1e-11
+        np.testing.assert_allclose(reaction(response, quantity)[1], [size, size, 0.0], rtol=1e-12, atol=1e-12)
+    assert reaction(response, "force")[2:].max() < 1e-11
 
 
 def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
     """One exciter about x on a rail along z with a spring; damped by the suspension, or by viscous friction."""
-    own = {"freedoms": ["z"]} | ({"friction": [{"viscous": damping}]} if friction else {})
+    hold = {"freedoms": ["z"]} | ({"friction": [{"viscous": damping}]} if friction else {})
     return {
         "schema": 1, "name": "shaker",
         "carrier": {"mass": 60, "inertia": [1.6, 1.9, 2.4]},
-        "hold": own,
+        "hold": hold,
         "suspension": {"stiffness": [0, 0, 4e4, 0, 0, 0], "damping": [0, 0, 0 if friction else damping, 0, 0, 0]},
         "flywheel": [{"name": "w", "axis": [1, 0, 0], "zero": [0, 0, 1], "mass": 8, "spin_inertia": 0.02,
                       "transverse_inertia": 0.012, "unbalance": {"static": "160 g m"}}],
@@ -80,18 +80,18 @@ def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
 def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
     """m e w^2 / (k - M w^2 + i c w) along the rail, by the suspension or by friction; m e w^2 across it is held."""
     M, k, c, me = 68.0, 4e4, 300.0, 0.16
-    found = periodic_response(stand_of(shaker(friction)), [speed])
+    response = periodic_response(stand_of(shaker(friction)), [speed])
     size = me * speed**2 / abs(k - M * speed**2 + 1j * c * speed)
 
     def amplitude(name: str, quantity: str) -> Any:
-        return np.abs(found.harmonics(find_view(found.scene.stand, name, quantity))[1])
+        return np.abs(response.harmonics(find_view(response.scene.stand, name, quantity))[1])
 
     assert amplitude("hold.z", "displacement") == pytest.approx(size, rel=1e-9)
     assert amplitude("hold.z", "acceleration") == pytest.approx(size * speed**2, rel=1e-9)
     at_carrier = amplitude("carrier", "displacement")
     np.testing.assert_allclose(at_carrier, [0.0, 0.0, size], rtol=1e-9, atol=1e-14)
-    np.testing.assert_allclose(reaction(found, "force")[1], [0.0, me * speed**2, 0.0], rtol=1e-9, atol=1e-9)
-    assert found.natural == pytest.approx([math.sqrt(k / M) / (2 * math.pi)], rel=1e-9)
+    np.testing.assert_allclose(reaction(response, "force")[1], [0.0, me * speed**2, 0.0], rtol=1e-9, atol=1e-9)
+    assert response.natural == pytest.approx([math.sqrt(k / M) / (2 * math.pi)], rel=1e-9)
 
 
 def test_six_freedoms_are_the_free_carrier() -> None:
@@ -99,13 +99,13 @@ def test_six_freedoms_are_the_free_carrier() -> None:
     free = load(stands.path("bench8"))
     held = replace(free, hold=Hold(tuple(FREEDOMS.values()), (0.1, -0.2, 0.3), ZERO, ZERO))
     speeds = [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]
-    found, other = periodic_response(free, speeds), periodic_response(held, speeds)
+    response, other = periodic_response(free, speeds), periodic_response(held, speeds)
     # of the mean of the linear equations over the period, which differs a little between coordinates
-    np.testing.assert_allclose(other.natural, found.natural, rtol=1e-4)
+    np.testing.assert_allclose(other.natural, response.natural, rtol=1e-4)
     for name in [*(i.name for i in free.instruments), *(p.name for p in free.points)]:
         view = find_view(free, name)
-        expected, given = found.harmonics(view)[:8], other.harmonics(view)[:8]
-        np.testing.assert_allclose(given, expected, rtol=0, atol=1e-8 * np.abs(expected).max())
+        expected, actual = response.harmonics(view)[:8], other.harmonics(view)[:8]
+        np.testing.assert_allclose(actual, expected, rtol=0, atol=1e-8 * np.abs(expected).max())
     size = reaction(other, "force").max()
     assert size < 1e-9 * 10.0 * free.carrier.mass
 
@@ -126,11 +126,11 @@ def lines_of(stand: Stand, speeds: Asked, at: str, quantity: str | None = None) 
     return vibration(stand, read_speeds(stand, speeds), find_view(stand, at, quantity, "angle"), steps=2)
 
 
-def size(found: Vibration, wheel: str) -> Any:
+def size(vibration: Vibration, wheel: str) -> Any:
     """Amplitudes (3) of the first order of one wheel at the last speed; zero where there is none."""
-    for i, name in enumerate(found.lines.names):
+    for i, name in enumerate(vibration.lines.names):
         if (name.wheel, name.order) == (wheel, 1):
-            return found.lines.sizes[-1, i]
+            return vibration.lines.sizes[-1, i]
     return np.zeros(3)
 
 
@@ -139,15 +139,15 @@ def size(found: Vibration, wheel: str) -> Any:
 def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quantity: str) -> None:
     """U w^2 of the static unbalance with its arm of 100 mm, and a couple of U w^2 of the dynamic one; the weight."""
     stand = two_wheels("72 g mm", "5 kg mm^2")
-    found = lines_of(stand, speeds, "hold.reaction", quantity)
+    result = lines_of(stand, speeds, "hold.reaction", quantity)
     force, couple = 72e-6 * 300.0**2, 5e-6 * 211.7**2
     weight = 72e-6 * 9.81  # its moment, of a centre of mass beside the axis
     first, second = (force, 0.0) if quantity == "force" else (0.1 * force + weight, couple)
-    np.testing.assert_allclose(size(found, "up"), [first, first, 0.0], rtol=1e-12, atol=1e-12)
-    np.testing.assert_allclose(size(found, "down"), [second, second, 0.0], rtol=1e-12, atol=1e-12)
-    assert found.seen.measure.unit == ("N" if quantity == "force" else "N m")
-    assert not any(name.source == COMBINATION for name in found.lines.names)
-    assert found.off < 1e-9 and all(np.max(each.left_out) < 1e-9 for each in found.whole.values())
+    np.testing.assert_allclose(size(result, "up"), [first, first, 0.0], rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(size(result, "down"), [second, second, 0.0], rtol=1e-12, atol=1e-12)
+    assert result.seen.measure.unit == ("N" if quantity == "force" else "N m")
+    assert not any(name.source == COMBINATION for name in result.lines.names)
+    assert result.off < 1e-9 and all(np.max(line.left_out) < 1e-9 for line in result.whole.values())
 
 
 @pytest.mark.parametrize(("friction", "last"), [(False, "11.3"), (True, "5..11.3")])
@@ -170,8 +170,8 @@ def test_a_shaker_of_one_freedom_is_an_oscillator(friction: bool, last: str) -> 
         np.testing.assert_allclose(size(motion, wheel), [0.0, 0.0, abs(z)], rtol=1e-9, atol=1e-15)
         np.testing.assert_allclose(size(along_rail, wheel), [w * abs(z), 0.0, 0.0], rtol=1e-9, atol=1e-15)
         np.testing.assert_allclose(size(held, wheel), [0.0, me * w**2, 0.0], rtol=1e-9, atol=1e-9)
-        own = me if wheel == "v" else 0.0
-        along, across = abs(w**2 * (m * z + own)), own * w**2
+        excitation = me if wheel == "v" else 0.0
+        along, across = abs(w**2 * (m * z + excitation)), excitation * w**2
         np.testing.assert_allclose(size(mount, wheel), [0.0, along, across], rtol=1e-9, atol=1e-9)
 
 
@@ -192,13 +192,13 @@ def test_with_a_common_period_it_is_the_response(quantity: str, monkeypatch: pyt
     """The lines of the torus of both wheels' phases are those of the motion with a common period."""
     stand = stand_of(SWINGING)
     monkeypatch.setattr(spectrum, "FEW_TURNS", 0)
-    found = lines_of(stand, {"w1": 20.0, "w2": 30.0}, "hold.reaction", quantity)
-    assert "harmonic balance" in found.whole[0].method
+    result = lines_of(stand, {"w1": 20.0, "w2": 30.0}, "hold.reaction", quantity)
+    assert "harmonic balance" in result.whole[0].method
     wanted = periodic_response(stand, [20.0, 30.0]).harmonics(find_view(stand, "hold.reaction", quantity))
     total = np.zeros((24, 3), dtype=complex)
-    for i, hertz in enumerate(found.lines.frequency[0]):
+    for i, hertz in enumerate(result.lines.frequency[0]):
         if (k := round(hertz * 2.0 * math.pi / 10.0)) < len(total):
-            total[k] += found.lines.amplitude[0, i]
+            total[k] += result.lines.amplitude[0, i]
     np.testing.assert_allclose(total[1:8], wanted[1:8], rtol=0, atol=1e-5 * np.abs(wanted[1:]).max())
 
 
@@ -210,13 +210,13 @@ def test_a_maker_s_table_shakes_a_force_table(tmp_path: Path) -> None:
     inner.write_text("mode,frequency [Hz],damping [-]\naxial,50,0.1\n")
     stand = stand_of(table(static="72 g mm"))
     words: dict[str, Any] = {"speed": 100.0, "harmonics": {"all": path}}
-    found = command(stand, **words, at="hold.reaction", noise={"all": noise})
-    amplitudes = dict(zip(found["order"], found["amplitude"], strict=True))
+    result = command(stand, **words, at="hold.reaction", noise={"all": noise})
+    amplitudes = dict(zip(result["order"], result["amplitude"], strict=True))
     np.testing.assert_allclose(amplitudes[1.0], [2e-2, 2e-2, 0.0], rtol=1e-9, atol=1e-15)
     np.testing.assert_allclose(amplitudes[2.5], [0.0, 0.0, 3e-2], rtol=1e-9, atol=1e-15)
-    assert found["rms"][2] == pytest.approx(math.sqrt(3e-2**2 / 2.0 + 1e-4 * 200.0), rel=1e-6)
+    assert result["rms"][2] == pytest.approx(math.sqrt(3e-2**2 / 2.0 + 1e-4 * 200.0), rel=1e-6)
     mounted = command(stand, **words, at="wheel", noise={"all": noise})
-    assert mounted["rms"][0] == pytest.approx(found["rms"][2], rel=1e-9)  # its axis is its first
+    assert mounted["rms"][0] == pytest.approx(result["rms"][2], rel=1e-9)  # its axis is its first
     ratio = 250.0 / (2.0 * math.pi) / 50.0
     gain = abs((1.0 + 0.2j * ratio) / (1.0 - ratio**2 + 0.2j * ratio))
     soft = command(stand, **words, at="hold.reaction", inner_modes={"all": inner})
@@ -227,9 +227,9 @@ def test_requirements_on_a_force() -> None:
     stand = str(HELD / "force_table.toml")
     asked = ("vibration", stand, "--speed", "wheel=0..3000rpm", "--at", "hold.reaction", "--steps", "4", "--json")
     w = math.radians(6 * 3000)
-    found = json.loads(run(*asked, "--require", "rms 6 N").stdout)
-    assert found["requirements"][0]["value"] == pytest.approx(72e-6 * w**2 / math.sqrt(2), rel=1e-9)
-    assert found["requirements"][0]["met"] and found["units"]["rms"] == "N"
+    result = json.loads(run(*asked, "--require", "rms 6 N").stdout)
+    assert result["requirements"][0]["value"] == pytest.approx(72e-6 * w**2 / math.sqrt(2), rel=1e-9)
+    assert result["requirements"][0]["met"] and result["units"]["rms"] == "N"
     assert run(*asked, "--require", "worst 7 N").exit_code == 1
     assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
 
@@ -238,7 +238,7 @@ def test_requirements_on_a_force() -> None:
 def test_it_is_the_motion_of_the_c_through_time() -> None:
     """A pendulum under two wheels, stepped with a carry until it is steady; lines fitted to what it reads over 40 s."""
     stand, speeds, every = stand_of(SWINGING), [20.0, 31.7], 0.02
-    found = lines_of(stand, speeds, "hold.reaction").lines
+    lines = lines_of(stand, speeds, "hold.reaction").lines
     done = columns_of(
         stand, 50.0, regime={"flywheel": {"w1": {"speed": 20.0}, "w2": {"speed": 31.7}}}, start={"phi_dot": speeds},
         dt=every / 8, every=every, carried=True,
@@ -246,14 +246,14 @@ def test_it_is_the_motion_of_the_c_through_time() -> None:
     columns = [f"hold.reaction.{axis} [N]" for axis in "xyz"]
     t = np.arange(2001) * every + 10.0
     values = np.column_stack([done[column][-2001:] for column in columns])
-    large = found.sizes[0].max(axis=1) > 1e-4 * found.sizes[0].max()
-    there = large & (found.frequency[0] > 0.0)
-    wave = np.exp(2j * np.pi * np.outer(t, found.frequency[0, there]))
+    large = lines.sizes[0].max(axis=1) > 1e-4 * lines.sizes[0].max()
+    there = large & (lines.frequency[0] > 0.0)
+    wave = np.exp(2j * np.pi * np.outer(t, lines.frequency[0, there]))
     basis = np.hstack([np.ones((len(t), 1)), wave.real, -wave.imag])
     fitted, *_ = np.linalg.lstsq(basis, values, rcond=None)
     n = int(there.sum())
-    given = fitted[1 : n + 1] + 1j * fitted[n + 1 :]
-    np.testing.assert_allclose(given, found.amplitude[0, there], rtol=0, atol=1e-4 * found.sizes[0].max())
+    measured = fitted[1 : n + 1] + 1j * fitted[n + 1 :]
+    np.testing.assert_allclose(measured, lines.amplitude[0, there], rtol=0, atol=1e-4 * lines.sizes[0].max())
     assert n > 4
 
 

@@ -33,12 +33,12 @@ def acceleration(stand: Stand, state: State) -> np.ndarray:
 @pytest.mark.parametrize("phase", [0.0, 1.0])
 def test_examples_rest(name: str, phase: float) -> None:
     stand = load(stands.path(name))
-    found = rest(stand, [phase + s for s in range(len(stand.flywheels))])
-    assert found.state.phi == tuple(phase + s for s in range(len(stand.flywheels)))
-    assert acceleration(stand, found.state).max() <= LIMIT
-    assert max(map(abs, found.V_dot)) <= LIMIT
-    assert len(found.free) == {"bench8": 0, "shaker2": 0, "auv6": 4, "demo3": 6, "sat4": 6}[name]
-    assert not found.unstable
+    result = rest(stand, [phase + s for s in range(len(stand.flywheels))])
+    assert result.state.phi == tuple(phase + s for s in range(len(stand.flywheels)))
+    assert acceleration(stand, result.state).max() <= LIMIT
+    assert max(map(abs, result.V_dot)) <= LIMIT
+    assert len(result.free) == {"bench8": 0, "shaker2": 0, "auv6": 4, "demo3": 6, "sat4": 6}[name]
+    assert not result.unstable
 
 
 @pytest.mark.parametrize("seed", range(2))
@@ -46,8 +46,8 @@ def test_random_suspended_stands_rest(seed: int) -> None:
     """Suspension, legs, weight, buoyancy at general places."""
     features = Features(gravity=True, stream=False, fluid=True, laws={"suspension": 1, "leg": 2})
     stand = random_stand(np.random.default_rng(seed), 3, features)
-    found = rest(stand, [0.3, 1.0, -2.0])
-    assert (acceleration(stand, found.state) <= 1e-10).all()  # forces of 1e3 N on inertias of 0.1 kg m2: rounding
+    result = rest(stand, [0.3, 1.0, -2.0])
+    assert (acceleration(stand, result.state) <= 1e-10).all()  # forces of 1e3 N on inertias of 0.1 kg m2: rounding
 
 
 def test_weight_that_nothing_carries() -> None:
@@ -68,10 +68,10 @@ def test_unstable_equilibria_are_left_or_named() -> None:
         stiffness[i, i] = 5.0  # N m/rad, less than m g h = 6 * 9.81 * 0.2
     carrier = replace(stand.carrier, center_of_mass=(0.0, 0.0, 0.2), inertia_about="center_of_mass")
     soft = replace(suspension, stiffness=rows(stiffness))
-    found = rest(replace(stand, carrier=carrier).with_laws(soft))
-    assert not found.unstable
-    assert found.state.quaternion is not None
-    assert abs(found.state.quaternion[0]) < 0.95
+    result = rest(replace(stand, carrier=carrier).with_laws(soft))
+    assert not result.unstable
+    assert result.state.quaternion is not None
+    assert abs(result.state.quaternion[0]) < 0.95
 
 
 def pendulum_with(text: str, more: str = "") -> Stand:
@@ -80,11 +80,11 @@ def pendulum_with(text: str, more: str = "") -> Stand:
 
 
 def test_a_pendulum_that_stands_on_its_pivot_hangs() -> None:
-    found = rest(loads(PENDULUM))
-    assert not found.unstable and found.free == ()
-    C = carrier_rotation(loads(PENDULUM), found.state)
-    assert C[2, 2] == pytest.approx(-1) and found.state.position == pytest.approx((0, 0, -0.4), abs=1e-12)
-    answer = reference.evaluate(loads(PENDULUM), found.state, ["forward"])
+    result = rest(loads(PENDULUM))
+    assert not result.unstable and result.free == ()
+    C = carrier_rotation(loads(PENDULUM), result.state)
+    assert C[2, 2] == pytest.approx(-1) and result.state.position == pytest.approx((0, 0, -0.4), abs=1e-12)
+    answer = reference.evaluate(loads(PENDULUM), result.state, ["forward"])
     weight = [0, 0, -2.5 * 9.81]  # the pivot bears it, upwards in E0
     assert C @ answer["reaction"][:3] == pytest.approx([-x for x in weight], abs=1e-9)
 
@@ -101,9 +101,9 @@ def test_a_pendulum_that_stands_on_its_pivot_hangs() -> None:
 def test_where_a_held_carrier_rests_and_what_no_force_brings_back(
     hold: str, law: str, position: tuple[float, ...], free: int
 ) -> None:
-    found = rest(pendulum_with(hold, law))
-    assert found.state.position == pytest.approx(position, abs=1e-12)
-    assert len(found.free) == free and not found.unstable
+    result = rest(pendulum_with(hold, law))
+    assert result.state.position == pytest.approx(position, abs=1e-12)
+    assert len(result.free) == free and not result.unstable
 
 
 @pytest.mark.parametrize(
@@ -123,11 +123,11 @@ def test_a_stop_that_presses_at_home_lets_the_stand_come_to_rest(at: float, stif
         for place, side in ((at, "above"), (at - 1.0, "below"))
     )
     stand = pendulum_with('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', stops)
-    found = rest(stand)
-    w, _, y, _ = found.state.quaternion or (1.0, 0.0, 0.0, 0.0)
+    result = rest(stand)
+    w, _, y, _ = result.state.quaternion or (1.0, 0.0, 0.0, 0.0)
     angle = 2 * math.atan2(y, w)
     weight, depth = 2.5 * 9.81 * 0.2 * math.sin(angle), max(angle - at, at - 1.0 - angle)
-    assert abs(weight) == pytest.approx(stiffness * depth, rel=1e-4) and not found.unstable
+    assert abs(weight) == pytest.approx(stiffness * depth, rel=1e-4) and not result.unstable
 
 
 BALL = """
@@ -150,10 +150,10 @@ pivot = [X, 0, 0.2]
 def test_a_ball_joint_tilts_and_does_not_turn_where_nothing_brings_it_back(x: float, height: float) -> None:
     """The tilt is the angle of the mass centre, seen from the pivot, to straight down; its axis is level."""
     stand = loads(BALL.replace("X", str(x)).replace("HEIGHT", str(height)))
-    found = rest(stand)
+    result = rest(stand)
     arm = np.array([0.004 - x, -0.004, height - 0.2])
     level = np.array([arm[1], -arm[0], 0.0])  # arm x (0, 0, 1)
     tilt = math.acos(-arm[2] / np.linalg.norm(arm))
     expected = (math.cos(tilt / 2), *(-math.sin(tilt / 2) * level / np.linalg.norm(level)).tolist())
-    assert found.state.quaternion == pytest.approx(expected, abs=1e-9)
-    assert len(found.free) == 1 and not found.unstable
+    assert result.state.quaternion == pytest.approx(expected, abs=1e-9)
+    assert len(result.free) == 1 and not result.unstable

@@ -106,9 +106,9 @@ ANGLE = 2e-6 / (J_TRANSVERSE + 0.011 - J_SPIN)
 )
 def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size: float, tmp_path: Path) -> None:
     stand = one_wheel(tmp_path, unbalance, more)
-    found = vibration(stand, [f"w={OMEGA}"], quantity)
-    first = [(name.wheel, name.order) for name in found.lines.names].index(("w", 1.0))
-    assert found.lines.sizes[0, first] == pytest.approx([size, size, 0.0], rel=1e-6, abs=1e-16)
+    result = vibration(stand, [f"w={OMEGA}"], quantity)
+    first = [(name.wheel, name.order) for name in result.lines.names].index(("w", 1.0))
+    assert result.lines.sizes[0, first] == pytest.approx([size, size, 0.0], rel=1e-6, abs=1e-16)
 
 
 @pytest.mark.parametrize(
@@ -122,10 +122,10 @@ def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size
 def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: list[str], point: str) -> None:
     stand, quantity = load(path(name)), "acceleration"
     asked = read_speeds(stand, speeds)
-    found = vibration(stand, speeds, quantity, point)
+    result = vibration(stand, speeds, quantity, point)
     other = periodic_response(stand, asked.speeds(0.0))
     wanted = rms(other.harmonics(find_view(stand, point, quantity)), other.frequencies)
-    assert found.sums().rms[0] == pytest.approx(wanted, rel=1e-6)
+    assert result.sums().rms[0] == pytest.approx(wanted, rel=1e-6)
 
 
 def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
@@ -162,16 +162,18 @@ def test_a_requirement_has_one_verdict_in_all_branches(
     at: dict[str, Any] = {"at": "acc1" if stand == "sat4" else "carrier", "quantity": "acceleration"}
     edge = 110.0 / 60.0 if stand == "shaker2" else 50.0
     sums = [f"{sum} VALUE m/s2{band}" for sum in ("rms", "peak", "worst") for band in ("", f" 1..{edge!r}Hz")]
-    wanted = command(path(stand), speed=speeds, **at, require=[each.replace("VALUE", "1") for each in sums])
-    values = [each["value"] for each in wanted["requirements"]]
+    wanted = command(
+        path(stand), speed=speeds, **at, require=[requirement.replace("VALUE", "1") for requirement in sums]
+    )
+    values = [requirement["value"] for requirement in wanted["requirements"]]
     assert values[0] == pytest.approx(wanted["rms"].max(), rel=1e-9) and values[0] <= values[2] <= values[4]
     monkeypatch.setattr(spectrum, "FEW_TURNS", few_turns)
     for part, verdict in ((1.0 + 1e-5, True), (1.0 - 1e-5, False)):
         limits = [text.replace("VALUE", repr(part * value)) for text, value in zip(sums, values, strict=True)]
         for asked in (speeds, sweep):
-            found = command(path(stand), speed=asked, steps=3, **at, require=limits)
-            assert [each["met"] for each in found["requirements"]] == [verdict] * len(sums)
-            assert found.ok is verdict
+            result = command(path(stand), speed=asked, steps=3, **at, require=limits)
+            assert [requirement["met"] for requirement in result["requirements"]] == [verdict] * len(sums)
+            assert result.ok is verdict
 
 
 @pytest.mark.filterwarnings("ignore:starts from rest, turned")
@@ -179,13 +181,15 @@ def test_a_requirement_has_one_verdict_in_all_branches(
 def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int) -> None:
     """However coarse its grid: a dense sweep about the peak finds nothing larger by 2 %, and no speed is coarse."""
     asked: dict[str, Any] = {"at": "carrier", "quantity": "displacement"}
-    found = command(path(stand), speed={"all": f"0..{most}rpm"}, steps=7, **asked)
-    largest = found["largest"]
-    assert not any("coarse" in message for message in found.messages)
+    result = command(path(stand), speed={"all": f"0..{most}rpm"}, steps=7, **asked)
+    largest = result["largest"]
+    assert not any("coarse" in message for message in result.messages)
     at = largest["speed"] / RPM
     dense = command(path(stand), speed={"all": f"{at - 5:.6f}..{at + 5:.6f}rpm"}, steps=21, **asked)
     assert (
-        0.98 * dense["largest"]["value"] < largest["value"] == pytest.approx(np.sqrt(2) * _norm(found["rms"]), rel=0.02)
+        0.98 * dense["largest"]["value"]
+        < largest["value"]
+        == pytest.approx(np.sqrt(2) * _norm(result["rms"]), rel=0.02)
     )
 
 
@@ -209,9 +213,9 @@ def solve(speeds: list[float]) -> Balance:
 @pytest.mark.parametrize("speeds", NEARLY_EQUAL, ids=str)
 def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
     """Momentum in E0 by the literal reference: a carrier that turned by a false beat would show it."""
-    found, rng = solve(speeds), np.random.default_rng(3)
-    angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(found.turning)))
-    Z = np.array([momentum_in_E0(pieces(SAT4, found.state(theta))) for theta in angles])
+    solution, rng = solve(speeds), np.random.default_rng(3)
+    angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(solution.turning)))
+    Z = np.array([momentum_in_E0(pieces(SAT4, solution.state(theta))) for theta in angles])
     spin = np.linalg.norm(Z[:, 3:], axis=1).max()
     assert np.abs(Z[:, :3]).max() < 1e-9 and np.abs(Z - Z.mean(axis=0)).max() < 1e-11 * spin
 
@@ -245,17 +249,17 @@ def table(folder: Path, text: str) -> Path:
 
 def test_mount_wrenches_are_those_of_the_reference() -> None:
     stand = load(path("bench8"))
-    found = balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
-    torus = found.torus
-    rates = 1j * found.frequencies[:, None] * found.c
-    ours = full_motion(found, torus, found.c, found.h).mount_wrenches()
-    own = found.scene.chart.mechanics.tables.Lm
+    solution = balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
+    torus = solution.torus
+    rates = 1j * solution.frequencies[:, None] * solution.c
+    ours = full_motion(solution, torus, solution.c, solution.h).mount_wrenches()
+    transfers = solution.scene.chart.mechanics.tables.Lm
     for j in (0, 11, 57):
-        at = pieces(stand, found.state(torus.nodes[j]))
+        at = pieces(stand, solution.state(torus.nodes[j]))
         V_dot = torus.values(rates)[j, 6:]
         wanted = mounts(at, V_dot, np.zeros(8))
         for s in range(8):
-            assert ours[j, s] == pytest.approx(-own[s] @ wanted[s], rel=1e-9, abs=1e-9)
+            assert ours[j, s] == pytest.approx(-transfers[s] @ wanted[s], rel=1e-9, abs=1e-9)
 
 
 MODES = "frequency [Hz],damping [-],modal mass [kg],{}\n{},0,{},{}\n"
@@ -268,11 +272,11 @@ def test_a_mode_that_is_the_rigid_carrier_moves_as_the_carrier(speed: str, tmp_p
     """Shape: translation along x, modal mass: the carrier's, no stiffness. The mount wrench moves both alike."""
     stand = one_wheel(tmp_path, 'static = "5 g cm"')
     file = table(tmp_path, MODES.format(COLUMNS, 1e-6, M_CARRIER, "1,0,0,0,0,0,1,0,0,0,0,0"))
-    found = vibration(stand, [speed], "displacement", makers=Makers(structure=read_structure(file, stand))).lines
+    result = vibration(stand, [speed], "displacement", makers=Makers(structure=read_structure(file, stand))).lines
     alone = vibration(stand, [speed], "displacement").lines
     axes = places(stand, ["eye"])[0].axes
-    first = [each.names.index(each.names[0]) for each in (found, alone)]
-    more, rigid = (each.amplitude[-1, i] @ axes.T for each, i in zip((found, alone), first, strict=True))
+    first = [lines.names.index(lines.names[0]) for lines in (result, alone)]
+    more, rigid = (lines.amplitude[-1, i] @ axes.T for lines, i in zip((result, alone), first, strict=True))
     assert more == pytest.approx(rigid * [2.0, 1.0, 1.0], rel=1e-6, abs=1e-15)
 
 
@@ -285,14 +289,14 @@ def test_a_table_with_the_unbalance_gives_the_unbalance(speed: str, tmp_path: Pa
     )
     makers = Makers({"w": read_harmonics(file)})
     for quantity in ("displacement", "angle"):
-        found = vibration(stand, [speed], quantity, makers=makers).lines
-        own = vibration(stand, [speed], quantity).lines
-        first = [i for i, name in enumerate(found.names) if name.order == 1.0]
-        wanted = max(own.sizes[-1], key=np.linalg.norm)
-        got = max(found.sizes[-1, first], key=np.linalg.norm)
+        result = vibration(stand, [speed], quantity, makers=makers).lines
+        expected = vibration(stand, [speed], quantity).lines
+        first = [i for i, name in enumerate(result.names) if name.order == 1.0]
+        wanted = max(expected.sizes[-1], key=np.linalg.norm)
+        got = max(result.sizes[-1, first], key=np.linalg.norm)
         assert got == pytest.approx(wanted, rel=1e-3, abs=1e-12)
-    at = next(i for i, name in enumerate(found.names) if name.order == 2.5)
-    assert found.frequency[-1, at] == pytest.approx(2.5 * OMEGA / (2.0 * np.pi))
+    at = next(i for i, name in enumerate(result.names) if name.order == 2.5)
+    assert result.frequency[-1, at] == pytest.approx(2.5 * OMEGA / (2.0 * np.pi))
 
 
 def test_units_of_a_table_are_converted(tmp_path: Path) -> None:
@@ -336,19 +340,19 @@ def test_a_shape_of_some_columns_says_which_to_add(tmp_path: Path) -> None:
 
 def rotor(inner: InnerModes, omega: float, speed: float) -> tuple[float, float]:
     """Gains of a forward and a backward turning moment, by the two real equations of the rocking rotor."""
-    own, damping = inner.modes["rocking"]
+    mode, damping = inner.modes["rocking"]
     g = inner.polar * speed
     # theta_2'' + g theta_3' + ..., theta_3'' - g theta_2' + ...: unit transverse inertia
     D = np.array([
-        [own**2 - omega**2 + 2j * damping * own * omega, 1j * omega * g],
-        [-1j * omega * g, own**2 - omega**2 + 2j * damping * own * omega],
+        [mode**2 - omega**2 + 2j * damping * mode * omega, 1j * omega * g],
+        [-1j * omega * g, mode**2 - omega**2 + 2j * damping * mode * omega],
     ])  # fmt: skip
-    through = own**2 + 2j * damping * own * omega
-    found = []
+    through = mode**2 + 2j * damping * mode * omega
+    values = []
     for moment in ([1.0, -1j], [1.0, 1j]):
         theta = np.linalg.solve(D, np.array(moment))
-        found.append(abs(through * theta[0]))
-    return found[0], found[1]
+        values.append(abs(through * theta[0]))
+    return values[0], values[1]
 
 
 def test_rocking_splits_into_whirls(tmp_path: Path) -> None:
@@ -358,7 +362,7 @@ def test_rocking_splits_into_whirls(tmp_path: Path) -> None:
     speed = 300.0
     for omega in (100.0, 250.0, 700.0):
         w = np.array([0, 0, 0, 0, 1, -1j]), np.array([0, 0, 0, 0, 1, 1j])
-        passed = [abs(inner.transmit(each, np.array(omega), np.array(speed))[4]) for each in w]
+        passed = [abs(inner.transmit(frequency, np.array(omega), np.array(speed))[4]) for frequency in w]
         assert passed == pytest.approx(rotor(inner, omega, speed), rel=1e-9)
 
 
@@ -369,17 +373,17 @@ def test_a_harmonic_against_the_wheel_meets_the_other_whirl(sense: str, size: fl
     """Order 0.5 at 6000 rpm on a rocking mode of 90 Hz, by theta'' - i p W theta' + c theta' + k theta = moment."""
     (tmp_path / "modes.csv").write_text("mode,frequency [Hz],damping [-],polar ratio [-]\nrocking,90,0.02,1.8\n")
     rows = f"order [-],radial moment [N m/(rad/s)^2],sense\n1,1e-9,\n0.5,1e-9,{sense}\n"
-    found = command(
+    result = command(
         mahovik.Stand.from_dict(force_table()), speed={"wheel": "6000rpm"}, at="hold.reaction", quantity="moment",
         harmonics={"wheel": table(tmp_path, rows)}, inner_modes={"wheel": tmp_path / "modes.csv"},
     )  # fmt: skip
-    half, one = (found["amplitude"][found["order"] == order][0] for order in (0.5, 1.0))
+    half, one = (result["amplitude"][result["order"] == order][0] for order in (0.5, 1.0))
     assert half == pytest.approx([size, size, 0.0], rel=2e-4)
-    W, own = 200.0 * np.pi, 2.0 * np.pi * 90.0
-    through = own**2 + 0.04j * own * W
+    W, natural = 200.0 * np.pi, 2.0 * np.pi * 90.0
+    through = natural**2 + 0.04j * natural * W
     forward = 1e-9 * W**2 * abs(through / (through - W**2 + 1.8 * W * W))
     assert one == pytest.approx([forward, forward, 0.0], rel=1e-6)
-    assert found["worst"] == pytest.approx(half + one, rel=1e-6)
+    assert result["worst"] == pytest.approx(half + one, rel=1e-6)
 
 
 BAND = (20.0, 200.0)
@@ -389,24 +393,24 @@ QUIET: dict[str, Any] = {"speed": AWAY, "at": "acc1", "quantity": "acceleration"
 
 def test_small_differences_of_speed_make_sat4_quieter() -> None:
     """All orders in the band by collocation over a common period; the momentum is that of the literal reference."""
-    found = command(path("sat4"), **QUIET, momentum="0 0 14")["improved"]
-    exact = periodic_response(SAT4, found["speeds"].tolist(), found["phases"].tolist())
+    result = command(path("sat4"), **QUIET, momentum="0 0 14")["improved"]
+    exact = periodic_response(SAT4, result["speeds"].tolist(), result["phases"].tolist())
     values = rms(exact.harmonics(find_view(SAT4, "acc1")), exact.frequencies, BAND)
-    assert found["after"] == pytest.approx(float(np.linalg.norm(values)), rel=1e-6)
-    assert found["before"] > 5.0 * found["after"]
+    assert result["after"] == pytest.approx(float(np.linalg.norm(values)), rel=1e-6)
+    assert result["before"] > 5.0 * result["after"]
     mean = np.zeros(3)
     for turn in range(4):
-        phi = tuple(found["phases"] + turn * math.pi / 2)
-        state = replace(rest_state(SAT4), phi=phi, phi_dot=tuple(found["speeds"].tolist()))
+        phi = tuple(result["phases"] + turn * math.pi / 2)
+        state = replace(rest_state(SAT4), phi=phi, phi_dot=tuple(result["speeds"].tolist()))
         mean += momentum(pieces(SAT4, state))[3:] / 4
     assert mean == pytest.approx([0.0, 0.0, 14.0], abs=1e-12)
 
 
 def test_limits_and_frequencies_to_be_avoided_hold() -> None:
-    found = command(
+    result = command(
         path("sat4"), **QUIET | {"speed": 0.0}, momentum=(2.0, 1.0, 5.0), limit="3000 rpm", avoid=["14..22Hz", "40Hz"]
     )["improved"]
-    turns = np.abs(found["speeds"]) / (2.0 * np.pi)
+    turns = np.abs(result["speeds"]) / (2.0 * np.pi)
     assert np.all(turns <= 50.0 * (1.0 + 1e-8))
     for order in (1, 2):
         for low, high in ((14.0, 22.0), (36.0, 44.0)):
@@ -446,15 +450,15 @@ def test_two_wheels_cancel_on_a_force_table() -> None:
     first = document["flywheel"][0] | {"name": "up", "unbalance": {"static": "72 g mm"}}
     second = first | {"name": "down", "position": [0, 0, -0.1]}
     document["flywheel"] = [first, second | {"unbalance": {"static": "60 g mm", "static_at": "30 deg"}}]
-    found = command(
+    result = command(
         mahovik.Stand.from_dict(document), speed={"up": "3000rpm", "down": "2987rpm"}, at="hold.reaction",
         band="20..200Hz", improve=True, limit="3000rpm",
     )["improved"]  # fmt: skip
-    one, other = found["speeds"]
+    one, other = result["speeds"]
     away = 40.0 * np.pi  # below the band nothing counts
     assert abs(one) <= away or abs(abs(one) - abs(other)) < 1e-9 * one
     if abs(one) > away:
-        assert np.exp(1j * (found["phases"][1] - found["phases"][0] + np.radians(30.0))) == pytest.approx(
+        assert np.exp(1j * (result["phases"][1] - result["phases"][0] + np.radians(30.0))) == pytest.approx(
             -1.0, abs=1e-6
         )
-        assert found["after"] == pytest.approx(12e-6 * one**2, rel=1e-6)  # of x and y together
+        assert result["after"] == pytest.approx(12e-6 * one**2, rel=1e-6)  # of x and y together

@@ -107,7 +107,7 @@ def answer_with(stand: Stand, change: Change, request: Request) -> Mapping[str, 
     return {"u_dot": u_dot.tolist(), "phi_ddot": phi_ddot.tolist(), "reaction": reaction.tolist()}
 
 
-def terms_found(name: str, change: Change, want: str = "forward") -> TermSearchResult:
+def search_terms(name: str, change: Change, want: str = "forward") -> TermSearchResult:
     return search(name, want).find(lambda request: answer_with(stand_of(name), change, request))
 
 
@@ -188,19 +188,19 @@ PLANTED: list[tuple[str, str, Change, set[tuple[Any, ...]]]] = [
 
 @pytest.mark.parametrize(("name", "want", "change", "expected"), PLANTED)
 def test_what_is_planted_is_named(name: str, want: str, change: Change, expected: set[tuple[Any, ...]]) -> None:
-    assert named(terms_found(name, change, want)) == expected
+    assert named(search_terms(name, change, want)) == expected
 
 
 @pytest.mark.parametrize(("name", "want"), [("pendulum", "forward"), ("arm", "reaction"), ("clamped", "forward")])
 def test_nothing_is_named_for_a_right_program(name: str, want: str) -> None:
-    assert terms_found(name, lambda *_: None, want).terms == ()
+    assert search_terms(name, lambda *_: None, want).terms == ()
 
 
 def test_moments_are_about_the_pivot() -> None:
-    result = terms_found("arm", wrong_arm("arm"))
+    result = search_terms("arm", wrong_arm("arm"))
     assert result.about == "the pivot"
     assert result.freedoms == "equations of what is free: M along pitch; speeds: q"
-    result = terms_found("skew", damping_about_a_skew_axis)
+    result = search_terms("skew", damping_about_a_skew_axis)
     assert "1 along 1 (turning about (0, 0.707107, 0.707107)); speeds: u_1" in result.freedoms
 
 
@@ -249,17 +249,17 @@ def test_a_constant_is_named() -> None:
     def moment(_: Any, right: Any, __: Pieces) -> None:
         right[4] += 0.2
 
-    lines = sentences(UNKNOWN.with_terms(terms_found("pendulum", moment)))
+    lines = sentences(UNKNOWN.with_terms(search_terms("pendulum", moment)))
     assert "  forward, M: a constant has the factor 0.2, and should not be there; 100% of the error" in lines
 
 
 def test_what_terms_explain_is_said_of_the_quantities_that_were_looked_at() -> None:
-    result = terms_found("pendulum", wrong_inertia)
+    result = search_terms("pendulum", wrong_inertia)
     alone = sentences(UNKNOWN.with_terms(result))
     assert alone[-1] == "without it nothing is left of the error beyond rounding"
-    found = replace(UNKNOWN, wrong=("forward: V_dot", "points: points.twist")).with_terms(result)
-    assert found.verdict == "approximate"
-    more = sentences(found)
+    diagnosis = replace(UNKNOWN, wrong=("forward: V_dot", "points: points.twist")).with_terms(result)
+    assert diagnosis.verdict == "approximate"
+    more = sentences(diagnosis)
     assert more[-2:] == [
         "without it the equations of forward are right",
         "not known: whether it explains all of points: points.twist",
@@ -267,7 +267,7 @@ def test_what_terms_explain_is_said_of_the_quantities_that_were_looked_at() -> N
 
 
 def test_a_diagnosis_by_terms_as_data() -> None:
-    diagnosis = UNKNOWN.with_terms(terms_found("pendulum", wrong_arm("pendulum")))
+    diagnosis = UNKNOWN.with_terms(search_terms("pendulum", wrong_arm("pendulum")))
     data = as_object(diagnosis)
     assert (data["verdict"], data["found"][0]["term"], data["found"][0]["component"]) == ("named", "g_x", "M")
     assert data["unexplained"] < 1e-9
@@ -298,7 +298,7 @@ def law_search() -> TermSearch:
     return TermSearch(vehicle(), wants=("forward",), program=Program("", (), actuators=True))
 
 
-def law_terms_found(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
+def search_law_terms(wrong: Callable[[Stand], Stand], rows: Sequence[int] = range(6)) -> TermSearchResult:
     """Search in a program that has another law in some components of the wrench."""
 
     def answers(request: Request) -> Mapping[str, Any]:
@@ -317,8 +317,8 @@ def with_fin(share: float) -> Callable[[Stand], Stand]:
     """A share of the lift slope of the first fin."""
 
     def change(stand: Stand) -> Stand:
-        first, *others = law_of(stand, Fins).fins
-        return with_law(stand, Fins((replace(first, lift_slope=share * first.lift_slope), *others)))
+        first, *rest = law_of(stand, Fins).fins
+        return with_law(stand, Fins((replace(first, lift_slope=share * first.lift_slope), *rest)))
 
     return change
 
@@ -354,7 +354,7 @@ def with_fading_element(stand: Stand) -> Stand:
 def test_a_wrong_coefficient_is_named(
     wrong: Callable[[Stand], Stand], rows: Sequence[int], expected: set[tuple[Any, ...]]
 ) -> None:
-    assert named(law_terms_found(wrong, rows)) == expected
+    assert named(search_law_terms(wrong, rows)) == expected
 
 
 def test_parts_of_a_law_add_up_to_it() -> None:

@@ -82,22 +82,22 @@ int main(void)
 @pytest.mark.parametrize("name", [*EMBEDDED, "host", "aarch64", "m7-clang", "rv64gc-clang"])
 def test_every_target_computes_and_prints(name: str, tmp_path: Path) -> None:
     """Startup has set up FPU, constants, variables; products are rounded as NumPy rounds them; text arrives."""
-    found = target(name)
-    assert run(found, build(found, {"hello.c": HELLO}, tmp_path)).split() == ["double", "float", "data"]
+    machine = target(name)
+    assert run(machine, build(machine, {"hello.c": HELLO}, tmp_path)).split() == ["double", "float", "data"]
 
 
 @pytest.mark.parametrize("name", EMBEDDED)
 def test_instructions_are_counted(name: str, tmp_path: Path) -> None:
     """One (M55) to five instructions a turn of an empty loop; twice the turns, twice the instructions."""
-    found = target(name)
-    assert run(found, build(found, {"count.c": COUNT}, tmp_path)).split() == ["plausible", "linear"]
+    machine = target(name)
+    assert run(machine, build(machine, {"count.c": COUNT}, tmp_path)).split() == ["plausible", "linear"]
 
 
 @pytest.mark.parametrize("name", ["m3", "m7", "rv32gc", "rv64gc"])
 def test_painted_stack(name: str, tmp_path: Path) -> None:
     """An empty program uses no stack; a block of 1000 bytes is measured."""
-    found = target(name)
-    assert run(found, build(found, {"stack.c": STACK}, tmp_path)).splitlines() == ["nothing", "a thousand"]
+    machine = target(name)
+    assert run(machine, build(machine, {"stack.c": STACK}, tmp_path)).splitlines() == ["nothing", "a thousand"]
 
 
 CRASH = "int main(void) { return *(volatile int *)0xF0000000u + *(volatile int *)0x60000001u; }\n"
@@ -105,19 +105,19 @@ CRASH = "int main(void) { return *(volatile int *)0xF0000000u + *(volatile int *
 
 @pytest.mark.parametrize("name", ["m4", "rv32gc"])
 def test_a_crash_ends_in_the_fault_handler(name: str, tmp_path: Path) -> None:
-    found = target(name)
+    machine = target(name)
     with pytest.raises(ToolchainError, match=rf"^{name}: the program crashed \(fault handler\)$"):
-        run(found, build(found, {"crash.c": CRASH}, tmp_path))
+        run(machine, build(machine, {"crash.c": CRASH}, tmp_path))
 
 
 @pytest.mark.parametrize("name", QUICK)
 def test_a_status_and_an_endless_loop_are_errors(name: str, tmp_path: Path) -> None:
-    found = target(name)
+    machine = target(name)
     with pytest.raises(ToolchainError, match=f"^{name}: the program ended with status 3$"):
-        run(found, build(found, {"three.c": "int main(void) { return 3; }\n"}, tmp_path))
+        run(machine, build(machine, {"three.c": "int main(void) { return 3; }\n"}, tmp_path))
     endless = "static volatile int stop;\nint main(void) { while (stop == 0) { } return 0; }\n"
     with pytest.raises(ToolchainError, match=f"^{name}: no end within 1 s$"):
-        run(found, build(found, {"three.c": endless}, tmp_path), timeout=1)
+        run(machine, build(machine, {"three.c": endless}, tmp_path), timeout=1)
 
 
 @pytest.mark.parametrize("name", TARGETS)
@@ -149,12 +149,12 @@ int main(void)
 @pytest.mark.parametrize(("name", "answer"), [("m4", "wrong way"), ("m7", "nearest"), ("rv32imac", "nearest")])
 def test_sums_of_doubles_by_software(name: str, answer: str, tmp_path: Path) -> None:
     """The library of gcc for Arm rounds some the wrong way, as docs/c-interface.md says."""
-    found = target(name)
-    assert run(found, build(found, {"sum.c": SUM}, tmp_path, extra=("-Wno-float-equal",))) == answer
+    machine = target(name)
+    assert run(machine, build(machine, {"sum.c": SUM}, tmp_path, extra=("-Wno-float-equal",))) == answer
 
 
 def test_what_does_not_compile_is_one_line(tmp_path: Path) -> None:
-    found = target("m7")
+    machine = target("m7")
     with pytest.raises(ToolchainError, match=r"^arm-none-eabi-gcc refused bad\.c: bad\.c:1:") as caught:
-        build(found, {"bad.c": "int main(void) { return missing; }\n"}, tmp_path)
+        build(machine, {"bad.c": "int main(void) { return missing; }\n"}, tmp_path)
     assert "\n" not in str(caught.value)

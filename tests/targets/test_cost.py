@@ -24,8 +24,8 @@ def bench8() -> dict[tuple[str, str], TargetCost]:
     return {(t.target, t.real): t for t in measure(load(BENCH8), pairs).targets}
 
 
-def cost_of(found: TargetCost, function: str) -> FunctionCost:
-    return next(f for f in found.functions if f.function == function)
+def cost_of(cost: TargetCost, function: str) -> FunctionCost:
+    return next(f for f in cost.functions if f.function == function)
 
 
 LIMITS = [
@@ -50,10 +50,10 @@ def test_promised_limits(bench8: dict[tuple[str, str], TargetCost]) -> None:
 @pytest.mark.slow
 def test_painted_stack_confirms_the_frames(bench8: dict[tuple[str, str], TargetCost]) -> None:
     """A call never uses more than the deepest chain, routines of the library aside, and mostly just that."""
-    for found in bench8.values():
-        for f in found.functions:
+    for cost in bench8.values():
+        for f in cost.functions:
             assert f.routines or f.painted <= f.stack, f.function
-        assert sum(f.painted >= 0.9 * f.stack - 16 for f in found.functions) >= len(found.functions) - 2
+        assert sum(f.painted >= 0.9 * f.stack - 16 for f in cost.functions) >= len(cost.functions) - 2
 
 
 @pytest.mark.slow
@@ -86,11 +86,11 @@ def test_figures_of_the_host_agree_with_one_another(monkeypatch: pytest.MonkeyPa
     require("valgrind", "valgrind")
     monkeypatch.setattr(measuring, "STATES", 1)
     progress = []
-    found = measure(
+    measured = measure(
         load(DEMO3), [(target("host"), "double")], lambda *done: progress.append(done), ("step", "prepare_mounts"), True
     )
     (cost,), names = (
-        found.targets,
+        measured.targets,
         ["step", "step(order=2)", "prepare_mounts", "recorder_step", "recorder_step(order=2)"],
     )
     assert progress == [(1, 1)] and [f.function for f in cost.functions] == names
@@ -99,9 +99,9 @@ def test_figures_of_the_host_agree_with_one_another(monkeypatch: pytest.MonkeyPa
     assert recorded.instructions > step.instructions > mounts.instructions > 0
     assert recorded.stack > step.stack > cost_of(cost, "prepare_mounts").stack > 0
     assert cost.constants["demo3_default"] > 0 and cost.unnamed > 0
-    text = page(found)
+    text = page(measured)
     assert f"\n| `step` | {step.instructions:,} | {step.stack:,} |  | {step.code:,} |\n" in text
-    again = compare(found, json.loads(as_json(found))["targets"])
+    again = compare(measured, json.loads(as_json(measured))["targets"])
     assert (again.rises, again.compared) == ((), ("host, double",))
 
 
@@ -114,11 +114,11 @@ def test_the_page_tells_what_was_refused_and_what_the_compiler_adds() -> None:
 
 def costs(**changes: Any) -> Costs:
     one = FunctionCost("forward", 1000, 500, 490, 3000, ())
-    found = TargetCost(
+    cost = TargetCost(
         *("m7", "Cortex-M7", "double", "0" * 64, "gcc 1.2.3", "-O2", "qemu 7.2.0"),
         *((one,), 5000, {"demo3_default": 400}, 8),
     )
-    return Costs("demo3", "0", "1", (replace(found, **changes),))
+    return Costs("demo3", "0", "1", (replace(cost, **changes),))
 
 
 def rises(**changes: object) -> tuple[str, ...]:
@@ -136,9 +136,9 @@ def test_a_rise_is_more_than_two_percent(what: str, old: int) -> None:
 
 
 def test_another_compiler_is_not_compared() -> None:
-    found = compare(costs(compiler="gcc 9.9.9", text=9999), json.loads(as_json(costs()))["targets"])
-    assert (found.rises, found.compared) == ((), ())
-    assert found.other == ("m7, double: accepted figures are of gcc 1.2.3, this is gcc 9.9.9",)
+    comparison = compare(costs(compiler="gcc 9.9.9", text=9999), json.loads(as_json(costs()))["targets"])
+    assert (comparison.rises, comparison.compared) == ((), ())
+    assert comparison.other == ("m7, double: accepted figures are of gcc 1.2.3, this is gcc 9.9.9",)
 
 
 def test_usage() -> None:

@@ -33,23 +33,25 @@ __attribute__((noinline)) int top(int n)
 
 
 def measured_footprint(text: str, folder: Path, name: str = "m7") -> Footprint:
-    found = target(name)
+    machine = target(name)
     (folder / "it.c").write_text(text)
-    return footprint(found.compiler[0], compile_one(found, "it.c", folder, "-O2", STACK_FLAGS))
+    return footprint(machine.compiler[0], compile_one(machine, "it.c", folder, "-O2", STACK_FLAGS))
 
 
 @pytest.mark.parametrize("name", ["m7", "rv32gc", "host"])
 def test_chains_tables_and_symbols(name: str, tmp_path: Path) -> None:
-    found = measured_footprint(CHAIN, tmp_path, name)
-    assert found.constants["table"] == 100
-    assert found.with_calls("middle") == {"leaf", "middle"}
+    footprint = measured_footprint(CHAIN, tmp_path, name)
+    assert footprint.constants["table"] == 100
+    assert footprint.with_calls("middle") == {"leaf", "middle"}
     red_zone = 128 if name == "host" else 0  # of x86-64: below the stack pointer, in no frame
-    assert 400 - red_zone <= found.stack_of("leaf") < 450
-    assert found.stack_of("top") == found.frames["top"] + found.frames["middle"] + found.frames["leaf"]
-    assert found.code_of("top") == sum(found.code[name] for name in ("top", "middle", "leaf"))
-    assert 0 <= found.text - sum(found.code.values()) < 64
+    assert 400 - red_zone <= footprint.stack_of("leaf") < 450
+    assert footprint.stack_of("top") == footprint.frames["top"] + footprint.frames["middle"] + footprint.frames["leaf"]
+    assert footprint.code_of("top") == sum(footprint.code[name] for name in ("top", "middle", "leaf"))
+    assert 0 <= footprint.text - sum(footprint.code.values()) < 64
 
 
 def test_routines_of_the_library_are_named(tmp_path: Path) -> None:
-    found = measured_footprint("double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3")
-    assert found.routines("half") == ["__aeabi_dmul"]
+    footprint = measured_footprint(
+        "double half(double x);\ndouble half(double x) { return x * 0.3; }\n", tmp_path, "m3"
+    )
+    assert footprint.routines("half") == ["__aeabi_dmul"]

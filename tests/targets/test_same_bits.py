@@ -26,23 +26,23 @@ def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
     """Every public function, in the element type of the FPU, on golden vectors and a sweep."""
     for name, _ in QUICK:
         target(name)
-    found = verify_targets(load(DEMO3), parse_targets("quick"), sweep=5)
-    assert [(row.judged, row.verdict, row.words) for row in found.rows] == [(" ".join(p), "ok", "") for p in QUICK]
-    assert len({row.states for row in found.rows}) == 1
-    assert found.rows[0].states >= 18
-    assert found.passed
+    report = verify_targets(load(DEMO3), parse_targets("quick"), sweep=5)
+    assert [(row.judged, row.verdict, row.words) for row in report.rows] == [(" ".join(p), "ok", "") for p in QUICK]
+    assert len({row.states for row in report.rows}) == 1
+    assert report.rows[0].states >= 18
+    assert report.passed
 
 
 @pytest.mark.slow
 def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     """The one flag that the bits rest on, turned round, where the processor can fuse."""
     monkeypatch.setattr(board, "BITS", ("-ffp-contract=fast",))
-    found = verify_targets(load(DEMO3), [(target("rv64gc"), "double")], sweep=2)
-    (row,) = found.rows
+    report = verify_targets(load(DEMO3), [(target("rv64gc"), "double")], sweep=2)
+    (row,) = report.rows
     assert row.verdict == "FAILED"
     assert row.words.startswith("not the interpreter's bits: ")
-    assert conclusion(found).startswith("FAILED: rv64gc double")
-    assert not found.passed
+    assert conclusion(report).startswith("FAILED: rv64gc double")
+    assert not report.passed
 
 
 def row(verdict: str, words: str = "") -> Check:
@@ -86,6 +86,6 @@ def test_a_missing_emulator_is_told_and_is_no_pass(tmp_path: Path, monkeypatch: 
 def _which(command: str) -> str:
     import shutil
 
-    found = shutil.which(command)
-    assert found is not None
-    return found
+    path = shutil.which(command)
+    assert path is not None
+    return path

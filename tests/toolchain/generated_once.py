@@ -16,7 +16,7 @@ def once(make: Callable[..., Any]) -> Callable[..., Any]:
     parameters = signature(make)
 
     @wraps(make)
-    def found(*arguments: Any, **named: Any) -> Any:
+    def remembered(*arguments: Any, **named: Any) -> Any:
         bound = parameters.bind(*arguments, **named)
         bound.apply_defaults()
         key = pickle.dumps(bound.arguments)
@@ -25,7 +25,7 @@ def once(make: Callable[..., Any]) -> Callable[..., Any]:
         result = known[key]
         return replace(result, files=dict(result.files)) if hasattr(result, "files") else result
 
-    return found
+    return remembered
 
 
 def install() -> None:

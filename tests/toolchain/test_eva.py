@@ -50,14 +50,14 @@ def test_a_line_of_the_script_is_read() -> None:
 @pytest.mark.parametrize("name", quick(1, ["everything6", "demo3", "bare0"]))
 def test_every_public_function_has_drivers(name: str) -> None:
     program = generate_all(stand(name), "double").program
-    found = drivers(program)
+    made = drivers(program)
     public = {f.name for f in program.functions if f.public}
-    assert {d.function for d in found if d.set != "routine"} == public
-    assert {d.function for d in found if d.claimed and d.set != "routine"} == {
+    assert {d.function for d in made if d.set != "routine"} == public
+    assert {d.function for d in made if d.claimed and d.set != "routine"} == {
         name for name in public if row_of(name).claimed
     }
     files = eva_files(stand(name), generate_all(stand(name)))
-    for driver in found:
+    for driver in made:
         assert f"void {name}_{driver.entry}(void)\n" in files[f"verification/{name}_eva.c"]
         assert f"{driver.set}_{driver.function}" in files[f"verification/{name}_eva.sh"]
 
@@ -66,10 +66,10 @@ def test_every_public_function_has_drivers(name: str) -> None:
 def test_the_c_of_demo3_holds(tmp_path: Path) -> None:
     require("frama-c", "frama-c-base")
     write(delivery(stand("demo3"), additions=("eva",)), tmp_path)
-    found = prove(
+    report = prove(
         tmp_path / "verification/demo3_eva.sh", ["any_forward", "any_momentum", "bits_step", "routine_check_state"]
     )
-    assert [proof.holds for proof in found] == [True] * 4
+    assert [proof.holds for proof in report] == [True] * 4
 
 
 @pytest.mark.slow

@@ -29,11 +29,11 @@ def inside() -> CompletedProcess[str]:
 
 def test_programs_of_pools_inside_are_ended() -> None:
     begin = time.monotonic()
-    found: list[Future[CompletedProcess[str]]] = []
+    futures: list[Future[CompletedProcess[str]]] = []
     with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
-        found.append(pool.submit(inside))
+        futures.append(pool.submit(inside))
         until_running(1)
         raise KeyboardInterrupt
     assert time.monotonic() - begin < 30.0
-    assert found[0].result().returncode != 0
+    assert futures[0].result().returncode != 0
     assert process._running == {}

@@ -31,13 +31,13 @@ def test_new_deviations_and_warnings_are_seen(tmp_path: Path) -> None:
     write(files, tmp_path)
     assert warnings_of(tmp_path, ["demo3.c"]) == []
     known = findings(tmp_path, ["demo3.c"])
-    assert all(each.is_accepted for each in known)
+    assert all(finding.is_accepted for finding in known)
     assert count_by_rule(known)["15.5"] > 0
     with_goto = files["demo3.c"].replace("    demo3_sums sum;\n", "    demo3_sums sum;\n    goto on;\non:\n", 1)
     unused = with_goto.replace("const demo3_real z2 =", "const float lost = 1.0; const demo3_real z2 =", 1)
     (tmp_path / "demo3.c").write_text(unused, encoding="ascii")
     assert warnings_of(tmp_path, ["demo3.c"]) != []
-    assert not all(each.is_accepted for each in findings(tmp_path, ["demo3.c"]))
+    assert not all(finding.is_accepted for finding in findings(tmp_path, ["demo3.c"]))
 
 
 def test_every_target_is_in_the_help() -> None:

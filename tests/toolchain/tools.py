@@ -41,10 +41,10 @@ QUICK = ("host", "m4", "m7", "rv64gc")
 
 def require(tool: str, package: str) -> str:
     """Path of a tool; without it the test is skipped, in CI it fails: there nothing is left out."""
-    found = shutil.which(tool)
-    if found is None:
+    path = shutil.which(tool)
+    if path is None:
         _absent(f"no {tool}: apt-get install {package}")
-    return found
+    return path
 
 
 def target(name: str) -> Target:

@@ -53,8 +53,8 @@ def changed(pattern: str, new: str, count: int = 1) -> Callable[[str], str]:
     """The source with a pattern replaced, which it must hold."""
 
     def change(text: str) -> str:
-        text, found = re.subn(pattern, new, text, count=count)
-        assert found
+        text, replaced = re.subn(pattern, new, text, count=count)
+        assert replaced
         return text
 
     return change

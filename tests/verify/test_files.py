@@ -63,9 +63,9 @@ angles = [0.1, 0.2, 0.3]
 
 def test_every_form_of_a_data_sheet_is_read_twice() -> None:
     """The same file is read by `core/stand` and by the second reading: faults are planted in both."""
-    found = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
-    assert max(found.values()) <= ACCEPTED, found
-    assert {"sheet inertia", "disc center of mass", "arm axes", "sensor position", "added mass"} <= found.keys()
+    faults = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
+    assert max(faults.values()) <= ACCEPTED, faults
+    assert {"sheet inertia", "disc center of mass", "arm axes", "sensor position", "added mass"} <= faults.keys()
 
 
 @pytest.mark.parametrize("name", ["bench8", "auv6", "remus6", "sat4"])
@@ -79,10 +79,10 @@ def test_any_stand_is_read_twice(stand: Stand) -> None:
 
 
 def test_a_number_that_was_read_otherwise_fails() -> None:
-    (w1, *others), document = DEMO.flywheels, tomllib.loads(path("demo3").read_text())
+    (w1, *rest), document = DEMO.flywheels, tomllib.loads(path("demo3").read_text())
     (x, y, z), fails = w1.center_of_mass, []
     for wrong in (replace(w1, center_of_mass=(x, y, z + 1e-9)), replace(w1, mass=w1.mass * (1 + 1e-9))):
-        row = check_file(replace(DEMO, flywheels=(wrong, *others)), document)
+        row = check_file(replace(DEMO, flywheels=(wrong, *rest)), document)
         fails.append(f"{row.verdict} {row.words.partition(':')[0]}")
     assert fails == ["FAILED w1 center of mass", "FAILED w1 mass"]
     assert check_file(DEMO, None).verdict == "not compared"
@@ -99,8 +99,8 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
         for name, text in (whole | changed).items():
             old, new = edit.split(" -> ") if name == "demo3.c" and edit else ("", "")
             (tmp_path / name).write_text(text.replace(old, new) if old else text, newline="\n")
-        found = check_text(DEMO, made, tmp_path)
-        return found.verdict, found.words
+        checks = check_text(DEMO, made, tmp_path)
+        return checks.verdict, checks.words
 
     by_hand = "edited by hand after mahovik"
     assert row() == ("ok", "")

@@ -131,11 +131,11 @@ def test_every_argument_of_every_function_is_tried() -> None:
         for a in function.arguments
         if a.name not in {str(wrong.path[0]) for wrong in wrong_values(function, good, "double")}
     ]
-    assert {each.split(": ")[1] for each in untried} <= {"count", "moved", "counter", "locked"}  # it may be null
+    assert {message.split(": ")[1] for message in untried} <= {"count", "moved", "counter", "locked"}  # it may be null
     checked = raw_call(backend)
     for call, reason in (
         (lambda *_: (0, True), "status OK, expected "),
-        (lambda *given: (checked(*given)[0], False), "refused, but outputs were written"),
+        (lambda *arguments: (checked(*arguments)[0], False), "refused, but outputs were written"),
     ):
         row = check_refusals(backend.program, good, call)
         assert (row.verdict, row.words[: len(reason)]) == ("FAILED", reason) and " = " in row.state

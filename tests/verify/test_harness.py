@@ -52,14 +52,14 @@ def rows_of(change: Any, wants: Sequence[str] = ("forward", "momentum")) -> dict
 
 
 def nudged(name: str, by: float) -> Any:
-    return lambda found: found | ({name: np.asarray(found[name]) * (1 + by)} if name in found else {})
+    return lambda answers: answers | ({name: np.asarray(answers[name]) * (1 + by)} if name in answers else {})
 
 
 def test_a_stand_without_flywheels_passes() -> None:
     """What nothing can meet is left over, whole."""
-    found = verify_c(replace(DEMO, flywheels=()), count=10)
-    assert found.passed, found.failures
-    compared = {row.quantity for row in found.rows if row.verdict == "ok"}
+    report = verify_c(replace(DEMO, flywheels=()), count=10)
+    assert report.passed, report.failures
+    compared = {row.quantity for row in report.rows if row.verdict == "ok"}
     assert {"residual", "hardest"} <= compared
 
 
@@ -83,7 +83,7 @@ def test_a_difference_of_ten_tolerances_fails_and_of_a_tenth_does_not() -> None:
     ],
 )
 def test_what_is_no_result_fails_with_a_reason(value: Any, words: str) -> None:
-    row = rows_of(lambda found: found | {"V_dot": value} if "V_dot" in found else found)["V_dot"]
+    row = rows_of(lambda answers: answers | {"V_dot": value} if "V_dot" in answers else answers)["V_dot"]
     assert row.failed
     assert row.value == math.inf
     assert row.words == words
@@ -119,12 +119,12 @@ def test_a_term_broken_in_the_emitted_c_is_caught(tmp_path: Path) -> None:
         assert old in text
         return text.replace(old, new, 1)
 
-    found = verify_c(stand, count=6, against=written(tmp_path, stand, change))
-    assert not found.passed
-    assert {"K_dot"} <= {row.quantity for row in found.failures}
-    assert any(row.verdict == "not compared" for row in found.rows)
-    assert "; text differs from this version's, of another version or edited by hand" in conclusion(found)
-    lines = worst_lines(found).splitlines()
+    report = verify_c(stand, count=6, against=written(tmp_path, stand, change))
+    assert not report.passed
+    assert {"K_dot"} <= {row.quantity for row in report.failures}
+    assert any(row.verdict == "not compared" for row in report.rows)
+    assert "; text differs from this version's, of another version or edited by hand" in conclusion(report)
+    lines = worst_lines(report).splitlines()
     assert lines
     assert {read_line(stand, line).want[0] for line in lines} <= set(WANTS)
 
@@ -176,38 +176,38 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
     original = InterpreterBackend.evaluate
 
     def evaluate_wrongly(self: InterpreterBackend, state: State, want: Sequence[str]) -> dict[str, Any]:
-        found = original(self, state, want)
-        if "V_dot" in found:
-            found["V_dot"][2] = float(np.nextafter(found["V_dot"][2], np.inf))
-        return found
+        answers = original(self, state, want)
+        if "V_dot" in answers:
+            answers["V_dot"][2] = float(np.nextafter(answers["V_dot"][2], np.inf))
+        return answers
 
     monkeypatch.setattr(InterpreterBackend, "evaluate", evaluate_wrongly)
-    found = verify_c(DEMO, count=4)
-    (row,) = found.failures
+    answers = verify_c(DEMO, count=4)
+    (row,) = answers.failures
     assert row.quantity == "interpreter = C, bit for bit"
     assert row.words == "forward differs"
-    assert read_line(DEMO, worst_lines(found)).state == rest_state(DEMO)
+    assert read_line(DEMO, worst_lines(answers)).state == rest_state(DEMO)
 
 
 def test_reports_as_json_and_junit() -> None:
-    found = verify_c(DEMO, count=4)
-    table = json.loads(as_json(found), parse_constant=pytest.fail)
+    report = verify_c(DEMO, count=4)
+    table = json.loads(as_json(report), parse_constant=pytest.fail)
     assert table["passed"] is True
     assert table["stand"] == "demo3"
-    assert [row["quantity"] for row in table["rows"]] == [row.quantity for row in found.rows]
-    suite = ET.fromstring(as_junit(found))
-    assert suite.get("tests") == str(len(found.rows))
+    assert [row["quantity"] for row in table["rows"]] == [row.quantity for row in report.rows]
+    suite = ET.fromstring(as_junit(report))
+    assert suite.get("tests") == str(len(report.rows))
     assert suite.get("failures") == suite.get("errors") == "0"
 
     bad = Check("forward", "V_dot", 1e-12)
     bad.note(math.inf, "random 1", "\x00\x1b & <missing>")
-    broken = replace(found, rows=(bad,))
+    broken = replace(report, rows=(bad,))
     assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["value"] is None
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
     assert "?? & <missing>" in str(case.get("message"))
     assert conclusion(broken) == "FAILED: forward V_dot"
 
-    empty = replace(found, rows=())
+    empty = replace(report, rows=())
     assert not empty.passed
     assert ET.fromstring(as_junit(empty)).get("errors") == "1"
 
@@ -228,14 +228,14 @@ def test_rank_is_decided_by_the_thresholds_of_float() -> None:
     cuts = scales.cuts
     assert (cuts.rank, cuts.reached) == (THRESHOLDS["float"].rank, THRESHOLDS["float"].unreachable)
     drawn = [state for _, state in draw(stand, 1, 30, "float")]
-    kept = [found for state in drawn if (found := scales.want(state, "inverse")) is not None and not found.undecided]
+    kept = [scale for state in drawn if (scale := scales.want(state, "inverse")) is not None and not scale.undecided]
     assert len(kept) >= 0.9 * len(drawn)
 
 
 def test_the_conclusion_says_the_worst_of_what_has_the_limit_of_the_report() -> None:
     rows = (Check("forward", "V_dot", 1e-6, 3e-7, "ok"), Check("step", "state at the end", 1e-4, 2e-5, "ok"))
-    found = Report("demo3", "", "", "C", 1, 1, 1e-6, rows)
-    assert conclusion(found) == "passed: worst 3.0e-07 of the natural scale, 1e-06 accepted"
+    report = Report("demo3", "", "", "C", 1, 1, 1e-6, rows)
+    assert conclusion(report) == "passed: worst 3.0e-07 of the natural scale, 1e-06 accepted"
 
 
 def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:

@@ -39,12 +39,12 @@ OF_HOLD = {"matrices bias", *(f"{want} {key}" for want in ("forward", "coupled")
 @pytest.mark.parametrize("name", [n if n in QUICK else pytest.param(n, marks=pytest.mark.slow) for n in STANDS])
 def test_they_agree_on_everything(name: str) -> None:
     stand = STANDS[name]
-    found = verify_judges(stand, count=14)
-    assert found.passed, conclusion(found)
+    report = verify_judges(stand, count=14)
+    assert report.passed, conclusion(report)
     expected = MOTION | (OF_FLYWHEELS if stand.flywheels else set())
     expected |= {"points points"} if stand.points or stand.instruments else set()
-    assert {(row.judged, row.quantity) for row in found.rows} == {(name, key) for name in PROGRAMS for key in expected}
-    assert all(row.states == 14 for row in found.rows)
+    assert {(row.judged, row.quantity) for row in report.rows} == {(name, key) for name in PROGRAMS for key in expected}
+    assert all(row.states == 14 for row in report.rows)
 
 
 @pytest.mark.parametrize(
@@ -55,9 +55,9 @@ def test_they_agree_on_everything(name: str) -> None:
     ],
 )
 def test_a_stand_is_judged_without_what_they_do_not_know_and_this_is_said(name: str, lacking: list[str]) -> None:
-    found = run("verify", str(path(name)), "--judges", "--states", "2", "--json")
-    assert (found.exit_code, found.stderr) == (0, "")
-    answer = json.loads(found.stdout)
+    result = run("verify", str(path(name)), "--judges", "--states", "2", "--json")
+    assert (result.exit_code, result.stderr) == (0, "")
+    answer = json.loads(result.stdout)
     assert set(lacking) <= set(answer["left_out"])
     assert {row["verdict"] for row in answer["rows"]} == {"ok"}
 
@@ -68,9 +68,9 @@ def test_a_program_that_is_not_installed_is_one_line_with_the_command(monkeypatc
     assert line.endswith("--judges: pinocchio is not installed (pinocchio): pip install pin mujoco")
 
 
-def failures(stand: Stand, given: Stand, kind: type[Program], count: int = 8) -> set[str]:
+def failures(stand: Stand, other: Stand, kind: type[Program], count: int = 8) -> set[str]:
     """Quantities of a stand in which a program that is given another one does not agree."""
-    checks = judge(stand, NumpyBackend(stand), [kind(given)], draw(stand, 1, count))
+    checks = judge(stand, NumpyBackend(stand), [kind(other)], draw(stand, 1, count))
     assert all(check.states == count for check in checks)
     return {check.quantity for check in checks if check.failed}
 
@@ -159,16 +159,16 @@ def test_the_second_derivation_agrees_on_these_holds(name: str) -> None:
     stand = held_case(name, 1)
     state = replace(state_of(stand, 1), wrench={})
     for want in ("forward", "coupled", "torque"):
-        found, other = (backend.evaluate(state, [want]) for backend in (NumpyBackend(stand), Second(stand)))
-        found.pop("reaction" if name == "everything" else "", None)  # which is none but rounding
-        assert worst(found, other) < 1e-12, want
+        answer, other = (backend.evaluate(state, [want]) for backend in (NumpyBackend(stand), Second(stand)))
+        answer.pop("reaction" if name == "everything" else "", None)  # which is none but rounding
+        assert worst(answer, other) < 1e-12, want
 
 
 @pytest.mark.parametrize("name", quick(1, ["hinge", "plane", "screw", "clamped"]))
 def test_the_command_judges_the_c_of_a_held_carrier(name: str) -> None:
-    found = verify_judges(held_case(name, 3), count=5)
-    assert found.passed, conclusion(found)
-    refusals = {row.judged: row.words for row in found.rows if row.verdict == "not compared"}
+    report = verify_judges(held_case(name, 3), count=5)
+    assert report.passed, conclusion(report)
+    refusals = {row.judged: row.words for row in report.rows if row.verdict == "not compared"}
     assert refusals.keys() == {kind for refused, kind in REFUSED if refused == name}
     assert all(words.startswith(REFUSED[name, kind]) for kind, words in refusals.items())
 

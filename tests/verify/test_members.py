@@ -62,8 +62,10 @@ def cases_of_statuses(function: str) -> list[Case]:
 
 
 def program_function(name: str) -> Function:
-    (found,) = (each for each in case_with(name).backend.program.functions if each.public and each.name == name)
-    return found
+    (match,) = (
+        function for function in case_with(name).backend.program.functions if function.public and function.name == name
+    )
+    return match
 
 
 def members(function: Function) -> Iterator[tuple[str, str]]:
@@ -77,9 +79,9 @@ def members(function: Function) -> Iterator[tuple[str, str]]:
 def wrong(value: Any) -> Any:
     """Every number far from what it was."""
     if isinstance(value, Mapping):
-        return {name: wrong(each) for name, each in value.items()}
+        return {name: wrong(item) for name, item in value.items()}
     if isinstance(value, list | tuple):
-        return [wrong(each) for each in value]
+        return [wrong(item) for item in value]
     return value + 1 if isinstance(value, int) else value + 1.0 + abs(value)
 
 
@@ -109,12 +111,12 @@ def with_wrong(outputs: Mapping[str, Any], output: str, member: str) -> dict[str
         return dict(outputs)
     held = outputs[output]
     if not member:
-        found = wrong(held)
+        changed = wrong(held)
     elif isinstance(held, list):
-        found = [each | {member: wrong(each[member])} for each in held]
+        changed = [row | {member: wrong(row[member])} for row in held]
     else:
-        found = held | {member: wrong(held[member])}
-    return {**outputs, output: found}
+        changed = held | {member: wrong(held[member])}
+    return {**outputs, output: changed}
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
@@ -146,8 +148,8 @@ def test_every_status_bit_is_compared(name: str, monkeypatch: pytest.MonkeyPatch
         for words, set_bits, cleared in (("always", value, 0), ("never", 0, value)):
             with monkeypatch.context() as patch:
 
-                def fault(found: int, outputs: dict[str, Any], bits: tuple[int, int] = (set_bits, cleared)) -> Any:
-                    return (found | bits[0]) & ~bits[1], outputs
+                def fault(actual: int, outputs: dict[str, Any], bits: tuple[int, int] = (set_bits, cleared)) -> Any:
+                    return (actual | bits[0]) & ~bits[1], outputs
 
                 if not any(failed(patch, name, fault, case) for case in cases_of_statuses(name)):
                     unnoticed.append(f"{name}: {bit} {words} set")

@@ -55,12 +55,12 @@ def compiled(stand: Stand) -> CBackend:
 def stepped(stand: Stand, state: State) -> Ends:
     """The end of a motion by `step` of the C."""
     backend = compiled(stand)
-    given = backend.arguments(state) | {"dt": SECONDS / STEPS, "order": 4}
+    arguments = backend.arguments(state) | {"dt": SECONDS / STEPS, "order": 4}
     for _ in range(STEPS):
-        status, found = backend.call("step", given)
+        status, outputs = backend.call("step", arguments)
         assert status >= 0
-        given["x"] = found["next"]
-    x: Mapping[str, Any] = given["x"]
+        arguments["x"] = outputs["next"]
+    x: Mapping[str, Any] = arguments["x"]
     turn = Rotation.from_quat(x["attitude"], scalar_first=True)
     return np.array(x["position"]), turn, *(np.array(x[key]) for key in ("V", "phi", "phi_dot"))
 
@@ -221,6 +221,6 @@ def test_rotors_of_basilisk_move_as_the_c_steps(name: str) -> None:
 def test_a_wrong_rotor_is_caught(key: str) -> None:
     """One number of one rotor that Basilisk is given, in the seventh digit."""
     stand = STANDS["random"]
-    *others, last = stand.flywheels
+    *rest, last = stand.flywheels
     wrong = replace(last, **{key: (np.array(getattr(last, key)) * (1.0 + 1e-7)).tolist()})
-    assert worst_acceleration(stand, BasiliskRotors(stand, (*others, wrong))) > 1e-9
+    assert worst_acceleration(stand, BasiliskRotors(stand, (*rest, wrong))) > 1e-9

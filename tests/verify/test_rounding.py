@@ -41,11 +41,11 @@ class Changed:
         return getattr(self._right, name)
 
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
-        found = self._right.evaluate(state, want)
-        if math.isnan(self._factor) and self._quantity in found:
+        answers = self._right.evaluate(state, want)
+        if math.isnan(self._factor) and self._quantity in answers:
             raise StateError("RANGE: it will not")
         with np.errstate(invalid="ignore"):
-            return {k: np.array(v) * self._factor if k == self._quantity else v for k, v in found.items()}
+            return {k: np.array(v) * self._factor if k == self._quantity else v for k, v in answers.items()}
 
 
 def measured(stand: Stand, judged: Any, count: int = STATES) -> Report:
@@ -59,10 +59,10 @@ CASES = [case for case in product(names(), ("double", "float")) if case != ("dem
     ("name", "real"), [("demo3", "double"), *(pytest.param(*case, marks=pytest.mark.slow) for case in CASES)]
 )
 def test_the_c_is_right_to_rounding(name: str, real: str) -> None:
-    found = measure_rounding(load(path(name)), count=STATES, real=real, backend=backend(name, real))
-    assert found.passed
-    assert all(row.states == STATES for row in found.rows)
-    forward = next(row for row in found.rows if row.judged == "forward")
+    rounding = measure_rounding(load(path(name)), count=STATES, real=real, backend=backend(name, real))
+    assert rounding.passed
+    assert all(row.states == STATES for row in rounding.rows)
+    forward = next(row for row in rounding.rows if row.judged == "forward")
     assert 0 < forward.value <= forward.limit
 
 
@@ -73,9 +73,9 @@ def test_the_c_is_right_to_rounding(name: str, real: str) -> None:
 )
 def test_a_quantity_that_is_off_by_1e_12_is_caught(stand: Stand, quantity: str) -> None:
     """Too little for the tolerance of `verify`, too much for rounding."""
-    found = measured(stand, Changed(backend(stand.name), quantity, 1 + 9e-13), 6 if stand is HELD else STATES)
-    assert {row.quantity for row in found.failures} == {quantity}
-    assert all(row.value < 1e-12 for row in found.failures)
+    rounding = measured(stand, Changed(backend(stand.name), quantity, 1 + 9e-13), 6 if stand is HELD else STATES)
+    assert {row.quantity for row in rounding.failures} == {quantity}
+    assert all(row.value < 1e-12 for row in rounding.failures)
 
 
 def test_a_refusal_and_what_is_no_number_fail() -> None:

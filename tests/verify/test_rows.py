@@ -205,9 +205,9 @@ def test_a_quaternion_may_have_either_sign_at_half_a_turn_alone() -> None:
     stand = load(AIR_TABLE)
     states = dict(draw(stand, 2, 13))
     for name, verdict in (("half_turn 12", "ok"), ("random 1", "FAILED")):
-        found = NumpyBackend(stand).evaluate(states[name], ("generalized",))
+        answers = NumpyBackend(stand).evaluate(states[name], ("generalized",))
         judge = Judge(stand)
-        judge.compare(Request(name, states[name], ("generalized",)), "generalized", found | {
-            "orientation": -np.asarray(found["orientation"])
+        judge.compare(Request(name, states[name], ("generalized",)), "generalized", answers | {
+            "orientation": -np.asarray(answers["orientation"])
         })  # fmt: skip
         assert {row.verdict for row in judge.checks() if row.quantity == "orientation"} == {verdict}

@@ -44,24 +44,24 @@ def with_errors(stand: Stand, at: Pieces) -> Iterator[tuple[str, Pieces]]:
 
 
 def answers(stand: Stand, state: Any, at: Pieces) -> dict[tuple[str, str], Any]:
-    found: dict[tuple[str, str], Any] = {}
+    result: dict[tuple[str, str], Any] = {}
     for want in WANTS:
         try:
             values = reference.evaluate(stand, state, (want,), at)
         except (StateError, np.linalg.LinAlgError):
             continue
-        found |= {(want, name): value for name, value in values.items()}
-    return found
+        result |= {(want, name): value for name, value in values.items()}
+    return result
 
 
 def parts_of_scales(stand: Stand, states: int) -> dict[str, float]:
     """The largest part of the scale of any quantity that each term reaches at the drawn states."""
     scales, reached = Scales(stand), dict[str, float]()
     for _, state in draw(stand, 1, states, wrenches=False):
-        own, held, at = scales.neighbours(state)[0]
-        right = answers(own, held, at)
-        for term, wrong in with_errors(own, at):
-            for key, value in answers(own, held, wrong).items():
+        neighbour, held, at = scales.neighbours(state)[0]
+        right = answers(neighbour, held, at)
+        for term, wrong in with_errors(neighbour, at):
+            for key, value in answers(neighbour, held, wrong).items():
                 measured = scales.want(state, key[0])
                 if measured is not None and key in right:
                     off, _ = difference(value, right[key], measured.scales[key[1]])
@@ -94,7 +94,7 @@ def test_a_scale_is_the_change_of_the_answer() -> None:
     scales = Scales(stand)
     _, state = draw(stand, 1, 3)[1]
     m = stand.carrier.mass
-    measured = scales.measure(state, lambda own, _, __: {"x": np.array([own.carrier.mass - 0.5 * m, 0.0])})
+    measured = scales.measure(state, lambda neighbour, _, __: {"x": np.array([neighbour.carrier.mass - 0.5 * m, 0.0])})
     x, zero = np.asarray(measured.scales["x"])
     assert 0.5 * m <= x <= m  # at least the value, at most the largest change
     assert zero == x / 256  # what is zero is so by symmetry
@@ -105,7 +105,7 @@ def test_a_word_that_changes_is_undecided() -> None:
     stand = load(path("demo3"))
     m = stand.carrier.mass
     _, state = draw(stand, 1, 3)[1]
-    measured = Scales(stand).measure(state, lambda own, _, __: {"heavier": own.carrier.mass > m, "x": np.ones(1)})
+    measured = Scales(stand).measure(state, lambda near, _, __: {"heavier": near.carrier.mass > m, "x": np.ones(1)})
     assert measured.undecided
 
 

@@ -161,12 +161,12 @@ class Answers:
 
 
 def answers(*lines: bytes) -> list[tuple[dict[str, Any], bool]]:
-    found = list(evaluate_lines(AUV, NumpyBackend(AUV), [line + b"\n" for line in lines]))
-    return [(json.loads(line, parse_constant=pytest.fail), good) for line, good in found]
+    parsed = list(evaluate_lines(AUV, NumpyBackend(AUV), [line + b"\n" for line in lines]))
+    return [(json.loads(line, parse_constant=pytest.fail), good) for line, good in parsed]
 
 
 def test_results_come_in_order_and_repeat_the_id() -> None:
-    found = answers(
+    lines = answers(
         b'{"id": "b", "want": ["forward"]}',
         b"",
         b'{"id": {"n": [1, null]}, "want": ["frward"]}',
@@ -174,17 +174,17 @@ def test_results_come_in_order_and_repeat_the_id() -> None:
         b"nonsense",
         b'{"id": 7, "want": ["momentum", "torque"]}',
     )
-    assert [line["id"] for line, _ in found] == ["b", {"n": [1, None]}, None, 7]
-    assert [good for _, good in found] == [True, False, False, True]
-    assert set(found[0][0]) == {"id", "V_dot"}
-    assert set(found[1][0]) == set(found[2][0]) == {"id", "error"}
-    assert set(found[3][0]) == {"id", "Z", "Z0", "energy", "center_of_mass", "center_of_mass_velocity", "tau"}
+    assert [line["id"] for line, _ in lines] == ["b", {"n": [1, None]}, None, 7]
+    assert [good for _, good in lines] == [True, False, False, True]
+    assert set(lines[0][0]) == {"id", "V_dot"}
+    assert set(lines[1][0]) == set(lines[2][0]) == {"id", "error"}
+    assert set(lines[3][0]) == {"id", "Z", "Z0", "energy", "center_of_mass", "center_of_mass_velocity", "tau"}
 
 
 def test_a_byte_order_mark_carriage_returns_and_foreign_bytes() -> None:
-    found = answers(b'\xef\xbb\xbf{"id": 1, "want": ["forward"]}\r', b'{"id": "\xff", "want": ["forward"]}')
-    assert found[0][1]
-    assert found[1][0] == {"id": None, "error": "not UTF-8: byte 0xff"}
+    lines = answers(b'\xef\xbb\xbf{"id": 1, "want": ["forward"]}\r', b'{"id": "\xff", "want": ["forward"]}')
+    assert lines[0][1]
+    assert lines[1][0] == {"id": None, "error": "not UTF-8: byte 0xff"}
 
 
 def test_floats_have_17_digits_and_stay_floats() -> None:

@@ -58,8 +58,8 @@ class Other(Second):
 
 def rows(judged: float = 0.0, second: float = 0.0, refuses_after: int = 0) -> dict[str, Check]:
     other = Other(second, refuses_after)
-    found = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=other)
-    return {row.quantity: row for row in found}
+    report = judge(DEMO, Judged(judged), draw(DEMO, 1, 9), ("forward", "momentum", "mounts"), second=other)
+    return {row.quantity: row for row in report}
 
 
 REFUSES = math.nan
@@ -81,31 +81,31 @@ ALONE = {
 
 @pytest.mark.parametrize("name", ALONE)
 def test_the_one_that_differs_is_named(name: str) -> None:
-    given, verdict, disagreement, reason = ALONE[name]
-    found = rows(**given)  # type: ignore[arg-type]
-    row = found["V_dot"]
+    case, verdict, disagreement, reason = ALONE[name]
+    table = rows(**case)  # type: ignore[arg-type]
+    row = table["V_dot"]
     assert row.verdict == verdict
     assert row.words.startswith(disagreement) and reason in row.words
-    if not any(map(math.isnan, given.values())):
-        assert not found["energy"].failed
-    assert found["mount_wrench"].second is None  # the second derivation has no such want
+    if not any(map(math.isnan, case.values())):
+        assert not table["energy"].failed
+    assert table["mount_wrench"].second is None  # the second derivation has no such want
 
 
 def test_reference_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     backend, right = Judged(), reference.evaluate
-    monkeypatch.setattr(reference, "evaluate", lambda *given: wrong_by(right(*given), 1e-6))
+    monkeypatch.setattr(reference, "evaluate", lambda *arguments: wrong_by(right(*arguments), 1e-6))
     (row,) = judge(DEMO, backend, draw(DEMO, 1, 9), ("forward",), second=Second(DEMO))
     assert row.failed
     assert row.words == "C and second agree, reference differs"
 
 
 def test_a_stand_that_the_second_derivation_refuses_is_compared_without_it() -> None:
-    found = judge(DEMO, Judged(), draw(DEMO, 1, 9), ("forward", "mounts"), second=Other(math.nan))
-    (skipped,) = (row for row in found if row.verdict == "not compared")
+    judged = judge(DEMO, Judged(), draw(DEMO, 1, 9), ("forward", "mounts"), second=Other(math.nan))
+    (skipped,) = (row for row in judged if row.verdict == "not compared")
     assert (skipped.judged, skipped.quantity) == ("forward", "second derivation")
     assert skipped.words == "second derivation refused: no such sum; so at every state"
-    compared = next(row for row in found if row.quantity == "V_dot")
+    compared = next(row for row in judged if row.quantity == "V_dot")
     assert (compared.verdict, compared.states, compared.second) == ("ok", 9, None)
-    assert report(DEMO, "generated C", 1, 9, 1e-12, found).passed
+    assert report(DEMO, "generated C", 1, 9, 1e-12, judged).passed
     wrong = judge(DEMO, Judged(1e-6), draw(DEMO, 1, 9), ("forward",), second=Other(math.nan))
     assert [row.quantity for row in wrong if row.failed] == ["V_dot"]

@@ -94,9 +94,9 @@ def write_run(file: Path, rows: Array, rng: np.random.Generator) -> None:
 def trial(stand: mahovik.Stand, file: Path, true: dict[str, float]) -> tuple[dict[str, float], list[int], float]:
     """Largest errors by kind of number, whether each interval holds the truth, and seconds."""
     begin = time.perf_counter()
-    found = mahovik.identify(stand, data=file, free={"free": ["w*.unbalance"], "delay": {"imu": DELAY}})
+    result = mahovik.identify(stand, data=file, free={"free": ["w*.unbalance"], "delay": {"imu": DELAY}})
     taken = time.perf_counter() - begin
-    rows = zip(*(found[key].tolist() for key in ("path", "value", "standard_error")), strict=True)
+    rows = zip(*(result[key].tolist() for key in ("path", "value", "standard_error")), strict=True)
     parameters = {path: figures for path, *figures in rows}
     worst, covered = {"static": 0.0, "static_at": 0.0, "dynamic": 0.0}, []
     for path, value in true.items():

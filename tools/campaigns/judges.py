@@ -20,11 +20,11 @@ def measure(options: Namespace) -> Iterator[tuple[str | float | None, ...]]:
     """A row for each quantity: the largest difference over the example stands, program by program."""
     checks = [check for name in names() for check in verify_judges(load(path(name)), count=options.states).rows]
     for quantity in dict.fromkeys(check.quantity for check in checks):
-        found = {check.judged: [] for check in checks}
+        differences = {check.judged: [] for check in checks}
         for check in checks:
             if check.quantity == quantity:
-                found[check.judged].append(check.value)
-        yield quantity, *(max(found[program], default=None) for program in PROGRAMS)
+                differences[check.judged].append(check.value)
+        yield quantity, *(max(differences[program], default=None) for program in PROGRAMS)
 
 
 def agrees(row: Row) -> bool:

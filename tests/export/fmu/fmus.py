@@ -54,9 +54,9 @@ def generated(name: str) -> Generated:
 @lru_cache
 def fmu_of(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
     """FMU of a stand; begins at rest in the origin where the stand has no equilibrium."""
-    found = stand(name)
-    start = rest_state(found) if name in ("rigid", "driven") else None
-    return export_fmu(found, version, kind, inputs, start=start, binary=binary, generated=generated(name))
+    example = stand(name)
+    start = rest_state(example) if name in ("rigid", "driven") else None
+    return export_fmu(example, version, kind, inputs, start=start, binary=binary, generated=generated(name))
 
 
 @lru_cache
@@ -116,7 +116,7 @@ def instance(name: str, version: str, kind: Kind, inputs: Inputs, talks: bool = 
     types: dict[tuple[str, Kind], Any] = {
         ("2.0", "cs"): FMU2Slave, ("2.0", "me"): FMU2Model, ("3.0", "cs"): FMU3Slave, ("3.0", "me"): FMU3Model,
     }  # fmt: skip
-    found = types[version, kind](
+    unit = types[version, kind](
         guid=description.guid, unzipDirectory=folder, modelIdentifier=name, instanceName="one", fmiCallLogger=None
     )
     if version == "2.0":
@@ -128,32 +128,32 @@ def instance(name: str, version: str, kind: Kind, inputs: Inputs, talks: bool = 
         callbacks.logger = fmi2CallbackLoggerTYPE(logger)
         callbacks.allocateMemory = defaultCallbacks.allocateMemory
         callbacks.freeMemory = defaultCallbacks.freeMemory
-        found.instantiate(callbacks=callbacks, loggingOn=talks)
+        unit.instantiate(callbacks=callbacks, loggingOn=talks)
     else:
 
         def log3(_env: Any, status: int, category: bytes, message: bytes) -> None:
             log.append((status, category.decode(), message.decode()))
 
-        found.instantiate(loggingOn=talks, logMessage=log3)
+        unit.instantiate(loggingOn=talks, logMessage=log3)
     try:
-        yield Instance(found, {v.name: v.valueReference for v in description.modelVariables}, log)
+        yield Instance(unit, {v.name: v.valueReference for v in description.modelVariables}, log)
     finally:
-        found.freeInstance()
+        unit.freeInstance()
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def heavier(found: Stand, by: float) -> Stand:
+def heavier(stand: Stand, by: float) -> Stand:
     """A stand whose carrier has another mass, and the same moments of inertia about its origin."""
-    J = generated(found.name).values.parameters["carrier"]["inertia"]
+    J = generated(stand.name).values.parameters["carrier"]["inertia"]
     tensor = ((J[0], J[3], J[4]), (J[3], J[1], J[5]), (J[4], J[5], J[2]))
-    carrier = replace(found.carrier, mass=by * found.carrier.mass, inertia=tensor, inertia_about="origin")
-    return replace(found, carrier=carrier)
+    carrier = replace(stand.carrier, mass=by * stand.carrier.mass, inertia=tensor, inertia_about="origin")
+    return replace(stand, carrier=carrier)
 
 
-def moving(found: Stand, speed: float) -> State:
+def moving(stand: Stand, speed: float) -> State:
     """A state near that in which the FMU begins, in motion; its flywheels turn at about `speed`, rad/s."""
-    state = rest_state(found) if found.name in ("rigid", "driven") else rest(found).state
-    N = len(found.flywheels)
+    state = rest_state(stand) if stand.name in ("rigid", "driven") else rest(stand).state
+    N = len(stand.flywheels)
     wheel = [(-1.0) ** k * (1.0 + 0.1 * k) for k in range(N)]
     return replace(
         state,

@@ -31,7 +31,7 @@ def begun(one: Instance) -> None:
 @pytest.mark.slow
 def test_any_communication_step() -> None:
     """A step of 10 ms by dt = 1 ms, and the same in parts of which dt is no divisor: the same to the error of dt."""
-    found = []
+    runs = []
     for parts in ([0.01] * 10, [0.0007, 0.0093] * 10, [0.1]):
         with fmus.instance("driven", "2.0", "cs", "torque") as one:
             one.put({"dt": 1e-3})
@@ -41,9 +41,9 @@ def test_any_communication_step() -> None:
                 one.step(now, part)
                 now += part
             assert one.get("time") == pytest.approx([0.1])
-            found.append(one.get(*SEEN))
-    assert found[1] == pytest.approx(found[0], rel=1e-7, abs=1e-9)
-    assert found[2] == pytest.approx(found[0], rel=1e-12, abs=1e-13)  # the same steps inside, but for rounding of h
+            runs.append(one.get(*SEEN))
+    assert runs[1] == pytest.approx(runs[0], rel=1e-7, abs=1e-9)
+    assert runs[2] == pytest.approx(runs[0], rel=1e-12, abs=1e-13)  # the same steps inside, but for rounding of h
 
 
 @pytest.mark.slow
@@ -104,15 +104,15 @@ def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
 @pytest.mark.parametrize("version", quick(1, ["2.0", "3.0"]))
 def test_tuned_parameters_are_those_of_another_stand(version: str) -> None:
     """A parameter that is tuned in the middle of a run gives what a stand with that parameter gives from there on."""
-    found = fmus.stand("driven")
-    heavy = replace(fmus.heavier(found, 1.01), gravity=(0.3, -0.2, -5.0))
+    changed = fmus.stand("driven")
+    heavy = replace(fmus.heavier(changed, 1.01), gravity=(0.3, -0.2, -5.0))
     with fmus.instance("driven", version, "cs", "torque") as one:
         one.put({"dt": 1e-3})
         one.begin()
         one.put({"carrier.mass": heavy.carrier.mass, "gravity[1]": 0.3, "gravity[2]": -0.2, "gravity[3]": -5.0})
         one.step(0.0, 0.05)
         carrier = one.get(*(f"carrier.position[{i}]" for i in (1, 2, 3)), *(f"carrier.V[{i}]" for i in range(1, 7)))
-    start = rest_state(found)
+    start = rest_state(changed)
     free = loads_regime("schema = 1\ndefault = { torque = 0 }", heavy, 0.05)
     run = simulate(Case(heavy, free, start, 0.05, 0.05, 1e-3))
     assert carrier[:3] == pytest.approx([run[f"{a} [m]"][-1] for a in "xyz"], rel=1e-9, abs=1e-12)

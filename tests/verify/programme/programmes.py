@@ -28,9 +28,18 @@ def programme_of(
     stand: Stand, motion: RequiredMotion, course: Fourier | Samples, winding: tuple[int, ...], bias: np.ndarray
 ) -> Programme:
     """With the identities of the stand."""
-    own, names = identities(stand), tuple(s.name for s in stand.flywheels)
+    hashes, names = identities(stand), tuple(s.name for s in stand.flywheels)
     return Programme(
-        stand.name, own.structure, own.physics, motion.name, names, motion.periodic, motion.span, bias, winding, course
+        stand.name,
+        hashes.structure,
+        hashes.physics,
+        motion.name,
+        names,
+        motion.periodic,
+        motion.span,
+        bias,
+        winding,
+        course,
     )
 
 
@@ -54,8 +63,8 @@ def solved(stand: Stand, motion: RequiredMotion, winding: tuple[int, ...], mean:
         R, _ = residual_and_torque(stand, motion.at(t, programme.bias), programme.at(t))
         return (R @ L.T).ravel()
 
-    found = least_squares(residual, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=12)
-    return stand, motion, programme_at(found.x)
+    solution = least_squares(residual, start, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=12)
+    return stand, motion, programme_at(solution.x)
 
 
 @cache
@@ -101,9 +110,9 @@ def twins_run_up() -> RunUpTable:
     return RunUpTable(Tr, Samples(Tr * x[:, 0], phi, omega * speed, omega * slope / Tr))
 
 
-def failed(found: Sequence[Check]) -> set[str]:
+def failed(checks: Sequence[Check]) -> set[str]:
     """Names of the items that have not passed."""
-    return {item.quantity for item in found if item.failed}
+    return {item.quantity for item in checks if item.failed}
 
 
 def offended(programme: Programme, **motion: Any) -> set[str]:
@@ -112,9 +121,9 @@ def offended(programme: Programme, **motion: Any) -> set[str]:
     return failed(verify_programme(stand, replace(required, **motion), programme))
 
 
-def item(found: Sequence[Check], name: str) -> Check:
+def item(checks: Sequence[Check], name: str) -> Check:
     """The one of a name."""
-    return next(item for item in found if item.quantity == name)
+    return next(item for item in checks if item.quantity == name)
 
 
 def tabled(M: int = 12) -> Samples:

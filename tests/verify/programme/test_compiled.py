@@ -20,9 +20,9 @@ from verify.build import changed
 
 def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
     """Checks of the C in a folder by their names."""
-    stand, given = programmes.stand(), getattr(programmes, programme)()
-    found = verify_compiled(stand, ProgrammeCase.of(stand, motion(), given), folder)
-    return {item.quantity: item for item in found}
+    stand, built = programmes.stand(), getattr(programmes, programme)()
+    report = verify_compiled(stand, ProgrammeCase.of(stand, motion(), built), folder)
+    return {item.quantity: item for item in report}
 
 
 @pytest.mark.parametrize(
@@ -40,12 +40,12 @@ def judged(folder: Path, programme: str = "started") -> dict[str, Check]:
 )
 def test_every_function_of_the_header_is_judged(programme: str, kind: str, real: str, tmp_path: Path) -> None:
     source = written(exported(programme, kind, real), tmp_path, real)
-    found = judged(tmp_path, programme)
-    assert not any(item.failed for item in found.values())
+    report = judged(tmp_path, programme)
+    assert not any(item.failed for item in report.values())
     header = re.sub(r"/\*.*?\*/", "", source.with_suffix(".h").read_text(), flags=re.DOTALL)
     functions = set(re.findall(r"^shaker2_status shaker2_programme_(\w+)\(", header, re.MULTILINE))
     assert functions - {"at", "runup_at", "rundown_at"} == {"start", "phase", "advance"}  # judged by the clock's row
-    rows = {name.removeprefix("C ") for name in found}
+    rows = {name.removeprefix("C ") for name in report}
     assert functions & {"at", "runup_at", "rundown_at"} <= rows
     assert {"clock", "residual"} <= rows
     assert ("torque" in rows) == (programme == "spin")

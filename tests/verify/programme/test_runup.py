@@ -27,19 +27,19 @@ def checks(bounds: Bounds | None = None, **tables: Any) -> dict[str, Check]:
     """Checks of run-up and run-down alone, by their names, with other tables in the programme."""
     stand, motion, programme = twins()
     required = replace(motion, bounds=bounds or Bounds())
-    found = ProgrammeCase.of(stand, required, replace(programme, **tables)).runups()
-    return {item.quantity: item for item in found}
+    verdicts = ProgrammeCase.of(stand, required, replace(programme, **tables)).runups()
+    return {item.quantity: item for item in verdicts}
 
 
-def refused(**given: Any) -> set[str]:
+def refused(**changes: Any) -> set[str]:
     """Names of the checks that fail."""
-    return {name for name, item in checks(**given).items() if item.failed}
+    return {name for name, item in checks(**changes).items() if item.failed}
 
 
 def test_a_run_up_that_ends_on_the_programme_passes() -> None:
-    found = checks(runup=twins_run_up())
-    assert not any(item.failed for item in found.values())
-    assert {"run-up table", "run-up joint", "run-up rest", "run-up end"} <= set(found)
+    findings = checks(runup=twins_run_up())
+    assert not any(item.failed for item in findings.values())
+    assert {"run-up table", "run-up joint", "run-up rest", "run-up end"} <= set(findings)
 
 
 def lagging(rows: Samples) -> dict[str, Array]:
@@ -114,8 +114,8 @@ def test_nothing_accelerates_there(name: str, free: int) -> None:
 
 def test_a_bound_on_the_deviation() -> None:
     """The twins' carrier is held still and strays by nothing."""
-    found = checks(runup=twins_run_up(), bounds=Bounds(deviation=(1e-3, np.inf)))
-    assert not found["run-up bound deviation"].failed and found["run-up bound deviation"].value < 1e-6
+    findings = checks(runup=twins_run_up(), bounds=Bounds(deviation=(1e-3, np.inf)))
+    assert not findings["run-up bound deviation"].failed and findings["run-up bound deviation"].value < 1e-6
 
 
 def test_a_carrier_that_falls_has_no_rest() -> None:

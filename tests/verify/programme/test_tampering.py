@@ -68,8 +68,8 @@ def test_all_items_that_a_change_offends_are_named() -> None:
 
 @pytest.mark.parametrize(("winding", "other"), [("rock", 2), ("spin", 0), ((1, -1), 0), ((1, 1), 1)])
 def test_windings_that_are_not_as_wanted_are_counted(winding: Winding, other: int) -> None:
-    (found,) = case(shaker()[2], winding=winding).winding()
-    assert (found.value, found.failed) == (other, other != 0)
+    (finding,) = case(shaker()[2], winding=winding).winding()
+    assert (finding.value, finding.failed) == (other, other != 0)
 
 
 @pytest.mark.parametrize(
@@ -102,8 +102,8 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
 def test_a_programme_of_another_stand_or_motion_says_so(change: dict[str, Any], words: str) -> None:
     stand, motion, programme = shaker()
     changed = replace(programme, **change)
-    found = (verification.stand_check(stand, changed), verification.motion_check(motion, changed))
-    assert words in "; ".join(item.words for item in found if item.failed)
+    findings = (verification.stand_check(stand, changed), verification.motion_check(motion, changed))
+    assert words in "; ".join(item.words for item in findings if item.failed)
 
 
 @pytest.mark.parametrize("column", ["phi", "phi_dot", "phi_ddot"])
@@ -118,9 +118,9 @@ def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: 
 
 def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(verification, "FURTHEST", 2.5)
-    found = case(replace(shaker()[2], course=fourier(mean=(1.0, 1.0)))).simulation()
-    assert found.failed
-    assert "2.5 amplitudes from the required motion at t = 0.0" in found.words
+    findings = case(replace(shaker()[2], course=fourier(mean=(1.0, 1.0)))).simulation()
+    assert findings.failed
+    assert "2.5 amplitudes from the required motion at t = 0.0" in findings.words
 
 
 def test_a_bound_is_one_of_the_items() -> None:

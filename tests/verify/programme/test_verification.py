@@ -34,11 +34,11 @@ def right() -> tuple[Check, ...]:
 
 
 def test_a_right_programme_passes() -> None:
-    found = right()
-    assert failed(found) == set()
-    assert item(found, "residual").value < 1e-11
-    assert item(found, "simulation").value < 1e-8
-    assert [each.quantity for each in found] == [
+    checks = right()
+    assert failed(checks) == set()
+    assert item(checks, "residual").value < 1e-11
+    assert item(checks, "simulation").value < 1e-8
+    assert [check.quantity for check in checks] == [
         "stand", "motion", "winding", "table", "periodicity", "bias", "residual", "simulation",
     ]  # fmt: skip
 
@@ -73,9 +73,9 @@ def test_a_finite_programme() -> None:
     stand, motion, programme = still_from_rest()
     phi = programme.at(np.zeros(1)).phi[0]
     wanted = replace(motion, bounds=Bounds(start_phi=tuple(phi), start_phi_dot=(0.0, 0.0)))
-    found = verify_programme(stand, wanted, programme)
-    assert failed(found) == set()
-    assert {"start phi", "start phi_dot", "table", "simulation"} <= {each.quantity for each in found}
+    checks = verify_programme(stand, wanted, programme)
+    assert failed(checks) == set()
+    assert {"start phi", "start phi_dot", "table", "simulation"} <= {check.quantity for check in checks}
     elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
     assert failed(ProgrammeCase.of(stand, elsewhere, programme).beginning()) == {
         "start phi",
@@ -122,9 +122,9 @@ def moved(programme: Programme, **changed: Any) -> Programme:
 
 def grown(programme: Programme) -> Programme:
     """A course that the wheels do not make."""
-    own = programme.carrier
-    assert own is not None
-    return moved(programme, q=1.001 * own.q, q_dot=1.001 * own.q_dot, q_ddot=1.001 * own.q_ddot)
+    carrier = programme.carrier
+    assert carrier is not None
+    return moved(programme, q=1.001 * carrier.q, q_dot=1.001 * carrier.q_dot, q_ddot=1.001 * carrier.q_ddot)
 
 
 def drifting(programme: Programme) -> Programme:

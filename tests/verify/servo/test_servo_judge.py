@@ -33,9 +33,9 @@ def judged(folder: Path, text: str = TRIM, **more: Any) -> Report:
     return verify_servo(stand(), servo(text), folder, motion=motion(), **more)
 
 
-def failures(found: Report) -> set[tuple[str, str]]:
+def failures(report: Report) -> set[tuple[str, str]]:
     """Function or table, and quantity, of every row that failed."""
-    return {(row.judged, row.quantity) for row in found.failures}
+    return {(row.judged, row.quantity) for row in report.failures}
 
 
 def public_functions(header: Path, prefix: str = "shaker2") -> set[str]:
@@ -50,14 +50,14 @@ def public_functions(header: Path, prefix: str = "shaker2") -> set[str]:
 )
 def test_every_function_of_the_header_is_judged(name: str, real: str, tmp_path: Path) -> None:
     source = written(exported(name, real), tmp_path, real)
-    found = judged(tmp_path, TEXTS[name])
-    assert failures(found) == set()
-    assert found.passed
+    report = judged(tmp_path, TEXTS[name])
+    assert failures(report) == set()
+    assert report.passed
     functions = public_functions(source.with_suffix(".h"))
     assert functions >= {"servo_reset", "servo_step"}
-    compared = {row.judged for row in found.rows if row.verdict == "ok" and row.states}
+    compared = {row.judged for row in report.rows if row.verdict == "ok" and row.states}
     assert functions <= compared
-    refusals = {row.judged for row in found.rows if row.quantity.startswith("bad inputs") and row.states}
+    refusals = {row.judged for row in report.rows if row.quantity.startswith("bad inputs") and row.states}
     assert functions == refusals
     assert {"servo_default"} | ({"trim_default"} if name == "trimmed" else set()) <= compared
 
@@ -100,16 +100,16 @@ def test_a_function_without_a_judge_or_missing_fails(tmp_path: Path) -> None:
     text = source.read_text() + "\nint shaker2_servo_more(int a) { return a; }\n"
     source.write_text(changed(r"\nshaker2_status shaker2_servo_reset\(", "\nshaker2_status shaker2_servo_begin(")(text))
     header.write_text(header.read_text() + "\nshaker2_status shaker2_servo_begin(shaker2_servo_state *state);\n")
-    found = failures(judged(tmp_path, ""))
-    assert {("servo_more", "no judge"), ("servo_begin", "no judge"), ("servo_reset", "refused")} == found
+    failed = failures(judged(tmp_path, ""))
+    assert {("servo_more", "no judge"), ("servo_begin", "no judge"), ("servo_reset", "refused")} == failed
 
 
 def test_a_servo_file_that_is_not_that_of_the_c_fails(tmp_path: Path) -> None:
     written(exported("spin"), tmp_path)
     assert ("trim_default", "trim") in failures(judged(tmp_path))
     other: Servo = replace(servo(), latency=2e-4, bandwidth=servo().bandwidth * 1.1)
-    found = failures(verify_servo(stand(), other, tmp_path))
-    assert {quantity for want, quantity in found if want == "servo_default"} >= {"angle", "speed", "lead"}
+    failed = failures(verify_servo(stand(), other, tmp_path))
+    assert {quantity for want, quantity in failed if want == "servo_default"} >= {"angle", "speed", "lead"}
 
 
 def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:
@@ -134,17 +134,17 @@ def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> N
 def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     source = written(exported("trimmed"), tmp_path)
     (tmp_path / "S.toml").write_text(HEAD + TRIM)
-    given = ["verify", str(path("shaker2")), "--servo", str(tmp_path / "S.toml")]
+    command = ["verify", str(path("shaker2")), "--servo", str(tmp_path / "S.toml")]
     spin = str(path("shaker2").with_name("shaker2_spin.motion.json"))
-    good = run(*given, str(tmp_path), "--motion", spin, "--junit", str(tmp_path / "j.xml"))
+    good = run(*command, str(tmp_path), "--motion", spin, "--junit", str(tmp_path / "j.xml"))
     assert good.exit_code == 0, good.output
     assert "trim_step" in good.output
     assert 'failures="0"' in (tmp_path / "j.xml").read_text()
     source.write_text(changed(r"found - design->matrix", "found + design->matrix")(source.read_text()))
-    bad = run(*given, str(tmp_path), "--json")
+    bad = run(*command, str(tmp_path), "--json")
     assert bad.exit_code == 1
     assert '"quantity": "wanted"' in bad.output
-    assert "--servo: its C is in a FOLDER, which is missing" in refused(*given)
+    assert "--servo: its C is in a FOLDER, which is missing" in refused(*command)
     assert "--name: no programme or servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
 
 
@@ -154,8 +154,8 @@ def difference() -> float:
     trim = read_servo(HEAD + text, stand()).trim
     assert trim is not None
     expected, scale = trim_matrix(stand(), motion(), spin(), trim)
-    found = design_trim(stand(), motion(), spin(), trim)
-    return float((np.abs(found.matrix - expected) / scale).max())
+    design = design_trim(stand(), motion(), spin(), trim)
+    return float((np.abs(design.matrix - expected) / scale).max())
 
 
 def test_the_judge_agrees_with_the_design() -> None:

@@ -29,9 +29,9 @@ class TugProgram(BodyProgram):
         """The force, where any body has one."""
         return list(declared(Tug)) if self.bodies(structure) else []
 
-    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """The force; zero where the body has none."""
-        law = own.law(Tug)
+        law = body.law(Tug)
         return {"force": law.force if law else ZERO3} if damper.field("force") else {}
 
     def add_functions(self, lib: FunctionSet) -> None:
