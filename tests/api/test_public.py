@@ -90,7 +90,7 @@ def test_a_page_does_what_it_shows(name: str) -> None:
 
 
 def test_the_typed_script_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    """The script runs; its types are checked by `make lint`."""
+    """The script runs; that its types are right is checked by `make lint`."""
     typed_script.main()
     checked = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]
     assert "tests" in checked["files"]

@@ -144,7 +144,7 @@ def _table(stand: mahovik.Stand, name: str) -> dict[str, Any]:
 
 
 def test_a_place_is_set_whatever_way_the_file_gives_its_list() -> None:
-    """Left out as zero; with one unit for all; a matrix by its diagonal, whose elements mirror."""
+    """The list may be left out, have one unit for all, or be the diagonal of a matrix, whose elements mirror."""
     changed = held_stand().replace(
         {
             "hold.pivot[2]": "-40 mm",

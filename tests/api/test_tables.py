@@ -81,12 +81,12 @@ def test_units_and_values_for_all_samples() -> None:
     m, wheel = model("demo3"), "w1"
     grams = np.array([0.1, 0.3, 1.7])
     path = f"{wheel}.unbalance.static"
-    given_units = m.tables({path: {"value": grams, "unit": "g mm"}, "carrier.mass": "13 kg"})
+    with_units = m.tables({path: {"value": grams, "unit": "g mm"}, "carrier.mass": "13 kg"})
     expected = Stand.of(m.stand).replace({path: "0.3 g mm", "carrier.mass": 13})
-    assert given_units.stand(1).flywheels == expected.flywheels
+    assert with_units.stand(1).flywheels == expected.flywheels
     x = m.state(phi_dot=100.0)
     one = mahovik.build(expected).forward(x)
-    assert one.V_dot.tobytes() == m.forward(x, tables=given_units).V_dot[1].tobytes()
+    assert one.V_dot.tobytes() == m.forward(x, tables=with_units).V_dot[1].tobytes()
 
 
 def refused(changes: Any, n: int | None = None, kind: type[Exception] = UsageError) -> str:

@@ -35,7 +35,7 @@ def test_what_differs_is_what_was_worked_out_by_hand(name: str) -> None:
 
 
 def test_a_planted_sign_is_named() -> None:
-    """The older NPS AUV II, whose rigid body is right, with the heave force of the newer."""
+    """The heave force of the newer model is planted in the older NPS AUV II, whose rigid body is right."""
     wrong = npsauv.model(5454.54, npsauv.OLD_STRIPS, heave=1.0, pitch=1.0)
     measured = measure(replace(npsauv.OLD, answer=wrong), faults=False)
     assert set(measured.false) == {"Z: u q", "Z: v p", "Z: p p", "Z: q q"}
@@ -58,7 +58,7 @@ def test_rows_take_the_products_of_added_mass_out() -> None:
 
 @pytest.mark.slow
 def test_the_commands_of_the_page(tmp_path: Path) -> None:
-    """The stand file and the program of an audit, judged by the command; its output is the one that the page shows."""
+    """The command judges the program of an audit, and prints what the page shows."""
     page = (TESTS.parent / "docs" / "diagnosis.md").read_text(encoding="utf-8")
     assert 'mahovik judge npsauv.toml --with "python -m audits npsauv" --explain' in page
     environment = {**os.environ, "PYTHONPATH": str(TESTS)}

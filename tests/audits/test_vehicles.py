@@ -138,7 +138,7 @@ PAPERS = {"nps_auv2": nps, "remus100": remus, "dsrv": dsrv}
 
 @pytest.mark.parametrize("name", PAPERS)
 def test_stand_is_the_published_vehicle(name: str) -> None:
-    """The wrench K V* that the C needs, against the paper's, in parts of the sum of its terms."""
+    """The wrench K V* that the C needs is the paper's, relative to the sum of its terms."""
     text = (VEHICLES / f"{name}.toml").read_text(encoding="utf-8")
     deflections = iter((0.1, -0.2, 0.15, -0.05))
     stand = loads(

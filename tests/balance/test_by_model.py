@@ -21,7 +21,7 @@ from mahovik.use.measured import read_recordings
 
 
 def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
-    """First moments and products of inertia about Os, of flywheels that turn in both directions."""
+    """Corrections take first moments and products of inertia about Os away, for flywheels of both senses."""
     stand = load(bench / "two.toml")
     places = Planes((-0.01, 0.01))
     wheels = balance_wheels(stand, read_recordings([bench / "run.csv"], stand), {"w1": places, "w2": places})

@@ -21,7 +21,7 @@ def exact() -> Any:
 
 
 def test_a_force_table_tells_corrections_in_two_planes(tmp_path: Path, exact: Any) -> None:
-    """Static and dynamic unbalance within the intervals of the noise."""
+    """Static and dynamic unbalance are within the intervals of the noise."""
     file = write(tmp_path / "run.csv", with_noise(exact, 1))
     stand, planes = table([], **START), Planes((-0.02, 0.02))
     recordings = read_recordings([file], stand)

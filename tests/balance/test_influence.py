@@ -35,9 +35,9 @@ def case(seed: int, M: int, N: int) -> dict[str, object]:
 @settings(max_examples=15, deadline=None)
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(0, 4))
 def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int, more: int) -> None:
-    given_case = case(seed, N + more, N)
-    (problem,), _ = read_influence(given_case)
-    least, best = (solved(given_case, method) for method in ("least-squares", "min-max"))
+    runs = case(seed, N + more, N)
+    (problem,), _ = read_influence(runs)
+    least, best = (solved(runs, method) for method in ("least-squares", "min-max"))
     assert np.abs(problem.alpha.conj().T @ least.left).max() < 1e-9
     assert np.abs(best.left).max() <= np.abs(least.left).max() + 1e-7
     rng = np.random.default_rng(seed)
@@ -49,24 +49,24 @@ def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int
 
 
 def test_trial_weights_that_stay_on() -> None:
-    """The same rotor, measured both ways."""
+    """A rotor whose trial weights stay on gets the weights of the same rotor whose trial weights are removed."""
     alpha, A, U = np.array([[1 + 2j, 0.5], [0.2j, 2 - 1j]]), np.array([1j, 2.0]), np.array([1.0, -2j])
     off, on = A[:, None] + alpha * U, A[:, None] + np.cumsum(alpha * U, axis=1)
     weights = []
     for B, keep in ((off, False), (on, True)):
         rows = [[text(x) for x in row] for row in B.tolist()]
-        given_case = {"A": [text(x) for x in A.tolist()], "B": rows, "U": [text(x) for x in U.tolist()]}
-        weights.append(solved({**given_case, "keep_trial": keep}).w)
+        runs = {"A": [text(x) for x in A.tolist()], "B": rows, "U": [text(x) for x in U.tolist()]}
+        weights.append(solved({**runs, "keep_trial": keep}).w)
     assert np.allclose(weights[0], -np.linalg.solve(alpha, A)) and np.allclose(weights[0], weights[1])
 
 
-def made(given_case: dict[str, object]) -> Made:
-    (problem,), _ = read_influence(given_case)
+def made(runs: dict[str, object]) -> Made:
+    (problem,), _ = read_influence(runs)
     return choose_pieces(problem.A, problem.alpha, problem.choices)
 
 
 def test_pieces_are_the_best_of_all() -> None:
-    """Against every choice of one weight or none in each of two planes."""
+    """No other choice of one weight or none in each of two planes leaves less."""
     pieces = {"holes": 8, "amounts": [1, 2], "forbidden": [[200, 230]], "most": 1}
     chosen, ((problem,), _) = made({**RUNS, "pieces": pieces}), read_influence(RUNS)
     assert chosen.proven
@@ -95,10 +95,10 @@ NO_PHASE = (
 )
 
 
-@pytest.mark.parametrize("given_case", NO_PHASE)
-def test_four_runs_without_phase(given_case: dict[str, object]) -> None:
+@pytest.mark.parametrize("runs", NO_PHASE)
+def test_four_runs_without_phase(runs: dict[str, object]) -> None:
     """|w| = 10 x 50 / sqrt((49 + 144 + 324 - 300) / 3) = 58.8 g; the angle by the parts of the influence, by hand."""
-    result = mahovik.balance(influence=given_case)
+    result = mahovik.balance(influence=runs)
     (w,) = result["corrections"].tolist()
     assert abs(w) == pytest.approx(10 * 50 / np.sqrt((49 + 144 + 324 - 300) / 3))
     x = (49 - 100 - 217 / 3) / 20
@@ -179,7 +179,7 @@ def test_command(tmp_path: Path) -> None:
 
 
 def test_a_file_is_read_strictly(tmp_path: Path) -> None:
-    """A repeated key and a missing file in a line; decimal numbers of limits and pieces are read."""
+    """A repeated key and a missing file are refused in a line; decimal numbers of limits and pieces are read."""
     file = tmp_path / "a.json"
     file.write_text(json.dumps(RUNS)[:-1] + ', "U": ["2@0", "2@0"]}', encoding="utf-8")
     with pytest.raises(BalanceError, match=r'a\.json: not JSON: key "U" appears twice'):

@@ -106,7 +106,7 @@ def test_a_density_is_integrated_within_a_band() -> None:
 
 
 def test_noise_is_half_of_each_whirl(tmp_path: Path) -> None:
-    """A band of 2 Hz about the forward whirl, where one whirl passes ten times the other."""
+    """Noise in a band of 2 Hz about the forward whirl is that of one whirl, which passes ten times the other."""
     natural, damping, polar, f, S = 2 * pi * 60.0, 0.05, 1.5, 40.0, 0.01
     (tmp_path / "noise.csv").write_text(f"frequency [Hz],radial moment [N^2 m^2/Hz]\n{f - 1},{S}\n{f + 1},{S}\n")
     (tmp_path / "inner.csv").write_text("mode,frequency [Hz],damping,polar ratio\nrocking,60,0.05,1.5\n")
@@ -131,7 +131,7 @@ def test_noise_is_half_of_each_whirl(tmp_path: Path) -> None:
 
 
 def test_requirements_count_what_a_solution_leaves_out() -> None:
-    """A wheel off the middle, on the torus: what order 2 leaves out is what order 4 has at orders 3 and 4."""
+    """What order 2 leaves out of a wheel off the middle is what order 4 has at orders 3 and 4."""
     carrier = stand(wheel("a", position=[0.5, 0, 0], unbalance={"static": "100 g m"}))
     scene, seen = Scene.of(carrier), find_view(carrier, "carrier", "displacement")
     solutions = find(scene, read_speeds(carrier, W), seen)

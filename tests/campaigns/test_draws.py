@@ -147,7 +147,7 @@ def ishigami(u: Array) -> Array:
 
 
 def test_sobol_indices_of_ishigami_s_function() -> None:
-    """Also where two pairs have no value: of the others the largest power of two is used."""
+    """Where two pairs have no value, the largest power of two of the others is used."""
     variance = 7**2 / 8 + 0.1 * np.pi**4 / 5 + 0.1**2 * np.pi**8 / 18 + 0.5
     first = np.array([0.5 * (1 + 0.1 * np.pi**4 / 5) ** 2, 7**2 / 8, 0.0]) / variance
     both = 0.1**2 * np.pi**8 * (1 / 18 - 1 / 50) / variance

@@ -34,7 +34,7 @@ def content(folder: Path) -> dict[str, bytes]:
 
 
 def test_rows_are_the_same_to_the_bit_however_they_are_computed(tmp_path: Path) -> None:
-    """One process, two workers, chunk by chunk, and again where chunks are missing, cut or altered."""
+    """One process, two workers, and runs that go on after missing, cut or altered chunks give the same rows."""
     assert computed(tmp_path, "--workers", "1").exit_code == 0
     whole = content(tmp_path)
     assert list(whole) == [f"chunk-{k:06d}.parquet" for k in range(4)]

@@ -88,7 +88,7 @@ def test_a_regime_is_that_of_the_model_of_each_sample(tmp_path: Path) -> None:
 
 
 def test_samples_begin_at_their_own_rest(tmp_path: Path) -> None:
-    """With all flywheels held nothing moves, however far the weight lets the carrier down."""
+    """A sample with all flywheels held does not move, however far its weight lets the carrier down."""
     vary = '[vary]\n"carrier.mass" = { uniform = [11, 13] }\n"carrier.center_of_mass[0]" = { uniform = [0, 0.01] }\n'
     wanted = {"moved": '"peak displacement"\nat = "carrier"', "a": '"peak acceleration"\nat = "carrier"'}
     rows, _ = computed(tmp_path, vary, 'regime = { default = { hold = true } }\nuntil = "10 ms"', wanted, "bench8")
@@ -159,7 +159,7 @@ def test_a_pendulum_hangs_from_the_pivot_of_each_sample(tmp_path: Path) -> None:
 
 
 def test_states_are_those_of_the_model(tmp_path: Path) -> None:
-    """The largest over two states, by the functions of the model of the sample's own stand."""
+    """Each row has the largest value over two states, computed by the model of the sample's own stand."""
     lines = [
         '{"phi_dot": [100, 0, 0, 0]}',
         '{"phi_dot": [300, 50, 0, 0], "phi": [1, 2, 3, 4], "phi_ddot": [1, 2, 3, 4]}',

@@ -137,7 +137,7 @@ def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functi
 def test_targets_that_are_not_there_are_left_out_by_name(
     everything: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where there is none at all it is an error."""
+    """If no target is there, that is an error."""
 
     def missing(target: Target) -> tuple[str, ...]:
         return ("qemu-system-arm",) if everything or "cortex" in target.family else ()

@@ -78,7 +78,7 @@ def test_a_conversation_is_answered_line_by_line() -> None:
 
 @pytest.mark.parametrize("command", [("check", BENCH8), ("check", BENCH8, "--json"), ("eval", "--help"), ("--help",)])
 def test_a_closed_reader_is_no_failed_check(command: tuple[str, ...]) -> None:
-    """141, as of a program that SIGPIPE ends; 1 would say that a check failed."""
+    """The status is 141, as of a program that SIGPIPE ends; 1 would say that a check failed."""
     reader, writer = os.pipe()
     os.close(reader)
     done = subprocess.run(

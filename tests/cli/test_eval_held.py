@@ -50,7 +50,7 @@ def test_a_pendulum_falls_as_it_should(file: str, backend: str) -> None:
 
 @pytest.mark.parametrize("backend", ["numpy", "c"])
 def test_the_hold_carries_the_carrier_and_what_its_mounts_carry(file: str, backend: str) -> None:
-    """For a motion that is given: force on the carrier alone, m a - m g of 2 kg at O1, and that of the mount."""
+    """For a given motion the reaction is m a - m g of the 2 kg at O1 and the wrench of the mount."""
     angle, u, u_dot = 0.3, 1.5, 0.7
     state = {"angles": [0, angle, 0], "u": [u], "u_dot": [u_dot], "phi": [0.7], "phi_dot": [200.0]}
     (answer,) = answers(file, {**state, "want": ["reaction", "mounts", "torque"]}, backend=backend)

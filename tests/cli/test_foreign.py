@@ -192,7 +192,7 @@ def test_a_difference_within_what_is_accepted() -> None:
 
 
 def test_nan_beside_a_wrong_term() -> None:
-    """That wrong terms are not looked for, and why, is said."""
+    """The diagnosis says that wrong terms are not looked for, and why."""
     spoil = 'result["V_dot"][2] = math.nan; result["V_dot"][0] += 0.3 * math.sin(result["V_dot"][1])'
     command = changed(result=f'if "V_dot" in result and "phi_ddot" not in result: {spoil}')
     result = run("judge", DEMO3, "--states", "3", "--with", command, "--explain", "--want", "forward")

@@ -184,7 +184,7 @@ def test_a_page_of_cost_that_was_measured_on_other_c_is_removed_and_that_of_othe
 
 
 def test_a_project_and_a_delivered_folder_are_not_mixed(folder: Path, tmp_path: Path) -> None:
-    """And the program of the user stays in a project."""
+    """The program of the user stays in a project."""
     before = contents(folder)
     said = refused("generate", DEMO3, "--project", "host", "-o", str(folder))
     assert said.startswith(f"error: {folder}: holds what `mahovik generate` delivers: ")

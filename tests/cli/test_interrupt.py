@@ -139,7 +139,7 @@ except KeyboardInterrupt:
     ids=["simulate", "report", "build"],
 )
 def test_while_it_compiles(arguments: tuple[str, ...], code: str, tmp_path: Path) -> None:
-    """No part of the compiler goes on, and it was stopped in time to remove its files."""
+    """No process of the compiler goes on, and its temporary files are gone."""
     compiler = tmp_path / "compiler"
     compiler.write_text(COMPILER.format(folder=tmp_path))
     compiler.chmod(0o755)

@@ -201,7 +201,7 @@ def late() -> Iterator[bytes]:
 
 @pytest.mark.parametrize("kill", quick(1, [False, True]))
 def test_nothing_of_an_fmu_stays(fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kill: bool) -> None:
-    """Also where its process is killed."""
+    """Its unpacked files are removed, also where its process is killed."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     limit: Any = ("--timeout", "1 s") if kill else ()

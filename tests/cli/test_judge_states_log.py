@@ -177,7 +177,7 @@ def slow(*values: object) -> Any:
     ],
 )
 def test_a_wrong_term_is_named(name: str, change: Change, rows: int, by_freedoms: bool, term: Any) -> None:
-    """In the motion along the freedoms, and in the reaction, which is that of the motion in the log."""
+    """The term is named in the motion along the freedoms and in the reaction of the logged motion."""
     diagnosis = judged(log_of(stand_of(name), rows, change, by_freedoms), "--explain", status=1)["diagnosis"]
     component, words, factor, expected, coefficient = term
     for fault in diagnosis["found"]:

@@ -31,7 +31,7 @@ def test_about_a_state(tmp_path: Path) -> None:
 
 
 def test_an_unstable_pose_is_named(tmp_path: Path) -> None:
-    """Unbalance up, and down."""
+    """The pose with the unbalance up is called unstable, that with the unbalance down is not."""
     state = tmp_path / "state.json"
     for angle, unstable in ((90, True), (270, False)):
         phases = [part for name in ("left", "right") for part in ("--phase", f"{name}={angle} deg")]

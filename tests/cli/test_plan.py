@@ -60,7 +60,7 @@ def test_numbers_that_move_are_printed_and_the_stand_is_written(tmp_path: Path) 
 
 @pytest.mark.slow
 def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
-    """Planned, verified, exported with as many nodes as it needs; refused in one line."""
+    """A slew is planned, verified and exported; one that is out of reach is refused in one line."""
     motion, programme = tmp_path / "turn.json", tmp_path / "p.json"
     keys = {"schema": 1, "type": "slew", "name": "turn", "task": "pointing", "end": {"angles": [0.3, 0, 0]}}
     motion.write_text(json.dumps(keys | {"duration": 6}), encoding="utf-8")

@@ -50,7 +50,7 @@ def test_the_page_is_well_formed_and_says_what_it_is_of(whole: str) -> None:
 
 
 def test_the_page_needs_nobody_else(whole: str) -> None:
-    """No address, no path of this machine, no date; small."""
+    """The page has no address, no path of this machine and no date, and is small."""
     addresses = re.sub(r'xmlns(:\w+)?="[^"]*"', "", whole)  # names, which nobody asks for
     assert not re.search(r"(https?:|file:|//[a-z])", addresses)
     assert "@import" not in whole

@@ -48,7 +48,7 @@ def test_starts_from_a_state() -> None:
 
 
 def test_times_have_units() -> None:
-    """The same file, whether a time is in ms or a plain number in s."""
+    """The file is the same whether a time is given in ms or as a plain number in s."""
     for output, until, dt, every in (("s.csv", "0.01", "1e-4", "0.002"), ("ms.csv", "10 ms", "100 us", "2ms")):
         result = run("simulate", DEMO3, "--until", until, "--dt", dt, "--every", every, "-o", output)
         assert result.exit_code == 0, result.output
@@ -70,7 +70,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monk
 
 @pytest.mark.parametrize("moment", ["import", "options"])
 def test_ctrl_c_before_the_command_begins(moment: str, work_folder: Path) -> None:
-    """While modules are imported, and while click reads its options."""
+    """The interrupt comes while modules are imported, and while click reads its options."""
     stop = "def stop(*given, **more): raise KeyboardInterrupt\n"
     where = {
         "import": "import builtins; real = builtins.__import__\n"
@@ -92,7 +92,7 @@ def test_a_motion_that_leaves_its_ranges_keeps_its_rows() -> None:
 
 
 def test_parquet_holds_what_csv_does() -> None:
-    """To the last bit, names and order as well."""
+    """Values are equal to the last bit, and names and their order are the same."""
     from pyarrow import parquet
 
     for name in ("run.csv", "run.parquet"):

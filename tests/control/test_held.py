@@ -100,7 +100,7 @@ def test_coordinates_are_found_again_from_the_pose(hold: str) -> None:
 
 
 def test_rotors_feel_the_freedoms_alone() -> None:
-    """J (J - J^2 / K)^-1 = K / (K - J) of a wheel along the axle; 1 of a wheel across it."""
+    """A wheel along the axle is lighter by J (J - J^2 / K)^-1 = K / (K - J); one across it is not."""
     along, across = (stand('freedoms = ["yaw"]', wheel(1, axis)) for axis in ([0, 0, 1], [0, 1, 0]))
     inertia = 0.01 + 0.01
     assert lightness(along) == pytest.approx(inertia / (inertia - 0.01), rel=1e-12)

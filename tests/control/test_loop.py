@@ -52,7 +52,7 @@ def test_mismatch_disturbs_and_the_trim_takes_its_harmonics_away() -> None:
 
 
 def test_both_plants_go_the_same_way() -> None:
-    """Emitted C and SciPy on the literal reference, 5 ms under the same torques."""
+    """The emitted C and SciPy on the literal reference move alike for 5 ms under the same torques."""
     case = Case(wanted(), shaker()[0], servo(), 2)
     state = starting_state(case)
     ends = []
@@ -75,7 +75,7 @@ def test_an_unstable_loop_is_told() -> None:
 
 
 def test_a_run_up_is_followed_from_rest() -> None:
-    """Torques of the run-up are fed forward: flywheels stay on it, though the carrier is where it likes."""
+    """Torques of the run-up are fed forward, so the flywheels follow it wherever the carrier moves."""
     stand, motion, programme = shaker()
     t = np.linspace(0.0, 0.5, 201)
     family = TransientFamily.of(programme, 0.5, t, up=True)

@@ -150,7 +150,7 @@ def test_the_continuous_loop_has_the_poles_asked_for() -> None:
 
 
 def test_inertia_of_a_rotor_is_about_its_axis() -> None:
-    """shaker2: 9e-4 about the mass centre, 0.5 kg of it 4 mm off the axis."""
+    """In shaker2 it is 9e-4 about the mass centre, and that of 0.5 kg 4 mm off the axis."""
     assert rotor_inertia(SHAKER) == pytest.approx([0.0009 + 0.5 * 0.004**2] * 2, rel=1e-14)
 
 
@@ -228,7 +228,7 @@ def test_a_wheel_on_a_hinge_is_lighter_by_the_closed_formula() -> None:
 
 
 def test_a_rail_takes_what_is_along_it() -> None:
-    """Two exciters of unbalance U on a rail: at most 1 / (1 - 2 U^2 / (mass J)), where both point across it."""
+    """Two exciters of unbalance U on it are lighter by at most 1 / (1 - 2 U^2 / (mass J)), pointing across it."""
     text = """
 schema = 1
 name = "rail"

@@ -98,7 +98,7 @@ def test_inertia_about_the_origin_from_central() -> None:
 
 
 def test_the_proofs_can_fail(literal: flywheel.Literal, sums: accumulate.Sums) -> None:
-    """A relation is used only where it is given; the other sign leaves a remainder; sin c is no polynomial."""
+    """A relation not given is not used, a wrong sign leaves a remainder, and sin c is no polynomial."""
     c, s = sp.symbols("c s")
     assert remainders([c**2 + s**2 - 1]) == [c**2 + s**2 - 1]
     assert remainders([c + s - 1], CIRCLE) != []

@@ -151,7 +151,7 @@ def test_a_program_without_answers() -> None:
 
 
 def test_a_fault_of_one_function_alone_says_so() -> None:
-    """Gravity of the opposite sign in torques alone: accelerations are right."""
+    """Gravity has the opposite sign in torques alone, and the diagnosis says that accelerations are right."""
     right, wrong = Reference(stand()), BY_NAME["gravity of the opposite sign"].model(stand())
 
     def answer(request: Request) -> Mapping[str, Any]:

@@ -45,7 +45,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 def test_nothing_is_loaded_from_the_network(site: Path) -> None:
-    """Neither by pages nor by their style sheets; every link into the site leads to a file."""
+    """Pages and style sheets load nothing; every link into the site leads to a file."""
     pages = sorted(site.rglob("*.html"))
     assert len(pages) > len(list(DOCS.rglob("*.md")))
     for page in pages:
@@ -62,7 +62,7 @@ def test_nothing_is_loaded_from_the_network(site: Path) -> None:
 
 @pytest.mark.slow
 def test_pages_fit_a_phone_and_ask_for_nothing(site: Path) -> None:
-    """In a browser, in the dark: no page is wider than the screen, none complains, none makes a request."""
+    """In a browser with dark colours no page is wider than the screen, logs an error or makes a request."""
     root = "document.documentElement"
     with launched() as browser:
         opened = Opened(browser, site / "index.html", viewport={"width": 390, "height": 844}, color_scheme="dark")

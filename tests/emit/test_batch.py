@@ -59,7 +59,7 @@ def spoilt(inputs: Arrays) -> Arrays:
 
 
 def test_every_state_has_the_bits_of_a_single_call(built: Batched) -> None:
-    """Refused ones are told and left alone, and their neighbours do not notice."""
+    """Refused states are reported and not written, and states beside them are not affected."""
     inputs = built.inputs(np.random.default_rng(1), max(LENGTHS))
     for batch in built.batches:
         for n in LENGTHS:

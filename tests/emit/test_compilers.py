@@ -37,7 +37,7 @@ def recorder_of(source: Path) -> Path:
 
 
 def test_no_warning_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    """gcc -O2 has no complaint; no library is needed, nothing can change, and all names are the stand's."""
+    """gcc -O2 warns of nothing; objects need no library, have constants alone, and all names are the stand's."""
     name, header = source.stem, source.with_suffix(".h").read_text()
     listed = [(kind, symbol) for kind, symbol in symbols_of(source, tmp_path) if not symbol.startswith(".")]
     assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memmove", "memset"}

@@ -44,7 +44,7 @@ def linked(compiler: str, *sources: Path | str) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize("flag", ["-fuse-ld=lld", "-flto"])
 def test_a_caller_with_another_header_does_not_link(flag: str, tmp_path: Path) -> None:
-    """Under every linker, without debugging information too."""
+    """Every linker refuses it, without debugging information too."""
     require("gcc", "gcc")
     require("ld.lld", "lld")
     compiled = ("-flto",) if flag == "-flto" else ()
@@ -69,7 +69,7 @@ def test_a_caller_with_another_header_does_not_link(flag: str, tmp_path: Path) -
 
 @pytest.mark.slow
 def test_a_mock_takes_the_place_of_the_source(tmp_path: Path) -> None:
-    """A file that includes the header and defines what the caller calls; plain names are there for other tools."""
+    """A file that includes the header and defines the functions that are called links with the caller."""
     caller = caller_of(tmp_path / "double", generate(stand("shaker2")), "gcc")
     mock = tmp_path / "double" / "mock.c"
     mock.write_text("""#include "shaker2.h"

@@ -51,7 +51,7 @@ def test_a_part_is_text_of_the_whole_and_smaller() -> None:
 
 @pytest.mark.parametrize("only", ["forward", "wrap", "step"])
 def test_a_part_declares_only_what_it_needs(only: str, tmp_path: Path) -> None:
-    """No macro that nothing uses, no status that cannot occur, no word about functions that are not there."""
+    """It has no unused macro, no status that cannot occur, and no word about absent functions."""
     files = generate_all(stand("sat4"), only=(only,)).files
     source, header = write(files, tmp_path), files["sat4.h"]
     compile_c(require("gcc", "gcc"), source, "-Wunused-macros", "-fsyntax-only")

@@ -20,7 +20,7 @@ LINE = re.compile(r"\s*(\d+) s: off by\s+(\S+)\s+(\S+)\s+(\S+) arcsec, rw1\s+\S+
 @pytest.mark.slow
 @pytest.mark.parametrize("real", ["double", "float"])
 def test_a_slew_ends_at_its_reference_within_the_motors(real: str, tmp_path: Path) -> None:
-    """10^5 steps: within 1 arcsec from the end of the slew on, the torques within the motors, the first as well."""
+    """In 10^5 steps the error is within 1 arcsec from the end of the slew on, and every torque within the motors."""
     stand = load(path("sat4"))
     for name, text in generate(stand, real).items():
         (tmp_path / name).write_text(text, encoding="ascii")

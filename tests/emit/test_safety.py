@@ -97,7 +97,7 @@ def test_header_and_source_of_different_versions(tmp_path: Path) -> None:
 
 
 def test_every_macro_of_the_files_is_reserved(folder: Path) -> None:
-    """Names that a header or source defines with the stand's name, but for limits, counts and the recorder's."""
+    """It finds macros with the stand's name in header and source, but for limits, counts and the recorder's."""
     macros = set()
     for path in folder.iterdir():
         defined = re.findall(r"#(?:define|ifndef|ifdef) BENCH8_(\w+)", path.read_text())

@@ -33,7 +33,7 @@ def test_good_c_has_the_interpreters_bits(name: str, real: str, tmp_path: Path) 
 @pytest.mark.parametrize("real", ["float", "double"])
 @pytest.mark.parametrize("name", ["demo3", "everything6", "held3"])
 def test_compilers_optimisations_and_32_bits_print_the_same(name: str, real: str, tmp_path: Path) -> None:
-    """Golden vectors, and hashes of all numbers of a sweep."""
+    """Golden vectors and hashes of all numbers of a sweep are equal."""
     require("clang", "clang")
     require_32_bit()
     _, files = generate_with_selftest(name, real)
@@ -86,7 +86,7 @@ int main(void)
 
 
 def test_a_digit_of_the_table_is_found(tmp_path: Path) -> None:
-    """The last one of 1/sqrt(Theta_ff)."""
+    """The last digit of 1/sqrt(Theta_ff) is changed."""
     readers, unchanged = {"inverse", "inverse_fast"}, {"coupled", "forward", "quaternion", "torque", "momentum"}
     _, files = generate_with_selftest("bench8")
     row = files["bench8.c"].split("bench8_default =")[1].split("/* w2 */")[0]
@@ -161,7 +161,7 @@ def test_the_distance_is_in_units_in_the_last_place(real: str, precision: Precis
     ],
 )
 def test_a_fault_in_a_rare_branch_is_found(function: str, old: str, new: str, tmp_path: Path) -> None:
-    """No golden case enters it: damping, weights, a null pointer, a body that cannot be."""
+    """The faults are in branches that no golden case enters: damping, weights, a null pointer, an impossible body."""
     _, files = generate_with_selftest("bench8")
     text = re.sub(r"(?<=^BENCH8_CODE )static (?=\w+ bench8_\w+\()", "", files["bench8.c"], flags=re.MULTILINE)
     source = in_function(text, "bench8", function, old, new)

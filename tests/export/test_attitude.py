@@ -182,7 +182,7 @@ def test_a_sample_is_the_law_with_the_torques_of_a_balanced_stand(
 @settings(drawn_states, max_examples=3)
 @given(seeds)
 def test_the_mean_table_is_the_mean_over_phases(c: Attitude, rng: Any) -> None:
-    """Harmonics up to the second: eight phases, of the literal reference."""
+    """It is the mean of the literal reference over eight phases, which is exact for harmonics up to the second."""
     x = state(rng, unit(rng), rng.normal(size=3) * 0.1)
     total = np.zeros(6)
     for k in range(8):
@@ -267,7 +267,7 @@ def numbers_in(line: str) -> list[float]:
 
 @pytest.mark.parametrize(("real", "failure"), quick(1, [("double", "coasts"), ("float", "held")]))
 def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_path: Path) -> None:
-    """Within 1 arcsec after the slew and at the end; torques and speeds within the motors; 1 N m s down to 0.5 %."""
+    """The error is within 1 arcsec after the slew, torques and speeds within the motors, 1 N m s falls to 0.5 %."""
     printed = example(written(exported(real, LoopOptions(failure=failure)), tmp_path))  # type: ignore[arg-type]
     assert printed["failures"] == "failures 0"
     assert numbers_in(printed["slew"])[0] == 30.0
@@ -285,7 +285,7 @@ def test_a_slew_a_failed_wheel_and_the_momentum(real: str, failure: str, tmp_pat
 
 
 def test_motors_with_a_curve_stay_within_it(tmp_path: Path) -> None:
-    """A tenth of the torque of the file, so that the slew takes longer; half of it at half the speed."""
+    """The curve has a tenth of the torque of the file, and half of that at half the speed."""
     curve = {"torque_speed": [[0, 0.01], ["3000 rpm", 0.005], ["6000 rpm", 0]], "viscous": 2e-6, "coulomb": 5e-4}
     curved = mahovik.example("eye4").replace({"rw*.motor": curve})
     printed = example(written(attitude_sources(curved, DEFAULT, "double"), tmp_path))

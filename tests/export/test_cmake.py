@@ -114,7 +114,7 @@ def plain(exported: Path, tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.mark.slow
 def test_as_a_folder_of_a_project(exported: Path, plain: str, tmp_path: Path) -> None:
-    """The C is compiled with its own flags, independent of those of the project."""
+    """The C is compiled with its own flags, whatever flags the project has."""
     made = build(
         user(tmp_path / "mine", f'add_subdirectory("{exported}" bench8)'),
         "-DCMAKE_C_FLAGS=-O2 -march=native -ffast-math",

@@ -144,7 +144,7 @@ def test_what_is_no_clock_is_refused(ticks: int, periods: int) -> None:
 
 
 def test_a_clock_that_start_did_not_make_is_refused() -> None:
-    """And laps stop at the largest int."""
+    """Laps stop at the largest int."""
     interpreter, good = started("double", 97, 3)
     for wrong in ({"ticks": 0}, {"rest": 97}, {"rest": -1}, {"surplus": 200}, {"surplus": -2}, {"laps": -1}):
         status, result = interpreter.run("programme_advance", {"clock": good | wrong})

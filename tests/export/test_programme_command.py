@@ -67,7 +67,7 @@ def test_the_element_type_is_that_of_the_header(saved: str, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("part", ["", "runup"])
 def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Path) -> None:
-    """Bounds that its planner reports as exceeded, of a run-up as well."""
+    """It exceeds bounds by the report of its planner, those of a run-up as well."""
     over = {"exceeded": ["speed of upper 131 rad/s exceeds its bound, 100 rad/s"]}
     saved = save(replace(spin(), report={part: over} if part else over), tmp_path)
     folder = tmp_path / "made"
@@ -81,7 +81,7 @@ def test_a_programme_that_exceeds_its_bounds_is_refused(part: str, tmp_path: Pat
 
 
 def test_bounds_of_the_motion_are_measured() -> None:
-    """Whatever the programme reports: its speeds of 126 rad/s above a bound of 100."""
+    """Speeds of 126 rad/s are above the bound of 100, whatever the programme reports."""
     bounded = replace(motion(), bounds=replace(motion().bounds, speed=(100.0, 100.0)))
     with pytest.raises(CheckError, match=r"exceeds its bounds: bound speed \w+: 125\.\d+ of 100 rad/s"):
         export_programme(stand(), spin(), bounded)

@@ -49,7 +49,7 @@ def angular_distance(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     [("swaying", "quintic", "double"), ("swaying", "fourier", "float"), ("sampled", "quintic", "float")],
 )
 def test_errors_are_what_is_told(name: str, kind: str, real: str) -> None:
-    """At other phases than those of the report, with a little room."""
+    """Errors at other phases than those of the report are no larger than reported, with a little room."""
     made = exported(name, kind, real)
     told = made.errors[0]
     phases = np.random.default_rng(3).random(300)
@@ -233,7 +233,7 @@ def test_the_carrier_does_the_required_motion(kind: str, real: str, tmp_path: Pa
 
 
 def test_torques_alone_keep_the_flywheels_on_the_programme(tmp_path: Path) -> None:
-    """Without any servo, by the coupled equations, over one period: the feedforward is the right torque."""
+    """Over one period by the coupled equations without a servo: the feedforward is the right torque."""
     error, (angle, speed) = height("quintic", "double", FREE, tmp_path)
     assert np.max(error) < 1e-4
     assert np.max(angle) < 1e-4

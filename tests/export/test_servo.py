@@ -204,7 +204,7 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
 
 
 def test_a_named_servo_has_the_text_of_the_unnamed_one() -> None:
-    """Names apart, its source is the same."""
+    """The sources differ in names alone."""
     named = export_servo(stand(), spin(), motion(), servo(TRIM), called="lap").servo["shaker2_lap_servo.c"]
     plain = exported("trimmed").servo["shaker2_servo.c"]
     assert re.sub(r"(?i)shaker2_lap_(servo|trim)", lambda m: m[0][:8] + m[1], named) == plain
@@ -266,7 +266,7 @@ def test_servos_that_cannot_be_are_refused(
 
 
 def test_a_programme_of_another_stand_is_refused(arguments: list[str], tmp_path: Path) -> None:
-    """Before a trim is computed, in one line."""
+    """It is refused in one line, before a trim is computed."""
     (tmp_path / "other.toml").write_text(stands.path("shaker2").read_text().replace("mass = 0.5", "mass = 0.6"))
     line = refused("generate", str(tmp_path / "other.toml"), *arguments[2:], "--motion", MOTION, status=1)
     assert "P.json: programme of another stand" in line and line.count("\n") == 1

@@ -93,7 +93,7 @@ def test_every_name_is_an_identifier_of_its_own() -> None:
 
 
 def test_angles_of_any_axes() -> None:
-    """At the singularity of the angles as well, where either of two may be anything."""
+    """They give the rotation back, also at their singularity, where either of two may be anything."""
     rng = np.random.default_rng(3)
     for _ in range(500):
         psi, theta, phi = rng.uniform(-3, 3, 3)

@@ -186,7 +186,7 @@ def test_mjcf(seed: int, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_sdf(seed: int, tmp_path: Path) -> None:
-    """The same bodies are written as MJCF as well, and without anchors as URDF: one stand comes of all."""
+    """The same bodies as SDF and MJCF, and without anchors as URDF, give one stand."""
     rng, fixed, turning, options = sizes(2000 + seed)
     for anchors in (True, False):
         bodies = random_bodies(rng, fixed, turning, anchors)
@@ -241,7 +241,7 @@ HELD = {
 
 @pytest.mark.parametrize("kind", HELD)
 def test_held(kind: str, tmp_path: Path) -> None:
-    """Any joints on the world, their springs and damping among what is compared."""
+    """Stands with any joints to the world agree with MuJoCo, springs and damping included."""
     joints, count = HELD[kind]
     rng = np.random.default_rng(7)
     text = mjcf(random_bodies(rng, 2, 3, True), joints).replace('gravity="0 0 0"', 'gravity="1 2 -9"')

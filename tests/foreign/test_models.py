@@ -87,7 +87,7 @@ def test_an_mjcf(options: dict[str, Any]) -> None:
 
 
 def test_angles_sequences_and_includes(tmp_path: Path) -> None:
-    """Radians, another sequence, wheels in a file of their own, all inertias of shapes."""
+    """The file has radians, another sequence, wheels in a file of their own, and inertias of shapes."""
     text = SAT_MJCF.read_text().replace('angle="degree" eulerseq="xyz"', 'angle="radian" eulerseq="zyz"')
     start, end = text.index('<body name="w2"'), text.index('<body pos="0 -0.2 0"')
     written(tmp_path, "w2.xml", f"<mujocoinclude>{text[start:end]}</mujocoinclude>")
@@ -368,7 +368,7 @@ def test_a_vehicle_of_the_px4_simulator(tmp_path: Path) -> None:
 
 
 def test_what_sdf_says_where_the_file_does_not(tmp_path: Path) -> None:
-    """Its default mass, gravity of a world, axes of old versions, a joint on the world with friction."""
+    """SDF's default mass, the world's gravity, axes of old versions and a joint to the world with friction count."""
     sensor = '<link name="mast"/><joint name="m" type="fixed"><parent>base_link</parent><child>mast</child></joint>'
     held = """<joint name="post" type="revolute"><pose>0 0 -0.3 0 0 0.4</pose><parent>world</parent>
     <child>base_link</child><axis><xyz>1 0 0</xyz><limit><lower>-0.5</lower><upper>0.4</upper></limit>

@@ -91,7 +91,7 @@ def exact() -> Array:
 
 
 def test_a_force_table_tells_all_unbalances_of_its_wheels(tmp_path: Path, exact: Array) -> None:
-    """Within four standard errors, which are those of the noise."""
+    """Each is within four standard errors, which are those of the noise."""
     file = write(tmp_path / "run.csv", with_noise(exact, 1))
     numbers, result = identified(table([], **START), file, ["*.unbalance"])
     wanted, _ = identified(TRUE, file, ["*.unbalance"])
@@ -106,7 +106,7 @@ def test_a_force_table_tells_all_unbalances_of_its_wheels(tmp_path: Path, exact:
 
 @pytest.mark.slow
 def test_standard_errors_are_those_of_many_recordings(tmp_path: Path, exact: Array) -> None:
-    """Squares of errors over standard errors, 8 in each of 4 recordings, have the mean 1 within its spread."""
+    """The mean square of error over standard error, 8 numbers in 4 recordings, is 1 within its spread."""
     squares = []
     for seed in range(4):
         numbers, _ = identified(TRUE, write(tmp_path / "run.csv", with_noise(exact, seed)), ["*.unbalance"])

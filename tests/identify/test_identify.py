@@ -45,7 +45,7 @@ def files(tmp_path: Path, exact: Array, monkeypatch: pytest.MonkeyPatch) -> Path
 
 @pytest.mark.slow
 def test_unbalances_are_right_within_their_standard_errors(files: Path, truth: mahovik.Stand) -> None:
-    """Whatever the stand file says before, and in the file that is written, with its comments."""
+    """They do not depend on the values in the stand file; the file that is written keeps its comments."""
     (files / "changed.toml").write_text(stand_text().replace("static = 0.0", "static = 0.1"), encoding="utf-8")
     wanted, _ = identified(truth, files / "run.csv", "w*.unbalance")
     numbers, result = identified(truth.replace(CHANGED), files / "run.csv", "w*.unbalance")
@@ -62,7 +62,7 @@ def test_unbalances_are_right_within_their_standard_errors(files: Path, truth: m
 
 @pytest.mark.slow
 def test_command(files: Path) -> None:
-    """JSON as programs read it, and the stand file with other numbers alone."""
+    """Its JSON can be read, and the stand file that it writes differs in numbers alone."""
     free = "w*.unbalance.static,w*.unbalance.static_at"
     done = run("identify", "stand.toml", "--data", "run.csv", "--free", free, "-o", "new.toml", "--json")
     figures = json.loads(done.stdout)
@@ -82,7 +82,7 @@ def test_command(files: Path) -> None:
 
 @pytest.mark.slow
 def test_a_number_that_no_channel_tells_is_named_and_stays(files: Path, truth: mahovik.Stand) -> None:
-    """Where the springs have no force only adds a constant to readings, which offsets of the sensors take."""
+    """The place where springs have no force adds a constant to readings, which offsets of the sensors take."""
     free = ["w1.unbalance", "suspension.position[0]"]
     numbers, result = identified(truth.replace({"suspension.position": [0.001, 0.0, 0.0]}), files / "run.csv", free)
     (line,) = result["unobservable"]

@@ -40,7 +40,7 @@ Array = NDArray[np.float64]
 
 @pytest.mark.parametrize("law", ["all", *(pytest.param(law, marks=pytest.mark.slow) for law in TEXTS)])
 def test_derivations_and_C_agree(law: str) -> None:
-    """At rest in the water as well, where lengths have no slope."""
+    """They agree at rest in the water too, where lengths have no slope."""
     stand = bearing(law)
     backend, second = CBackend(stand), Second(stand)
     for number in range(3):
@@ -51,7 +51,7 @@ def test_derivations_and_C_agree(law: str) -> None:
 
 @pytest.mark.slow
 def test_float_agrees_to_its_digits() -> None:
-    """Also beyond the speed at which the exponential of fading damping is zero by definition."""
+    """States are also beyond the speed at which the exponential of fading damping is zero by definition."""
     stand = bearing("fading")
     backend = CBackend(stand, "float")
     state = random_state(stand, np.random.default_rng(1))
@@ -69,7 +69,7 @@ def test_rigorous_balls_hold_the_wrench(law: str) -> None:
 
 @pytest.mark.parametrize("law", TEXTS)
 def test_a_stand_without_it_moves_in_another_way(law: str) -> None:
-    """The comparisons above can fail."""
+    """Without the law the stand moves otherwise: the comparisons above can fail."""
     stand = bearing(law)
     bare = stand.without_laws(Torquers)
     bare = replace(bare, carrier=replace(bare.carrier, laws=()))

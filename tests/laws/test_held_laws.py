@@ -47,7 +47,7 @@ from toolchain.quick import quick
 
 @pytest.mark.parametrize("name", quick(1, ("skew hinge", "plane", "rail", "skew rail", "hinge", "cylinder")))
 def test_derivations_and_C_agree(name: str) -> None:
-    """With both laws, and where one of them is missing that is seen."""
+    """They agree with both laws, and the reference without one of them differs."""
     stand = held_stand(name, FRICTION[name] + STOPS[name])
     agree(stand, range(4))
     states = [random_state(stand, np.random.default_rng(seed)) for seed in range(10)]
@@ -65,7 +65,7 @@ def test_derivations_and_C_agree_on_friction_alone(name: str) -> None:
 
 @pytest.mark.parametrize("name", HOLDS)
 def test_balls_hold_the_wrench_and_planning_has_its_slopes(name: str) -> None:
-    """The pose does not matter to friction."""
+    """Balls enclose the wrench at any pose; slopes are those of differences."""
     stand = held_stand(name, FRICTION[name] + STOPS.get(name, ""))
     for seed in range(2):
         enclosed(stand, random_state(stand, np.random.default_rng(seed)))
@@ -98,7 +98,7 @@ def test_the_unit_wrench_of_a_freedom_has_no_power_in_the_others(name: str) -> N
 
 
 def test_levels_by_hand() -> None:
-    """Coulomb's level far above the Stribeck speed, half of the rise at it, the slope of the sign at rest."""
+    """It is Coulomb's far above the Stribeck speed, half of the rise at it, with the slope of the sign at rest."""
     friction = Friction(0, "x", 0.5, 2.0, 3.0, 0.1, 1e-6)
     assert drag(friction, 1e4) == pytest.approx(0.5e4 + 2.0, rel=1e-9)
     assert drag(friction, -0.1) == pytest.approx(-(0.05 + 2.5), rel=1e-9)

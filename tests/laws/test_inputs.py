@@ -26,7 +26,7 @@ FILE = CARRIER + STRIPS + FADING + POD + FINS + PROPELLERS
 
 
 def test_each_state_has_its_own_inputs() -> None:
-    """Tables of Python against the reference of each sample."""
+    """A state of a table in Python has the answer of the reference with the inputs of that state."""
     model = mahovik.build(loads(FILE))
     numbers = {
         "rudder.deflection": [-0.2, 0.0, 0.1],
@@ -82,7 +82,7 @@ def test_an_input_that_is_no_number_is_refused(who: str, array: str, member: str
 
 
 def test_momentum_asks_no_fin() -> None:
-    """What does not depend on the wrench does not look at its inputs."""
+    """Functions that do not depend on the wrench accept any value of its inputs."""
     c = backend()
     inputs = c.arguments(rest_state(loads(FILE))) | {"table": with_input("fin", "deflection", math.nan)}
     assert c.call("momentum", inputs)[0] == 0

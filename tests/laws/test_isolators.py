@@ -120,10 +120,10 @@ transverse_inertia = 0.008
 @given(st.lists(st.tuples(places, axes, springs), min_size=3, max_size=5), st.sampled_from(HOLDS), st.data())
 def test_preloaded_springs_bear_the_weight_in_the_pose_of_the_file(mounts: Any, hold: str, data: Any) -> None:
     sequence = data.draw(st.sampled_from(["ship", "aircraft", "euler"]))
-    given_damping = data.draw(st.sampled_from(["", "damping = [20, 30, 40]"]))
+    damping_line = data.draw(st.sampled_from(["", "damping = [20, 30, 40]"]))
     text = TABLE.replace("schema = 1", f'schema = 1\nangles = "{sequence}"') + PRELOAD + hold + WHEEL
     for i, (position, angles, k) in enumerate(mounts):
-        text += isolator(f"m{i}", position, str(k), f"angles = {angles}\n{given_damping}")
+        text += isolator(f"m{i}", position, str(k), f"angles = {angles}\n{damping_line}")
     try:
         stand = loads(text)
     except StandError as error:  # springs in a line, or nearly

@@ -16,7 +16,7 @@ TESTS = Path(__file__).parents[1]
 
 
 def test_a_law_is_added_by_its_folder_and_a_row_and_goes_with_them() -> None:
-    """Read, written, drawn, measured with errors, in the C, and judged by both derivations."""
+    """It is read, written, drawn, measured with errors, in the C, and judged by both derivations."""
     assert len(list(TESTS.glob("laws/added/tug/[a-z]*.py"))) == 4
     command = [sys.executable, "-m", "laws.with_tug"]
     run = subprocess.run(

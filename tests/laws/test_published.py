@@ -38,7 +38,7 @@ propellers = st.sampled_from([MAIN, WHOLE, STILL, replace(MAIN, speed=-20.0), re
 
 @given(twists)
 def test_control_derivatives_are_products_written_out(V: np.ndarray) -> None:
-    """Written out by hand; the race by the water that is faster behind than ahead."""
+    """The wrench is that of the products, written out by hand, of rudder, speed and propeller race."""
     carrier = loads(CONTROL).carrier
     wrench = wrenches(carrier, np.zeros(3), V)["control derivatives"]
     u, v, w, p, _, r = V
@@ -141,7 +141,7 @@ def test_key_is_the_terms_that_take_the_products_out() -> None:
 
 @given(twists)
 def test_products_have_no_power_and_are_those_of_the_handbook(V: np.ndarray) -> None:
-    """Fossen's C(V) V, and planning with its slopes."""
+    """They are Fossen's C(V) V, and planning has their slopes."""
     stand = bearing("products", 5)
     carrier = stand.carrier
     P, Lambda = products_in_derivatives(carrier, V), np.array(carrier.added_mass)

@@ -25,7 +25,7 @@ def of_sequence(angles: Sequence) -> CBackend:
 @pytest.mark.parametrize("theta", quick(1, [0.7, -2.5, 2.5, -0.7]))
 @pytest.mark.parametrize("angles", ["ship", "aircraft", "euler"])
 def test_state_from_coordinates_inverts_the_generalized_form(angles: str, theta: float) -> None:
-    """q' and q'' of `attitude` at some V, V* lead back to V, V*; on both sides of the singularities."""
+    """The q' and q'' of V, V* lead back to V, V*, on both sides of the singularities."""
     c = of_sequence(angles)
     rng = np.random.default_rng(4)
     x = {"position": [1.0, 2.0, 3.0], "attitude": [1.0, 0, 0, 0], "V": list(rng.normal(size=6))}

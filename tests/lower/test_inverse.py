@@ -103,7 +103,7 @@ def test_bounded_answers_are_near_the_best_there_is(count: int, seed: int) -> No
 @pytest.mark.parametrize("count", [7, 12])
 @pytest.mark.parametrize("spread", [1.0, 1e6])
 def test_far_out_of_reach_the_residual_is_the_least(count: int, spread: float) -> None:
-    """Limits of a tenth to a third of what is asked: flywheels are held and freed many times before the end."""
+    """With limits of a tenth to a third of the demand, flywheels are held and freed many times before the end."""
     c, rng = backend_of(count), np.random.default_rng(count)
     for seed in range(25):
         _, _, free = ask(c, seed)
@@ -144,7 +144,7 @@ def test_what_is_out_of_reach_is_told(count: int) -> None:
 
 
 def test_the_hardest_direction_has_the_least_singular_value() -> None:
-    """With six flywheels: K^-1/2 hardest is the left singular vector of the least singular value."""
+    """With six flywheels K^-1/2 hardest is the left singular vector of the least singular value."""
     c = backend_of(6)
     inputs, _, out = ask(c)
     m = c.call("matrices", inputs)[1]["out"]
@@ -176,7 +176,7 @@ def test_bad_options_are_refused(option: str, value: Any, status: str) -> None:
 @pytest.mark.parametrize("function", ["inverse", "inverse_fast"])
 @pytest.mark.parametrize("limit", [3e38, 1e3])
 def test_an_answer_beyond_the_largest_float_is_refused(function: str, limit: float) -> None:
-    """A table of a huge carrier and flywheels that hardly act on it: what they would have to do overflows."""
+    """Flywheels hardly act on a huge carrier, so that their accelerations overflow."""
     c = CBackend(load(path("demo3")), "float")
     table = c.table()
     table["inertia"] = [1e19 * entry for entry in table["inertia"]]

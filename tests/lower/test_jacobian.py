@@ -78,7 +78,7 @@ def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...
 
 @pytest.mark.parametrize("name", quick(1, STANDS))
 def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
-    """Without locks and with some."""
+    """They agree without locked flywheels and with some."""
     stand = stand_of(name)
     rows = rows_of(stand)
     assert [(row.judged, row.verdict, row.words) for row in rows] == [
@@ -90,7 +90,7 @@ def test_they_are_the_derivatives_of_the_second_derivation(name: str) -> None:
 
 @pytest.mark.parametrize("want", ["forward", "coupled"])
 def test_they_are_differences_of_the_literal_reference(want: str) -> None:
-    """Central differences over 1e-6: half of the digits."""
+    """Central differences over 1e-6 have half of the digits."""
     stand = stand_of("free")
     backend = InterpreterBackend(generate_all(stand))
     _, state = draw(stand, 2, 12, wrenches=False)[3]

@@ -72,7 +72,7 @@ def states(model: Any) -> Any:
 
 @pytest.mark.parametrize("above", [False, True])
 def test_excessive_is_where_the_curve_says(model: Any, above: bool) -> None:
-    """Demands a little below and above the limit of one wheel, driving and braking; the motor bears its friction."""
+    """Demands just below the limit of a wheel pass, just above it do not, driving and braking."""
     near = 1e-9 if model.states().phi.dtype == np.float64 else 1e-4
     demand = np.zeros((len(PLACES), 3))
     for k, (wheel, speed, sense) in enumerate(PLACES):
@@ -104,7 +104,7 @@ def test_program_in_time_and_reference_have_the_same_limit() -> None:
 
 
 def test_a_run_under_full_torque_is_cut_by_the_curve() -> None:
-    """w' = limit(w) / J against an integration of its own; the reaction turns the carrier."""
+    """Speeds follow w' = limit(w) / J, integrated here; the reaction turns the carrier."""
     model = mahovik.build(mahovik.Stand.of(loads(STAND)))
     laws = {"w1": {"torque": 5.0}, "w2": {"torque": -5.0}, "w3": {"hold": True}}
     run = model.simulate(12.0, regime={"flywheel": laws}, dt=1e-3, every=0.5)

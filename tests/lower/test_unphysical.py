@@ -77,7 +77,7 @@ def random_body(seed: int, moments: Array) -> tuple[Array, float, Array, Array]:
     moments=st.tuples(*[st.sampled_from([0.0, 1e-12, 1e-3, 0.5, 1.0]) | st.floats(0, 1)] * 3).filter(any),
 )
 def test_every_body_that_can_be_is_taken(precision: Precision, seed: int, moments: tuple[float, ...]) -> None:
-    """Rods, discs and clouds: second moments that are zero are on the border, and rounding is beside it."""
+    """Rods, discs and clouds are accepted: second moments that are zero to rounding are on the border."""
     _, mass, center, J = random_body(seed, np.array(moments))
     assert inertia_status(precision, mass, center, J) == OK
 
@@ -88,7 +88,7 @@ def test_every_body_that_can_be_is_taken(precision: Precision, seed: int, moment
 def test_a_triangle_that_does_not_close_is_refused(
     precision: Precision, seed: int, moments: tuple[float, float], excess: float
 ) -> None:
-    """One second moment negative, by more than the tolerance of the largest element of J about the origin."""
+    """One second moment is negative by more than the tolerance of the largest element of J."""
     _, mass, center, J = random_body(seed, np.array([*moments, 0.0]))
     rng = np.random.default_rng(seed + 1)
     n = rng.normal(size=3)
@@ -145,7 +145,7 @@ def test_every_semidefinite_added_mass_is_taken(precision: Precision, seed: int,
 def test_an_added_mass_with_a_negative_direction_is_refused(
     precision: Precision, seed: int, rank: int, excess: float
 ) -> None:
-    """A matrix with unit diagonal and a zero eigenvalue, less a little along its direction."""
+    """A matrix with unit diagonal and a zero eigenvalue is made negative along its direction."""
     rng = np.random.default_rng(seed)
     added = definite(rng, rank)
     root = np.sqrt(np.diag(added))

@@ -39,7 +39,7 @@ def test_a_clean_file_has_no_notes(tmp_path: Path) -> None:
 
 
 def test_gaps(tmp_path: Path) -> None:
-    """Reported with the longest and its place; not filled."""
+    """Gaps are reported with the longest and its place, and not filled."""
     t = np.delete(clock(), np.r_[50:53, 200:300])
     recording = read_one(tmp_path / "a.csv", {"time [s]": t, RATE: wobble(t)})
     (line,) = lines(recording, "gap")
@@ -48,7 +48,7 @@ def test_gaps(tmp_path: Path) -> None:
 
 
 def test_times_out_of_order_and_repeated(tmp_path: Path) -> None:
-    """Sorted; of equal times the first sample is kept."""
+    """Samples are sorted by time; of equal times the first is kept."""
     t = clock(100)
     order = np.arange(100)
     order[[10, 11]] = order[[11, 10]]
@@ -62,7 +62,7 @@ def test_times_out_of_order_and_repeated(tmp_path: Path) -> None:
 
 
 def test_missing_and_stuck_samples(tmp_path: Path) -> None:
-    """Missing ones are NaN; a value that repeats in a channel that else changes is missing as well."""
+    """Missing samples become NaN, also where a value repeats in a channel that changes elsewhere."""
     t, x = clock(), wobble(clock())
     x[[5, 6]] = np.nan
     x[9] = np.inf
@@ -82,7 +82,7 @@ def test_missing_and_stuck_samples(tmp_path: Path) -> None:
     start=st.integers(-(10**6), 10**6),
 )
 def test_wrapped_counters_go_on(modulus: int, signed: bool, speed: float, start: int) -> None:
-    """Registers of any size, signed or not, up to nearly half of a modulus between two samples."""
+    """A register of any size, signed or not, may move by nearly half of its modulus between two samples."""
     true = np.round(start + speed * modulus * np.arange(200.0))
     low = -modulus // 2 if signed else 0
     read = (true - low) % modulus + low
@@ -111,7 +111,7 @@ def test_a_speed_tells_whole_turns_between_samples(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("header", ["w1.count", "w1.count [1]", "w1.count [1/4096 turn]"])
 def test_counts_are_phases(tmp_path: Path, header: str) -> None:
-    """With the encoder of the stand: counts per turn and zero; wraps at a turn."""
+    """Counts per turn and zero are those of the stand's encoder; counts wrap at a turn."""
     t = clock()
     phase = 300 * t
     counts = np.floor(phase / TURN * 4096) + 10
@@ -122,7 +122,7 @@ def test_counts_are_phases(tmp_path: Path, header: str) -> None:
 
 
 def test_counts_without_counts_a_turn_are_left_out(tmp_path: Path) -> None:
-    """An encoder that the stand file does not have."""
+    """The stand file has no encoder for this wheel."""
     t = clock(2000)
     columns = {"time [s]": t, "w2.count": np.floor(200 * t / TURN * 500), "acc1.rate.x [rad/s]": wobble(t)}
     recording = read_one(tmp_path / "a.csv", columns)
@@ -131,7 +131,7 @@ def test_counts_without_counts_a_turn_are_left_out(tmp_path: Path) -> None:
 
 @given(st.floats(20.0, 300.0), st.floats(-30.0, 30.0), st.floats(0.0, 1.0), st.booleans())
 def test_pulses_are_a_phase(speed: float, acceleration: float, at: float, analogue: bool) -> None:
-    """Speed that changes, pulses at any angle; up to the step of time, and a constant."""
+    """The phase of a wheel of changing speed is right up to the step of time and a constant."""
     t = clock(4000)
     phase = speed * t + 0.5 * acceleration * t**2
     if (speed + acceleration * t).min() < 20.0:
@@ -166,7 +166,7 @@ def test_a_spike_is_no_pulse(spike: float) -> None:
 
 
 def test_lost_and_double_pulses(tmp_path: Path) -> None:
-    """A lost one is a turn; a double one is left out."""
+    """A lost pulse counts as a turn, a double one is left out."""
     t = clock(3000)
     phase = 100 * t
     turns, angle = np.divmod(phase, TURN)
@@ -182,7 +182,7 @@ def test_lost_and_double_pulses(tmp_path: Path) -> None:
 
 @given(st.floats(-0.5, 0.5), st.integers(0, 2**32 - 1))
 def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
-    """To a fifth of a step, from a signal that does not repeat, with noise on both sides."""
+    """The offset is right to a fifth of a step, from a signal that does not repeat, with noise on both sides."""
     rng = np.random.default_rng(seed)
     t = clock(3000)
     parts = [(rng.uniform(2, 40), rng.uniform(0, TURN), rng.uniform(0.3, 1)) for _ in range(12)]
@@ -200,7 +200,7 @@ def test_the_offset_of_a_clock_is_found(offset: float, seed: int) -> None:
 
 
 def test_two_files_of_one_run(tmp_path: Path) -> None:
-    """Sensors and flywheels of two loggers: the offset by what both have, the flywheels at the times of the sensors."""
+    """The offset of two loggers comes from their common channel; flywheels get the times of the sensors."""
     t = clock(4000)
     speed = 200 + 20 * np.sin(3 * t) + 10 * np.sin(17 * t**1.3)
     rate = wobble(t)
@@ -279,7 +279,7 @@ def test_flywheels_of_another_time_are_not_taken(tmp_path: Path) -> None:
 
 
 def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
-    """The k-th file of sensors with the k-th of flywheels."""
+    """The k-th file of sensors is joined with the k-th of flywheels."""
     t = clock()
     paths = [write_csv(tmp_path / f"imu{k}.csv", {"time [s]": t, RATE: k + wobble(t)}) for k in (1, 2)]
     paths += [write_csv(tmp_path / f"w{k}.csv", {"time [s]": t, "w1.speed [rad/s]": 0 * t + k}) for k in (1, 2)]

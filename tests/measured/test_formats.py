@@ -46,7 +46,7 @@ def columns(draw: st.DrawFn) -> dict[str, tuple[str, float]]:
 def test_what_is_written_is_read(
     chosen: dict[str, tuple[str, float]], time: tuple[str, float], form: str, data: st.DataObject
 ) -> None:
-    """Any channels, in any unit of the right kind, in any order, by CSV and Parquet."""
+    """CSV and Parquet give back any channels, in any unit of the right kind and any order."""
     seed = data.draw(st.integers(0, 2**32 - 1))
     made = {label: 0.3 * np.random.default_rng(seed + k).uniform(-1, 1, 60) for k, label in enumerate(chosen)}
     t = clock(60)
@@ -126,7 +126,7 @@ def test_ulog(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("delimiter", [";", "\t"])
 def test_decimal_commas_after_whole_numbers(tmp_path: Path, delimiter: str) -> None:
-    """The first line has none; other lines decide."""
+    """The first line has no decimal comma, so that the other lines decide."""
     path = tmp_path / "data.csv"
     rows = "\n".join([f"0{delimiter}0", *(f"0,{k:03d}{delimiter}{k},5" for k in range(1, 20))])
     path.write_text(f"time [s]{delimiter}acc1.rate.x [rad/s]\n{rows}\n", encoding="utf-8")
@@ -138,7 +138,7 @@ def test_decimal_commas_after_whole_numbers(tmp_path: Path, delimiter: str) -> N
 
 @pytest.mark.parametrize("known", [True, False])
 def test_waveforms_of_tdms_begin_at_their_times(tmp_path: Path, known: bool) -> None:
-    """Flywheels that began half a second later; a line where only the sensors have a time."""
+    """Flywheels that began half a second later have samples from there on; a note says where times are missing."""
     import nptdms
 
     t = clock(2000)
@@ -176,7 +176,7 @@ CHANNELS = {
 
 @pytest.mark.parametrize("header", CHANNELS)
 def test_a_channel_that_cannot_be_used_is_one_line(tmp_path: Path, header: str) -> None:
-    """Not fatal while another is left; fatal without."""
+    """It is left out while another channel is there, and refused if none is."""
     with pytest.raises(HeaderError) as error:
         channel_of(header, STAND)
     assert CHANNELS[header] in str(error.value)
@@ -224,7 +224,7 @@ def test_a_file_that_cannot_be_read_is_one_line(tmp_path: Path, name: str) -> No
 @settings(max_examples=30)
 @given(st.binary(max_size=300), st.sampled_from([".csv", ".parquet", ".tdms", ".ulg", ".toml"]))
 def test_arbitrary_bytes(content: bytes, form: str) -> None:
-    """Refused in words, never by another error."""
+    """They are refused in words, never by another error."""
     head = {".csv": b"time [s],acc1.rate.x [rad/s]\n", ".tdms": b"TDSm", ".ulg": b"ULog\x01\x12\x35\x01"}.get(form, b"")
     with TemporaryDirectory() as folder:
         path = Path(folder) / f"data{form}"
@@ -238,7 +238,7 @@ def test_arbitrary_bytes(content: bytes, form: str) -> None:
 
 
 def test_a_run_of_simulate_is_data(tmp_path: Path) -> None:
-    """Readings, phases, speeds and torques; what no sensor can see is left out."""
+    """Readings, phases, speeds and torques are read; columns that no sensor can measure are left out."""
     columns = {
         "t [s]": clock(),
         **{name: np.full(400, 1.0) for name in ("x [m]", "qw", "v_x [m/s]", "omega_x [rad/s]", "phi_ddot w1 [rad/s2]")},

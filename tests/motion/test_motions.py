@@ -202,7 +202,7 @@ def test_finite_motions_that_do_not_are_refused(shape: Any, words: str) -> None:
 
 
 def test_deviation_on_the_way() -> None:
-    """Units; what is left out is not bounded."""
+    """It has units; a component that is left out has no bound."""
     motion = read_motion(json.dumps({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "2 mm"}}}), SHAKER)
     assert motion.bounds.deviation == (2e-3, math.inf)
     (line,) = problems({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "0.09 mm", "angular": 1}}})

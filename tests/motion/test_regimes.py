@@ -189,7 +189,7 @@ LAWS: list[Smooth] = [
 def test_speed_and_acceleration_are_the_derivatives_of_the_phase(
     law: Smooth,
 ) -> None:
-    """Central differences, away from the corners; and the phase begins at zero."""
+    """They are central differences of it, away from the corners, and the phase begins at zero."""
     h = 1e-4
     t = np.linspace(0.013, 1.987, 151)
     corners = np.array([c for c in law.breaks if c > 0] or [-1.0])

@@ -70,7 +70,7 @@ def test_velocity_of_the_mass_centre_is_the_rate_of_its_place(seed: int) -> None
 
 @pytest.mark.parametrize("seed", range(6))
 def test_generalized_form_balances_the_wrench(seed: int) -> None:
-    """(11)."""
+    """The matrices of (11) at the accelerations of (8) give the generalized forces."""
     stand, state = draw(seed, 5)
     values = evaluate(stand, state, ["matrices", "generalized"])
     terms = [

@@ -40,7 +40,7 @@ def changes(stand: Stand, state: State) -> tuple[Array, float, float]:
 @PROPERTY
 @given(case=cases(stream=False))
 def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[Stand, State]) -> None:
-    """Flywheels of given phi(t) on a free stand."""
+    """Flywheels follow given phi(t) on a free stand."""
     stand, state = free(case)
     size = scale(stand, state, "momentum")
     momentum, energy, h = changes(stand, state)
@@ -52,7 +52,7 @@ def test_driven_flywheels_keep_momentum_and_energy_takes_their_work(case: tuple[
 @PROPERTY
 @given(case=cases(stream=False))
 def test_free_flywheels_keep_momentum_and_energy_at_every_state(case: tuple[Stand, State]) -> None:
-    """tau = 0: V* and phi'' of the coupled form."""
+    """With tau = 0 the rates of momentum and energy by V* and phi'' of the coupled form are zero."""
     stand, state = isolated(case[0]), without_wrench(case[1])
     state = replace(state, tau=(0.0,) * len(state.phi))
     answer = evaluate(stand, state, ["coupled"])

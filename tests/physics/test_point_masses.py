@@ -135,7 +135,7 @@ def test_forward_gives_every_point_its_newtonian_acceleration(seed: int) -> None
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_mount_wrench_and_torque_are_what_the_points_of_a_flywheel_need(seed: int) -> None:
-    """About Os, in the flywheel's axes at phi_s = 0; the run-time wrench turns with phi_s."""
+    """It is about Os, in the flywheel's axes at phi_s = 0; the run-time wrench turns with phi_s."""
     stand, made, state = random_clouds(seed)
     r, needed, frames = places(stand, made, state), newton(stand, made, state), frames_in_E0(stand, state)
     at_zero = frames_in_E0(stand, replace(state, phi=(0.0,) * len(state.phi)))

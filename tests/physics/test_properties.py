@@ -69,8 +69,8 @@ def test_equation_8_is_linear_in_the_ten_parameters_of_a_body(case: tuple[Stand,
     def terms(one: Stand) -> Array:
         """Size of the terms of (8)."""
         size = scale(one, state, "matrices")
-        given_ = {"K": state.V_dot, "M": state.V, "I": state.phi_ddot, "J": state.phi_dot}
-        return np.asarray(size["F"] + sum(size[name] @ np.abs(np.array(value)) for name, value in given_.items()))
+        motion = {"K": state.V_dot, "M": state.V, "I": state.phi_ddot, "J": state.phi_dot}
+        return np.asarray(size["F"] + sum(size[name] @ np.abs(np.array(value)) for name, value in motion.items()))
 
     def draw_parameters() -> tuple[float, Array, Array]:
         root = rng.normal(size=(3, 3))
@@ -157,9 +157,9 @@ def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State]) -> None:
     N = len(rest)
     state = replace(state, phi_dot=(*state.phi_dot[:N], 0.0), phi_ddot=(*state.phi_ddot[:N], 0.0))
     fields = ("name", "mass", "center_of_mass", "inertia", "inertia_about", "laws", "wrench_input")
-    given_: dict[str, Any] = {name: getattr(last, name) for name in fields}
+    same: dict[str, Any] = {name: getattr(last, name) for name in fields}
     angles = (0.7, -0.3, 0.4 + state.phi[-1])
-    body = Instrument(**given_, position=last.position, angles=angles, added_mass=None)
+    body = Instrument(**same, position=last.position, angles=angles, added_mass=None)
     rigid = replace(stand, instruments=(*stand.instruments, body), flywheels=tuple(rest))
     kept: dict[str, Any] = {name: getattr(state, name)[:N] for name in ("phi", "phi_dot", "phi_ddot", "tau")}
     for want, names in (("forward", ("V_dot",)), ("momentum", ("Z", "Z0", "energy", "center_of_mass"))):
@@ -171,7 +171,7 @@ def test_a_locked_flywheel_is_a_rigid_body(case: tuple[Stand, State]) -> None:
 @PROPERTY
 @given(case=cases())
 def test_both_forms_give_one_acceleration(case: tuple[Stand, State]) -> None:
-    """(8) and (11)."""
+    """The accelerations of (8) and of (11) are equal."""
     stand, state = case
     state = replace(state, quaternion=None, angles=(0.3, 0.8, -1.1))
     answer, size = evaluate(stand, state, ["generalized"]), scale(stand, state, "generalized")

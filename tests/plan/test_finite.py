@@ -39,7 +39,7 @@ def move() -> tuple[Stand, RequiredMotion]:
 
 
 def test_bench8_moves_from_rest_to_rest() -> None:
-    """Found, and exact between the nodes; the table is as exact; flywheels start at rest."""
+    """A programme exists, is exact between its nodes, and starts its flywheels from rest."""
     stand, motion = move()
     model = Problem.of(stand, motion)
     problem = FiniteProblem.from_problem(model)
@@ -54,7 +54,7 @@ def test_bench8_moves_from_rest_to_rest() -> None:
 
 @pytest.mark.parametrize(("count", "last"), [(8, "or one more flywheel"), (7, "or eight flywheels")])
 def test_what_to_try_depends_on_the_stand(count: int, last: str) -> None:
-    """Eight flywheels where a free carrier has fewer; nothing of a mean that is free."""
+    """One more flywheel is advised where there are eight, and eight where a free carrier has fewer."""
     stand, motion = move()
     part = replace(stand, flywheels=stand.flywheels[:count], tasks=())
     weights = replace(motion.objective, **{kind: row[:count] for kind, row in vars(motion.objective).items()})
@@ -66,7 +66,7 @@ def test_what_to_try_depends_on_the_stand(count: int, last: str) -> None:
 
 @pytest.mark.slow
 def test_a_finite_programme_is_verified_by_the_reference(tmp_path: Path) -> None:
-    """Planned from given angles, written, read."""
+    """It is planned from given angles, written, read and verified."""
     stand, motion = move()
     angles = tuple(0.3 * k for k in range(8))
     motion = replace(motion, bounds=replace(motion.bounds, start_phi=angles))

@@ -73,7 +73,7 @@ def judged(stand: Stand, plan: Any, motion: dict[str, Any]) -> None:
 
 
 def test_two_wheels_out_of_place_move_until_they_shake_along_one_axis() -> None:
-    """Places, mountings, unbalances: +-mu Omega^2 of the pair along z is the force that moves mass and suspension."""
+    """Places, mountings and unbalances move until +-mu Omega^2 of the pair is the force along z that is needed."""
     stand = mahovik.load(SHAKER).replace({"left.position": [0.03, 0.06, 0.01], "right.position": [-0.02, -0.07, 0.02]})
     bounds = {
         "*t.position": ["-80 mm", "80 mm"],
@@ -96,7 +96,7 @@ def test_two_wheels_out_of_place_move_until_they_shake_along_one_axis() -> None:
 
 
 def test_axes_that_stay_parallel_are_no_reason_to_refuse() -> None:
-    """Along both axes neither motion nor unbalance is anything but rounding."""
+    """Motion and unbalance along both axes are rounding alone."""
     free = {"*t.position": ["-80 mm", "80 mm"], "*t.unbalance.static": [0, "3 kg mm"]}
     motion = UP | {"free": free, "same": [["*t.unbalance.static"]]}
     stand = mahovik.load(SHAKER)
@@ -104,7 +104,7 @@ def test_axes_that_stay_parallel_are_no_reason_to_refuse() -> None:
 
 
 def test_products_of_inertia_turn_a_carrier() -> None:
-    """Two wheels that turn against each other, in free space: 2 U_d Omega^2 turns all that has J about y."""
+    """Two wheels that turn against each other in free space give J about y its acceleration by 2 U_d Omega^2."""
     stand = with_wheels({"dynamic": 1e-5}, (1, -1))
     motion = periodic([0, 0, 0, 0, 1e-3, 0], free={"w*.unbalance.dynamic": [0, 1e-3], "w*.position": [-0.1, 0.1]})
     plan = mahovik.plan(stand, motion=motion, free=["w*.unbalance.dynamic", "w*.position"])
@@ -139,7 +139,7 @@ def test_eight_wheels_get_the_unbalance_that_the_motion_needs() -> None:
 
 
 def test_a_number_of_the_suspension_moves_by_ten_per_cent_of_its_value() -> None:
-    """The spring that makes this amplitude the one of constant speed."""
+    """The spring is tuned so that wheels at constant speed give the required amplitude."""
     k = 20000.0
     springs = {"stiffness": [0, 0, k, 0, 0, 0]}
     stand = with_wheels({"static": 1e-3}, (1,), gravity=[0, 0, -9.81], hold={"freedoms": ["z"]}, suspension=springs)
@@ -152,7 +152,7 @@ def test_a_number_of_the_suspension_moves_by_ten_per_cent_of_its_value() -> None
 
 
 def test_slopes_are_those_of_differences() -> None:
-    """Derivatives of residual and bounds by free numbers, waves and bias."""
+    """Slopes of residual and bounds by free numbers, waves and bias agree with differences."""
     stand = mahovik.load(SHAKER)
     bounds = {"*t.position": [-0.1, 0.1], "*t.inertia.J12": [-1e-5, 1e-5]}
     limits = {"speed": 126, "acceleration": 10, "torque": 1e-3}

@@ -154,7 +154,7 @@ def test_bounds_are_kept_or_refused() -> None:
 
 @pytest.mark.parametrize("hold", HOLDS)
 def test_planner_and_verification_have_the_same_kinematics(hold: str) -> None:
-    """Adjoints of screws against products of 4x4 matrices; and V* against differences of V."""
+    """Adjoints of screws agree with products of 4x4 matrices, and V* with differences of V."""
     held = stand(hold, wheel(1, [0, 0, 1]))
     assert held.hold is not None
     rng = np.random.default_rng(3)

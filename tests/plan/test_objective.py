@@ -44,7 +44,7 @@ def rows_at(cost: Cost, at: PrescribedMotion, angles: Angles) -> Rows:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_rows_are_what_they_say(kind: str) -> None:
-    """Each is its definition, times the square root of its weight: J is linear in the weights."""
+    """Each row is its definition times the square root of its weight, so that J is linear in the weights."""
     cost, motion, at = setting(kind)
     angles = Angles(*motion[3:])
     values = rows_at(cost, at, angles).value / np.sqrt(WEIGHTS)
@@ -85,7 +85,7 @@ def bounded_setting() -> tuple[Any, RandomCourse, Any]:
 
 
 def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
-    """The worst of each flywheel and kind, the worst first; nothing else."""
+    """The worst excess of each flywheel and kind is listed, the worst first."""
     stand, motion, at = bounded_setting()
     t = np.linspace(0.0, 1.1, 12)
     angles, tau = Angles(*motion[3:]), linear(at, *motion[3:]).tau
@@ -108,7 +108,7 @@ def test_what_is_exceeded_is_told_by_flywheel_value_and_time() -> None:
 
 
 def test_utilisation_is_one_at_the_limit() -> None:
-    """The largest of all; of a least speed above one where it is missed."""
+    """It is the largest of all bounds, and above one where a least speed is missed."""
     flat = np.ones((4, N))
     angles = Angles(flat, 20.0 * flat, 100.0 * flat)
     none, turns = np.zeros((4, N)), np.ones(N)

@@ -65,7 +65,7 @@ def tilted() -> Stand:
 
 @pytest.mark.parametrize("problem", [of_bench8, of_auv6, of_table])
 def test_a_node_is_what_the_residual_says(problem: Any) -> None:
-    """R (a row for each freedom), torques, and J are those of the planner, by the other derivation."""
+    """R, a row for each freedom, torques and J agree with those of the planner, which has the other derivation."""
     model, rng, M = problem(), np.random.default_rng(3), 5
     N, m, required = model.N, model.rows_count, model.motion
     cost = Cost.of(model.mechanics, required.objective, 2.0 * math.pi / required.span)
@@ -107,7 +107,7 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
 
 @pytest.mark.slow
 def test_bench8_is_solved() -> None:
-    """Verified, and no worse than its start, which has (12) at the nodes by the other derivation as well."""
+    """The programme is verified, no worse than its start, and meets (12) at the nodes by the other derivation."""
     lines: list[str] = []
     stand, motion_ = example("bench8")
     plan = plan_ocp(stand, replace(motion_, winding="rock"), on_progress=lambda state: lines.append(state.words))
@@ -144,7 +144,7 @@ def test_a_plan_of_a_held_carrier_is_verified_and_keeps_its_bounds(periodic: boo
 
 
 def test_what_is_refused_before_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Fewer flywheels than freedoms; CasADi that is not there."""
+    """Fewer flywheels than freedoms and a missing CasADi are refused."""
     with pytest.raises(UsageError, match=r"the stand has 2 flywheels; \(13\) needs at least 6"):
         plan_ocp(*example("shaker2"))
     held = stand('freedoms = ["z", "yaw"]', wheel(1, [0, 0, 1]))

@@ -43,7 +43,7 @@ def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple
 
 @pytest.mark.parametrize("free", [(True,) * 6, (True, False, True, False, False, True)])
 def test_derivatives_of_constraints_and_value(free: tuple[bool, ...]) -> None:
-    """Derivatives of constraints and value by every wave of every flywheel and every free component of the bias."""
+    """Those by every wave of every flywheel and every free component of the bias agree with differences."""
     problem, motion = stage(free)
     point = problem.at(motion)
     model = point.model()
@@ -78,7 +78,7 @@ def inside() -> Candidate:
 
 
 def test_bounds_that_the_start_breaks_are_kept() -> None:
-    """Four kinds at once; the programme stays exact."""
+    """Four kinds of bound are kept at once, and the programme stays exact."""
     improver = setting(tight())
     broken = {excess.kind for excess in improver.evaluate(plain("rock"), "rock").exceeded_bounds}
     assert broken == {"acceleration", "torque", "speed", "angle"}
@@ -89,7 +89,7 @@ def test_bounds_that_the_start_breaks_are_kept() -> None:
 
 
 def test_what_cannot_be_kept_is_told() -> None:
-    """A tenth of what is possible: the excess is that of the programme, recomputed on another grid."""
+    """The bound is a tenth of what is possible; the excess is that of the programme on another grid."""
     improver = setting(Bounds(acceleration=(60.0,) * N))
     candidate = improver.rescue(improver.improve(plain("rock"), "rock", Budget(UNTIL)), None)
     assert candidate is not None and candidate.exact and not candidate.is_programme
@@ -102,7 +102,7 @@ def test_what_cannot_be_kept_is_told() -> None:
 
 
 def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A search of which the bound has left one attempt that is no programme; its message names the bound as well."""
+    """The search has one attempt left, which gives no programme; its message names the bound as well."""
     improver, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
     attempt = improver.evaluate(free.with_harmonics(2), "rock", free)
     search: Search[Candidate] = Search(beyond=[attempt])

@@ -89,7 +89,7 @@ def literal_acceleration(chart: Chart, y: Array, phi: Array, phi_dot: Array, phi
 
 @pytest.mark.parametrize("number", range(12))
 def test_acceleration_is_that_of_the_reference(number: int) -> None:
-    """On stands of all kinds, several states at once."""
+    """They agree on stands of all kinds, several states at once."""
     rng = np.random.default_rng(200 + number)
     stand = random_stand(rng, 1 + number % 6, KINDS[number % len(KINDS)])
     N, M = len(stand.flywheels), 3
@@ -136,7 +136,7 @@ def followed(chart: Chart, start: Array, until: float, nodes: int, shift: float 
 
 
 def test_course_is_that_of_an_adaptive_integration() -> None:
-    """Every kind of wrench, 0.04 s: against SciPy's on the reference, with quaternions."""
+    """With every kind of wrench it ends after 0.04 s where SciPy's on the reference, with quaternions, does."""
     rng = np.random.default_rng(5)
     stand = random_stand(rng, 3, EVERYTHING)
     chart = chart_of(stand, rng)

@@ -126,7 +126,7 @@ def test_momentum_that_nothing_takes_up_is_told() -> None:
 
 @pytest.mark.slow
 def test_a_general_stand_is_run_up_and_verified() -> None:
-    """Eight unequal wheels that spin, 10 turns: the independent verification passes every item of both tables."""
+    """Eight unequal wheels run up in 10 turns, and every item of both tables is verified."""
     stand, motion = example("bench8")
     asked = replace(motion, runup=1.0, winding="spin")
     plan = plan_motion(stand, asked, PlanOptions(verify=False))
@@ -137,7 +137,7 @@ def test_a_general_stand_is_run_up_and_verified() -> None:
 
 
 def test_what_is_refused_is_left_out_and_nothing_else() -> None:
-    """A run-down that ends elsewhere, or that cannot be followed; bounds are no refusal; the programme's items stay."""
+    """A run-down with a wrong end or that cannot be followed is left out; the items of the programme stay."""
     items = [
         Check.of("residual", 1e-8, 1e-6, "of (12)"),
         Check.of("run-up end", 1e-7, 1e-5, "carrier"),
@@ -172,7 +172,7 @@ def test_time_that_is_over_leaves_out_both_tables() -> None:
 
 
 def test_ctrl_c_in_a_run_up_keeps_the_programme(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Interrupted, with the programme; the run-down is not begun."""
+    """The programme is returned as interrupted, and the run-down is not begun."""
 
     solve = runups.solve
 
@@ -297,7 +297,7 @@ def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
 
 @pytest.mark.parametrize("hold", HOLDS)
 def test_equations_along_the_freedoms_are_those_of_the_reference(hold: str) -> None:
-    """u* against multipliers of the hold; coordinates, displacements and their changes against differences."""
+    """u* agrees with multipliers of the hold, coordinates and their changes with differences."""
     held = stand(hold, wheel(1, [0, 1, 1], 3, (0.1, 0, 0)) + wheel(2, [1, 0, 0], 2))
     assert held.hold is not None
     rng, m = np.random.default_rng(8), len(held.hold.freedoms)

@@ -55,7 +55,7 @@ def refused(answer: Preflight) -> tuple[str, str]:
     "stand,motion", [("bench8", None), ("auv6", None), ("demo3", None), ("shaker2", "shaker2_spin")]
 )
 def test_what_has_a_programme_is_not_refused(stand: str, motion: str | None) -> None:
-    """In well below a second; the last at 99.99 % of its unbalance."""
+    """The preflight is done in well below a second; the last case needs 99.99 % of its unbalance."""
     begun = time.process_time()
     answer = preflight(problem(stand, motion))
     assert answer.refusal is None
@@ -63,7 +63,7 @@ def test_what_has_a_programme_is_not_refused(stand: str, motion: str | None) -> 
 
 
 def test_balanced_flywheels_give_no_force() -> None:
-    """SPAN names the direction and what would help."""
+    """The reason SPAN names the direction and what would help."""
     cos = np.array([[0.0, 0.0, 1e-4, 1e-2, 0.0, 0.0]])
     reason, words = refused(preflight(problem("demo3", course=Harmonics(1.0, (1,), cos, 0 * cos))))
     assert reason == "SPAN"
@@ -72,7 +72,7 @@ def test_balanced_flywheels_give_no_force() -> None:
 
 
 def test_weight_needs_something_that_carries_it() -> None:
-    """MEAN_WRENCH: without the suspension, or with a mean that is held off it."""
+    """The reason is MEAN_WRENCH, without the suspension or with a mean pose held off it."""
     stand, motion = example("bench8")
     reason, words = refused(preflight(Problem.of(stand.without_laws(Suspension), motion)))
     assert reason == "MEAN_WRENCH"
@@ -89,7 +89,7 @@ def test_weight_needs_something_that_carries_it() -> None:
 
 
 def test_unbalance_bounds_the_amplitude() -> None:
-    """FIRST_MOMENT: shaker2 reaches 0.577 mm and no more; the words give the share that is within reach."""
+    """The reason FIRST_MOMENT gives the share of the motion that shaker2 reaches: 0.577 mm."""
     _, motion = example("shaker2", "shaker2_spin")
     assert isinstance(motion.course, Harmonics)
     for factor, within in ((1.0, True), (1.05, False)):
@@ -103,7 +103,7 @@ def test_unbalance_bounds_the_amplitude() -> None:
 
 
 def test_bounds_bound_the_wrench() -> None:
-    """BOUND_REACH with need and have; bounds in which a programme is known are not refused."""
+    """The reason BOUND_REACH gives need and have; bounds in which a programme is known are not refused."""
     slow = Bounds(speed=(5.0,) * 8, acceleration=(100.0,) * 8)
     reason, words = refused(preflight(problem("bench8", bounds=slow)))
     assert reason == "BOUND_REACH"
@@ -113,7 +113,7 @@ def test_bounds_bound_the_wrench() -> None:
 
 
 def test_mean_pose_carries_the_weight() -> None:
-    """The bias of auv6: buoyancy above weight; free directions (translation, yaw about z) stay."""
+    """The bias of auv6 has the buoyancy above the weight; free directions (translation, yaw about z) stay."""
     answer = preflight(problem("auv6"))
     assert np.all(answer.bias[:3] == pytest.approx(0.0, abs=1e-9))
     assert 0.01 < np.abs(answer.bias[3:]).max() < 0.3
@@ -125,7 +125,7 @@ QUICK = PlanOptions(verify=False)
 
 
 def test_the_best_of_a_few_is_kept() -> None:
-    """The best by the objective of `enough` programmes, with its figures."""
+    """Of `enough` programmes the one with the least objective is returned, with its figures."""
     stand, motion = example("bench8")
     plan = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, enough=2))
     assert plan.status == "OK"
@@ -194,7 +194,7 @@ def test_a_singular_attitude_is_told() -> None:
 
 @pytest.mark.slow
 def test_a_bound_that_cannot_be_kept() -> None:
-    """OK_LIMIT: a programme all the same, exact, with the excess that it really has, in words and in the report."""
+    """OK_LIMIT is a programme all the same, exact, with its real excess in words and in the report."""
     stand, motion = example("bench8")
     bounded = replace(motion, winding="rock", bounds=Bounds(acceleration=(60.0,) * 8))
     plan = plan_motion(stand, bounded, replace(QUICK, steps=90))
@@ -212,7 +212,7 @@ def test_a_bound_that_cannot_be_kept() -> None:
 
 
 def test_the_end_of_the_steps_gives_the_best_so_far() -> None:
-    """Cut in the middle of the optimisation: an exact programme, though not the best."""
+    """A search cut in the middle of the optimisation gives an exact programme, though not the best."""
     stand, motion = example("bench8")
     cut = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, steps=25))
     assert cut.status == "OK" and cut.effort["steps"] == 25

@@ -63,7 +63,7 @@ def test_one_wheel_on_its_axis_turns_bang_bang(
 
 
 def test_more_wheels_use_their_null_space() -> None:
-    """Six wheels, two of them weak: the least norm alone would be bound by the weak ones."""
+    """Six wheels, one of them weak, slew in nearly the least time; the least norm alone would have half the torque."""
     axes = (*PYRAMID, (1.0, 0.0, 0.0), (0.0, 0.2, 1.0))
     stand = satellite(axes)
     weak = stand.flywheels[-1]
@@ -104,7 +104,7 @@ def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
 
 @pytest.mark.slow
 def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits() -> None:
-    """30 degrees with unbalanced wheels: verified by the reference and by simulation, then on a dense grid."""
+    """A slew of 30 degrees with unbalanced wheels is verified by reference and simulation, then on a dense grid."""
     stand = sat4()
     wanted = slew(stand, end={"angles": ["30 deg", 0, 0]})
     plan = plan_slew(stand, wanted)
@@ -129,7 +129,7 @@ def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits
 @settings(max_examples=10, deadline=None)
 @given(st.floats(0.01, 3.0), st.floats(0.01, 5.0), st.floats(0.01, 5.0), st.floats(0.2, 3.0))
 def test_constant_limits_give_bang_coast_bang(angle: float, up: float, down: float, share: float) -> None:
-    """sigma'' from -down to up; the cap is a share of the peak without it."""
+    """sigma'' goes from -down to up; the cap is a share of the peak without it."""
     peak = np.sqrt(2.0 * angle * up * down / (up + down))
     cap = share * peak
     sharp = sharpest(angle, lambda _, __: (-down, up), lambda _: cap)
@@ -275,7 +275,7 @@ def test_wheels_at_working_speeds_slew(keys: dict[str, Any]) -> None:
 
 @pytest.mark.slow
 def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
-    """The literal reference over the first turns of the wheels, by another method in other coordinates."""
+    """They agree over the first turns of the wheels; the reference has another method and other coordinates."""
     stand, programme = sat4(), quick_slew()
     motion = motion_of_slew(slew(stand, end=about_z(5), duration=10, start=against(314)), programme)
     effect = unbalance_effect(stand, motion, programme)

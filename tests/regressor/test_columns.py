@@ -41,8 +41,8 @@ def case_of(stand: Stand, folder: Path, real: str = "double", named: str = "regr
     for file, content in generate_all(stand, real, only=(named,)).files.items():
         (folder / file).write_text(content, encoding="ascii", newline="\n")
     backend = CBackend(stand, real, folder)
-    given_states = ordinary(draw(stand, 3, 20, real), backend.inputs, 4)
-    return Case(stand, backend, given_states, LIMITS[real], Second(stand), Scales(stand, real), 3)
+    drawn = ordinary(draw(stand, 3, 20, real), backend.inputs, 4)
+    return Case(stand, backend, drawn, LIMITS[real], Second(stand), Scales(stand, real), 3)
 
 
 def failures(rows: list[Check]) -> dict[str, float]:
@@ -78,8 +78,8 @@ def parameters(stand: Stand) -> Iterator[tuple[str, np.ndarray]]:
     yield "Y_added_mass", fixed.Lambda.sum(axis=0)[np.triu_indices(6)]
     damping = stand.carrier.law(Damping)
     for name in ("linear", "quadratic"):
-        given_matrix = getattr(damping, name, None)
-        yield f"Y_{name}", np.zeros((6, 6)) if given_matrix is None else np.array(given_matrix)
+        matrix = getattr(damping, name, None)
+        yield f"Y_{name}", np.zeros((6, 6)) if matrix is None else np.array(matrix)
 
 
 def with_columns_alone(stand: Stand) -> Stand:

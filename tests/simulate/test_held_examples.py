@@ -29,7 +29,7 @@ def rising_zeros(t: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def test_a_large_swing_has_the_period_of_the_elliptic_integral() -> None:
-    """And the pivot pulls most when the stick passes below it."""
+    """The pivot pulls most when the stick passes below it."""
     moved = run("pendulum", 5, 1e-3, 5e-3, [0, math.radians(30), 0])
     weight = 9.81 * (0.300 * 0.060 + 0.250 * 0.120)  # N m a radian
     inertia = 6e-4 + 0.300 * 0.060**2 + 4e-4 + 0.250 * 0.120**2  # about the pivot, with the braked wheel
@@ -42,7 +42,7 @@ def test_a_large_swing_has_the_period_of_the_elliptic_integral() -> None:
 
 
 def test_a_cube_precesses_and_nods_at_the_roots_of_a_top() -> None:
-    """By the momentum of its wheels and the inertia across the diagonal."""
+    """Its two frequencies follow from the momentum of the wheels and the inertia across the diagonal."""
     moved = run("cube", 8, 2e-4, 1e-2, [0, -0.5631198311105574, 0.7853981633974483])
     t, (w, x, y, z) = moved["t"], (moved[name] for name in ("qw", "qx", "qy", "qz"))
     C = np.array(

@@ -190,7 +190,7 @@ def column(numbers: Any) -> list[list[float]]:
 
 
 def worst_acceleration(stand: Stand, program: BasiliskRotors) -> float:
-    """Of V_dot and phi_ddot at ordinary states, relative to the largest of each."""
+    """Largest difference of V_dot and phi_ddot at ordinary states, relative to the largest element of each."""
     rng, off = np.random.default_rng(1), 0.0
     for _ in range(5):
         state = replace(random_state(stand, rng), wrench=MappingProxyType({}))

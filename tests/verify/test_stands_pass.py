@@ -186,7 +186,7 @@ def compared(report: Report, stand: Stand) -> set[tuple[str, str]]:
 @pytest.mark.slow
 @pytest.mark.parametrize("file", HELD, ids=lambda file: file.stem)
 def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> None:
-    """Pinocchio has no joint without freedoms."""
+    """Pinocchio is silent about the clamped force table alone: it has no joint without freedoms."""
     report = verify_judges(load(file), count=6)
     assert report.passed
     silent = {row.judged for row in report.rows if row.verdict == "not compared"}
@@ -194,7 +194,7 @@ def test_joints_of_others_agree_with_the_held_stands_of_the_docs(file: Path) -> 
 
 
 def test_exciters_of_the_shaker_cancel_across_the_rail() -> None:
-    """Of two masses m at radius r, in phase and against each other: 2 m r phi'^2 sin phi on the rail."""
+    """Two masses m at radius r press on the rail with 2 m r phi'^2 sin phi in phase, and with nothing in antiphase."""
     stand = load(next(file for file in HELD if file.stem == "linear_shaker"))
     speed, phase = 50.0, 0.7
     state = replace(rest_state(stand), phi=(phase, phase), phi_dot=(speed, speed))

@@ -30,7 +30,7 @@ def begun(one: Instance) -> None:
 
 @pytest.mark.slow
 def test_any_communication_step() -> None:
-    """A step of 10 ms by dt = 1 ms, and the same in parts of which dt is no divisor: the same to the error of dt."""
+    """A step of 10 ms by dt = 1 ms and the same in parts of which dt is no divisor agree to the error of dt."""
     runs = []
     for parts in ([0.01] * 10, [0.0007, 0.0093] * 10, [0.1]):
         with fmus.instance("driven", "2.0", "cs", "torque") as one:

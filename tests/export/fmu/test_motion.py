@@ -139,7 +139,7 @@ def test_co_simulation_is_simulate(name: str, version: str, inputs: Inputs) -> N
     [("driven", "3.0", "torque"), ("auv6", "2.0", "acceleration"), ("rigid", "3.0", "torque")],
 )
 def test_model_exchange_is_the_reference(name: str, version: str, inputs: Inputs) -> None:
-    """CVode on the rates of the FMU; SciPy on the literal reference: nothing is shared but the stand."""
+    """CVode on the rates of the FMU agrees with SciPy on the literal reference; they share the stand alone."""
     compare(*moved(name, version, inputs, kind="me", backend="scipy", solver="CVode", relative_tolerance=1e-11), 2e-6)
 
 
@@ -215,7 +215,7 @@ def written(stand: Stand, start: State, folder: Path, version: str = "3.0", kind
 def test_a_held_carrier_moves_as_simulate_does(
     name: str, version: str, kind: Kind, inputs: Inputs, tmp_path: Path
 ) -> None:
-    """With friction, stops, coordinates, and the reaction of the hold."""
+    """Friction, stops, coordinates and the reaction of the hold are compared."""
     stand, state = held_case(name)
     assert stand.hold is not None
     torque = inputs == "torque"
