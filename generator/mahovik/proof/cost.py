@@ -30,7 +30,7 @@ from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import NATIVE, instructions_of_host, read, workload
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify import selftest
-from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, require_own
+from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, manifest_of
 
 STATES = 4
 """Number of states; the most expensive one is reported."""
@@ -246,7 +246,7 @@ def require_place(folder: Path, stand: Stand) -> None:
     """
     options = delivered_options(folder)
     if options is not None:
-        require_own(folder, stand)
+        manifest_of(folder, stand)
         made, source = generate_all(stand, options.real, options.only).files, folder / f"{stand.name}.c"
         if not source.is_file() or source.read_bytes() != made[source.name].encode():
             raise UsageError(

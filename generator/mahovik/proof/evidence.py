@@ -482,9 +482,9 @@ def _run(piece: Piece, subject: Subject) -> Outcome:
     done = subprocess.run(
         ["sh", "-c", command], cwd=place, env=os.environ | more, capture_output=True, check=False, **text
     )
-    printed, errors = (_without_paths(each, subject) for each in (done.stdout + done.stderr, done.stderr))
+    printed, errors = (_without_paths(printout, subject) for printout in (done.stdout + done.stderr, done.stderr))
     files = {path.name: path.read_text(**text) for pattern in piece.kept for path in sorted(place.glob(pattern))}
-    kept = {name: _without_paths(each, subject).encode(**text) for name, each in files.items()}
+    kept = {name: _without_paths(printout, subject).encode(**text) for name, printout in files.items()}
     lines = [line.strip() for line in printed.splitlines() if line.strip()]
     figures = [piece.words.format(said) for said in re.findall(piece.figure, printed, re.MULTILINE)]
     figure, notes, verdict = (figures or lines or [""])[-1], piece.notes, Verdict.PASSED

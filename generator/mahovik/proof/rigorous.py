@@ -136,17 +136,17 @@ def _arbs(balls: Any) -> Any:
     return {name: _arbs(x) for name, x in balls.items()} if isinstance(balls, dict) else _arb(balls)
 
 
-def with_balls(given: Any) -> Any:
+def with_balls(data: Any) -> Any:
     """A stand, a state or a part of one, with balls for its numbers."""
-    if isinstance(given, float):
-        return Ball(arb(given))
-    if isinstance(given, tuple):
-        return tuple(map(with_balls, given))
-    if isinstance(given, Mapping):
-        return MappingProxyType({key: with_balls(x) for key, x in given.items()})
-    if is_dataclass(given) and not isinstance(given, type):
-        return replace(given, **{part.name: with_balls(getattr(given, part.name)) for part in fields(given)})
-    return given
+    if isinstance(data, float):
+        return Ball(arb(data))
+    if isinstance(data, tuple):
+        return tuple(map(with_balls, data))
+    if isinstance(data, Mapping):
+        return MappingProxyType({key: with_balls(x) for key, x in data.items()})
+    if is_dataclass(data) and not isinstance(data, type):
+        return replace(data, **{part.name: with_balls(getattr(data, part.name)) for part in fields(data)})
+    return data
 
 
 @dataclass(frozen=True, eq=False)
@@ -177,15 +177,15 @@ def evaluate(at: Exact, want: str) -> Balls:
         return result
 
 
-def enclose(found_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:
-    """What `found_at` gives for a number of bits, doubled from BITS until it is narrow.
+def enclose(balls_at: Callable[[int], Balls], narrow: Callable[[Balls], bool]) -> Balls:
+    """What `balls_at` gives for a number of bits, doubled from BITS until it is narrow.
 
     Raises StateError where even MOST_BITS give none.
     """
     bits, refusal = BITS, "the balls stay too wide"
     while bits <= MOST_BITS:
         try:
-            if narrow(result := found_at(bits)):
+            if narrow(result := balls_at(bits)):
                 return result
         except StateError as error:
             refusal = str(error)

@@ -44,7 +44,7 @@ def _leg_force() -> Expr:
     distance = ca.norm_2(end - ground)
     potential = stiffness * (distance - unstretched) ** 2 / 2
     rayleigh = damping * chart.rate(distance) ** 2 / 2
-    force = chart.here(-ca.gradient(potential, chart.q) - ca.gradient(rayleigh, chart.q_dot))[:6]
+    force = chart.at_present(-ca.gradient(potential, chart.q) - ca.gradient(rayleigh, chart.q_dot))[:6]
     return ca.Function("leg_force", [leg, place, C, chart.q_dot[:6]], [force])
 
 

@@ -31,7 +31,7 @@ def _force() -> Expr:
     chart = Chart()
     dipole, field = ca.SX.sym("dipole", 3), ca.SX.sym("field", 3)
     potential = -ca.dot(turn(chart.xi) @ dipole, field)
-    return ca.Function("torquer_force", [dipole, field], [chart.here(-ca.gradient(potential, chart.q))[:6]])
+    return ca.Function("torquer_force", [dipole, field], [chart.at_present(-ca.gradient(potential, chart.q))[:6]])
 
 
 LAW = CarrierEnergy(force)

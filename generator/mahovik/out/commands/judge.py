@@ -197,13 +197,13 @@ def _explained(
     stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: Progressing
 ) -> tuple[Report, Diagnosis | None]:
     """The verdict with its diagnosis, where one is asked for and possible."""
-    if not explain or judged.found.error:
-        return judged.found, None
+    if not explain or judged.report.error:
+        return judged.report, None
     from mahovik.out.api.stands import Stand
     from mahovik.proof.diagnose.explain import diagnose_fault
 
     tell(progress, Progress("distinguish faults"))
     try:
-        return judged.found, diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
+        return judged.report, diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
     except CheckError as error:
-        return replace(judged.found, error=str(error)), None
+        return replace(judged.report, error=str(error)), None

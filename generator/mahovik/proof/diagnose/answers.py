@@ -70,8 +70,8 @@ class Precision:
             rounded = there.astype(np.float32).astype(np.float64)
         is_float = bool(there.size and (np.abs(there - rounded) <= NINE_DIGITS * np.abs(there)).all())
         written = [Decimal(repr(x)).normalize().as_tuple() for x in there.tolist()]
-        digits = max((len(each.digits) for each in written), default=17)
-        decimals = max((-int(each.exponent) for each in written), default=330)
+        digits = max((len(number.digits) for number in written), default=17)
+        decimals = max((-int(number.exponent) for number in written), default=330)
         name = "float" if is_float else "double"
         accepted = ACCEPTED[name]
         if digits <= MOST_DIGITS:
@@ -243,13 +243,13 @@ def separating_states(stand: Stand, seed: int = 1, program: Program | None = Non
                 state = random_state(stand, rng)  # well off the singularity of the angles
             state = with_angles(stand, state)
         takes = [body.name for body in stand.bodies if body.wrench_input] if number < FIRST - 1 else []
-        given: dict[str, Any] = {"wrench": random_wrenches(rng, takes) if takes else MappingProxyType({})}
+        changes: dict[str, Any] = {"wrench": random_wrenches(rng, takes) if takes else MappingProxyType({})}
         for key in STILL.get(name, "").split():
-            given |= {each: (0.0,) * len(getattr(state, each)) for each in (key, key.replace("V", "u"))}
+            changes |= {rate: (0.0,) * len(getattr(state, rate)) for rate in (key, key.replace("V", "u"))}
         if name in alone:
             speeds = zip(stand.flywheels, state.phi_dot, strict=True)
-            given["phi_dot"] = tuple(x if k.name == alone[name] else 0.0 for k, x in speeds)
-        state = replace(state, **given)
+            changes["phi_dot"] = tuple(x if k.name == alone[name] else 0.0 for k, x in speeds)
+        state = replace(state, **changes)
         if stand.profile is not None:  # layer by layer from the lowest
             layers = len(stand.profile.depth) - 1
             state = in_layer(stand, state, layers - 1 - number % layers, (0.7, 0.4)[number % 2])

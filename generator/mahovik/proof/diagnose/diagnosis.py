@@ -171,7 +171,7 @@ class Diagnoser:
         named, near = self._by_reading(evidence, wrong)
         if not named:
             named, near_numbers = self._by_numbers(evidence)
-            near = min(near, near_numbers, key=lambda each: each[0])
+            near = min(near, near_numbers, key=lambda candidate: candidate[0])
         left, causes = (0.0, named) if named else near
         verdict: Verdict = "named" if named else "approximate" if left < NEAR else "unnamed"
         return Diagnosis(verdict, causes, left, precision, wrong, follows, missing=missing)
@@ -204,7 +204,7 @@ class Diagnoser:
 
     def _by_reading(self, evidence: _Evidence, wrong: Sequence[str]) -> _Search:
         """A reading that explains all of the error, with those of the same effect; else the nearest one."""
-        quantities = dict.fromkeys(each.partition(": ")[2] for each in wrong)
+        quantities = dict.fromkeys(label.partition(": ")[2] for label in wrong)
         factors = [answered_by_factor(name, factor) for name in quantities for factor in FACTORS]
         exact: list[tuple[Reading, tuple[str, ...]]] = []
         near: _Near = 1.0, ()
@@ -218,7 +218,7 @@ class Diagnoser:
                 near = left, (Cause(reading.words),)
         if not exact:
             return (), near
-        exact.sort(key=lambda each: len(each[1]))  # what is right nowhere else comes first
+        exact.sort(key=lambda pair: len(pair[1]))  # what is right nowhere else comes first
         best, only = exact[0]
         same = tuple(reading.words for reading, wants in exact[1:] if len(wants) == len(only))
         return (Cause(best.words, None, same, only),), near
@@ -236,8 +236,8 @@ class Diagnoser:
                 elif left < near[0]:
                     near = left, _causes(solved)
             if exact:
-                first, *others = sorted(exact, key=lambda solved: _digits(solved) > SIMPLE)
-                like = tuple(" and ".join(x.path for x in solved.values) for solved in others)
+                first, *further = sorted(exact, key=lambda solved: _digits(solved) > SIMPLE)
+                like = tuple(" and ".join(x.path for x in solved.values) for solved in further)
                 return tuple(replace(cause, like=like) for cause in _causes(first)), near
         return (), near
 
@@ -252,13 +252,13 @@ _Search = tuple[tuple[Cause, ...], _Near]
 class _Evidence:
     """The error of a program, and what of it may be rounding."""
 
-    def __init__(self, whole: AnswerVector, first: Collection[str], found: Array, precision: Precision) -> None:
+    def __init__(self, whole: AnswerVector, first: Collection[str], answered: Array, precision: Precision) -> None:
         """`first`: ids of requests at states with all features active."""
-        self._whole, self._found = whole, found
-        self.error = found - whole.expected
-        self.noise = precision.noise(np.nan_to_num(found), whole.scale)
+        self._whole, self._answered = whole, answered
+        self.error = answered - whole.expected
+        self.noise = precision.noise(np.nan_to_num(answered), whole.scale)
         self.wrong = np.abs(np.nan_to_num(self.error, nan=0.0)) > self.noise
-        self._there = np.isfinite(found)
+        self._there = np.isfinite(answered)
         self._wants = {want for want, _ in (whole.quantities[i] for i in set(whole.block[self.wrong].tolist()))}
         of_wants = np.array([want in self._wants for want, _ in whole.quantities])
         self._in_wrong_wants = of_wants[whole.block]
@@ -270,7 +270,7 @@ class _Evidence:
 
     def right_beside(self, numbers: Array) -> set[str]:
         """Quantities all of whose answers are other numbers, to rounding."""
-        off = self._there & ~(np.abs(self._found - numbers) <= self.noise)
+        off = self._there & ~(np.abs(self._answered - numbers) <= self.noise)
         return {*self._whole.words_of(self._there)} - {*self._whole.words_of(off)}
 
     def compare(self, model: Model) -> tuple[float, tuple[str, ...] | None]:
@@ -280,7 +280,7 @@ class _Evidence:
         """
         for among in (self.few, self._every):
             places, predicted = self._whole.places(among), self._whole.of_model(model, among)
-            rest = np.abs(np.nan_to_num(self._found - predicted, nan=np.inf))
+            rest = np.abs(np.nan_to_num(self._answered - predicted, nan=np.inf))
             growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
             beyond = places & self._there & (rest > self.noise * growth)
             if (beyond & self._in_wrong_wants).any():

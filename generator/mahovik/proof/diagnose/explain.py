@@ -36,7 +36,7 @@ class Judged:
     program    that answers; None of a log
     """
 
-    found: Report
+    report: Report
     answers: Callable[[Sequence[Request]], Answers]
     tolerance: float
     states: States | None = None
@@ -48,7 +48,7 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
 
     Raises CheckError, UsageError.
     """
-    report, states, program = judged.found, judged.states, judged.program
+    report, states, program = judged.report, judged.states, judged.program
     if report.passed:
         return Diagnosis("none")
     offered = tuple(dict.fromkeys(row.judged for row in report.rows if row.verdict in ("ok", "FAILED")))
@@ -83,5 +83,5 @@ def _failure_words(report: Report, compared: Sequence[str] = ()) -> tuple[str, .
     return tuple(
         f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
         for row in report.failures
-        if not any(f"{each}.".startswith(f"{row.judged}: {row.quantity}.") for each in compared)
+        if not any(f"{quantity}.".startswith(f"{row.judged}: {row.quantity}.") for quantity in compared)
     )

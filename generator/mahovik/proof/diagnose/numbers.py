@@ -80,7 +80,7 @@ class NumberSearch:
         self._file = StandNumbers(stand, document)
         self._numbers = list(self._file)
         self._there = np.isfinite(error) & vector.places(among)
-        self._noise, self._found = noise[self._there], error + vector.expected
+        self._noise, self._answered = noise[self._there], error + vector.expected
         self._error = error[self._there] / self._noise
 
     def model(self, values: Mapping[StandNumber, float]) -> Model:
@@ -101,7 +101,7 @@ class NumberSearch:
         chosen = [{there[i] for i in divmod(int(k), len(there))} for k in order if explained.flat[k] > least]
         solved = (self._solve([self._numbers[j] for j in sorted(places)], sorted(places)) for places in chosen)
         possible = (x for x in solved if x is not None and (count == 1 or self._is_physical(x.values)))
-        return sorted(possible, key=lambda each: each.left)
+        return sorted(possible, key=lambda solution: solution.left)
 
     def _is_physical(self, values: Mapping[StandNumber, float]) -> bool:
         """Whether there can be bodies with these numbers."""
@@ -143,7 +143,7 @@ class NumberSearch:
     def _remainder(self, values: Mapping[StandNumber, float]) -> Array | None:
         """What numbers leave of the error, over rounding; None: a stand cannot have them."""
         try:
-            left = (self._found - self._vector.of_model(self.model(values), self._among))[self._there] / self._noise
+            left = (self._answered - self._vector.of_model(self.model(values), self._among))[self._there] / self._noise
         except StandError:
             return None
         return left if np.isfinite(left).all() else None

@@ -190,7 +190,7 @@ class TermSearch:
         are known to differ, as want: quantity; none: any may.
         """
         rng = np.random.default_rng(seed)
-        self._stand, self._rounding, self._wrong = stand, ROUNDING, {tuple(each.split(": ")) for each in wrong}
+        self._stand, self._rounding, self._wrong = stand, ROUNDING, {tuple(label.split(": ")) for label in wrong}
         if precision is not None:
             self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
         self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
@@ -200,7 +200,7 @@ class TermSearch:
         named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
         self._states = [state for _, state in named]
         differing = {want for want, _ in self._wrong}
-        tell_all = {"forward", "torque"} <= set(wants) and "coupled" not in differing  # it says nothing new then
+        is_told = {"forward", "torque"} <= set(wants) and "coupled" not in differing  # it says nothing new then
         self.wants = tuple(
             want
             for want in WANTS
@@ -208,7 +208,7 @@ class TermSearch:
             and (stand.flywheels or want not in OF_FLYWHEELS)
             and (stand.hold is not None or want not in OF_HELD)
             and (want not in WHERE_WRONG or (want in differing and stand.hold is None))
-            and not (want == "coupled" and tell_all)
+            and not (want == "coupled" and is_told)
         )
         self._requests = {
             want: [Request(f"{name}, {want}", state, (want,)) for name, state in named] for want in self.wants
@@ -261,8 +261,8 @@ class TermSearch:
     def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
         """Rows of the states with finite answers, and these (n, ...) by quantity. Raises CheckError: too few."""
         names = self._names(want, answers)
-        found = {i: self._whole(want, request, answers) for i, request in enumerate(self._requests[want])}
-        rows = {i: numbers for i, numbers in found.items() if numbers}
+        numbers_of = {i: self._whole(want, request, answers) for i, request in enumerate(self._requests[want])}
+        rows = {i: numbers for i, numbers in numbers_of.items() if numbers}
         least = count(self._stand) if want != "mounts" else 1
         if len(rows) < least:
             raise CheckError(
@@ -427,9 +427,9 @@ class TermSearch:
         at = self._pieces_of(self._drawn, stand)
         table = products(of.frame, self._drawn, at, of.side == "momentum")
         right = np.array([RIGHT[of.side](p, s) for p, s in zip(at, self._drawn, strict=True)])
-        others = np.array([_other_wrenches(p) for p in at]) if of.side == "wrench" else np.zeros_like(right)
-        factors = least_squares(table.values, (right - others) @ of.frame.rows)
-        beside = (others @ of.frame.rows).any(axis=0)
+        not_products = np.array([_other_wrenches(p) for p in at]) if of.side == "wrench" else np.zeros_like(right)
+        factors = least_squares(table.values, (right - not_products) @ of.frame.rows)
+        beside = (not_products @ of.frame.rows).any(axis=0)
         return np.where(beside & ~_is_there(factors), math.nan, factors)
 
     def _part(self, of: _Equations, k: int, component: int, expected: float, error: float) -> tuple[float, float, str]:
@@ -477,12 +477,12 @@ def _magnitudes(at: Pieces, state: State) -> Array:
 def _other_wrenches(at: Pieces) -> Array:
     """Wrenches (6, in E1 about O1) that are no sum of these products: all laws but weight, buoyancy and the damping of
     the carrier, whose axes are those of E1."""
-    others, carrier = np.zeros(6), at.bodies.bodies[0].name
+    wrenches, carrier = np.zeros(6), at.bodies.bodies[0].name
     for k in at.bodies.placed():
         for kind, wrench in at.terms[k.body.name].items():
             if kind not in PLAIN and not (kind in PLAIN_ON_CARRIER and k.body.name == carrier):
-                others += k.L @ wrench
-    return others
+                wrenches += k.L @ wrench
+    return wrenches
 
 
 def _state(stand: Stand, rng: np.random.Generator) -> State:

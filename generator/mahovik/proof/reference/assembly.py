@@ -72,22 +72,22 @@ def external_wrenches(
     """
     P: dict[str, Kinds] = {}
     gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
-    for body, own_gravity, own_V_r in zip(bodies.bodies, gravities, twists, strict=True):
-        P[body.name] = body_wrenches(body, own_gravity, own_V_r, run_time_wrench(state, body))
+    for body, gravity_there, V_r_there in zip(bodies.bodies, gravities, twists, strict=True):
+        P[body.name] = body_wrenches(body, gravity_there, V_r_there, run_time_wrench(state, body))
     for law in parts("reference", CarrierReference):
         P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
     return P
 
 
-def body_wrenches(body: Body, gravity: Array, V_r: Array, given: Array) -> Kinds:
+def body_wrenches(body: Body, gravity: Array, V_r: Array, run_time: Array) -> Kinds:
     """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
 
-    `given` (6) is the run-time wrench.
+    `run_time` (6) is the wrench of the caller.
     """
     kinds: dict[str, Array] = {}
     for law in parts("reference", BodyReference, BODY_LAWS):
         kinds |= law.wrenches(body, gravity, V_r)
-    return kinds | {"run-time": given}
+    return kinds | {"run-time": run_time}
 
 
 def run_time_wrench(state: State, body: Body) -> Array:

@@ -66,7 +66,7 @@ def check_task_want(want: Sequence[str], task: str) -> None:
 def finite(value: Any) -> bool:
     """Whether every number of a result, however nested, is finite; floats only."""
     if isinstance(value, dict):
-        return all(finite(each) for each in value.values())
+        return all(finite(part) for part in value.values())
     if isinstance(value, str):
         return True
     numbers = np.asarray(value)

@@ -215,9 +215,9 @@ def shares_of(stand: Stand, at: Pieces, tau: Array, phi_ddot: Array) -> Array:
         if motor is None or (motor.torque is None and motor.speed is None and not motor.torque_speed):
             shares[k] = abs(phi_ddot[k]) / stand.inverse_most
             continue
-        own = tau[k] - friction(motor, at.phi_dot[k])
-        most = available(motor, own, at.phi_dot[k])
-        shares[k] = abs(own) / most if most else (np.inf if own else 0.0)
+        needed = tau[k] - friction(motor, at.phi_dot[k])
+        most = available(motor, needed, at.phi_dot[k])
+        shares[k] = abs(needed) / most if most else (np.inf if needed else 0.0)
     return shares
 
 

@@ -95,7 +95,7 @@ def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
     if stand.flywheels:
         columns = np.stack([body_columns(stand, state, s.name) for s in stand.flywheels])
         values["Y_flywheel"] = columns[:, :6]
-        values["Y_drive"] = np.array([own[6 + s] for s, own in enumerate(columns)])
+        values["Y_drive"] = np.array([of_wheel[6 + s] for s, of_wheel in enumerate(columns)])
     if stand.carrier.added_mass is not None or any(p.added_mass is not None for p in stand.instruments):
         values["Y_added_mass"] = added_mass_columns(stand, state)
     return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}

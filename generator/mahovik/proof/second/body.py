@@ -50,7 +50,7 @@ class Chart:
         """
         return self.rate(expression) + directional_derivative(expression, self.q_dot, self.q_ddot)
 
-    def here(self, expression: Expr) -> Expr:
+    def at_present(self, expression: Expr) -> Expr:
         """The expression at the present pose, delta = 0 and xi = 0."""
         return ca.substitute(expression, self.q[:6], ca.SX.zeros(6))
 
@@ -82,9 +82,9 @@ class MovingBody:
         self._turned = turn(self.chart.xi)
         self._axes = ca.reshape(axes, 3, 3) @ elementary(1, self.chart.phi)
 
-    def place(self, own: Expr) -> Expr:
-        """x = delta + E(xi) rho (3; m): where a point `own` of the body's frame is."""
-        return self.chart.delta + self._turned @ (self._origin + self._axes @ own)
+    def place(self, point: Expr) -> Expr:
+        """x = delta + E(xi) rho (3; m): where a `point` of the body's frame is."""
+        return self.chart.delta + self._turned @ (self._origin + self._axes @ point)
 
     def axes(self) -> Expr:
         """R = E(xi) G(phi) (3x3): the body's axes."""
@@ -162,7 +162,7 @@ def body_kinetics() -> Expr:
     body = MovingBody()
     chart, T, moment = body.chart, body.energy(), body.mass * body.place(body.center_of_mass)
     momenta = ca.gradient(T, chart.q_dot)
-    results = [chart.here(value) for value in (T, momenta, ca.jacobian(momenta, chart.q_dot), moment)]
+    results = [chart.at_present(value) for value in (T, momenta, ca.jacobian(momenta, chart.q_dot), moment)]
     return ca.Function("body_kinetics", [body.numbers, chart.q_dot, chart.phi], results)
 
 
@@ -171,7 +171,7 @@ def body_inertial_force() -> Expr:
     """(body, q', q'', phi) -> d/dt (dT/dq') - dT/dq (7) of a body."""
     body = MovingBody()
     chart = body.chart
-    force = chart.here(inertial_force(chart, body.energy()))
+    force = chart.at_present(inertial_force(chart, body.energy()))
     return ca.Function("body_inertial_force", [body.numbers, chart.q_dot, chart.q_ddot, chart.phi], [force])
 
 
@@ -180,7 +180,9 @@ def body_twist() -> Expr:
     """(body, q', phi, stream) -> twist (6) of a body relative to the fluid, in its own frame."""
     body, stream = MovingBody(), ca.SX.sym("stream", 3)
     chart = body.chart
-    return ca.Function("body_twist", [body.numbers, chart.q_dot, chart.phi, stream], [chart.here(body.twist(stream))])
+    return ca.Function(
+        "body_twist", [body.numbers, chart.q_dot, chart.phi, stream], [chart.at_present(body.twist(stream))]
+    )
 
 
 @cache
@@ -199,7 +201,7 @@ def body_force(potentials: tuple[Potential, ...]) -> Expr:
         potential += law.energy(body, numbers[first : first + law.count], gravity)
         first += law.count
     power = ca.dot(body.twist(ca.SX.zeros(3)), P)
-    force = chart.here(ca.gradient(power, chart.q_dot) - ca.gradient(potential, chart.q))
+    force = chart.at_present(ca.gradient(power, chart.q_dot) - ca.gradient(potential, chart.q))
     return ca.Function("body_force", [body.numbers, numbers, chart.phi, gravity, P], [force])
 
 
@@ -217,4 +219,4 @@ def fluid_motion() -> Expr:
     T = ca.dot(V_r, Lambda @ V_r) / 2
     results = [T, ca.gradient(T, chart.q_dot)[:6], inertial_force(chart, T)[:6]]
     arguments = [Lambda, stream, chart.q_dot[:6], chart.q_ddot[:6]]
-    return ca.Function("fluid_motion", arguments, [chart.here(value) for value in results])
+    return ca.Function("fluid_motion", arguments, [chart.at_present(value) for value in results])

@@ -211,12 +211,12 @@ def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]
     (a, r x a), and all of them the stiffness R^T k R. Weight is the force at a mean centre of mass of a body.
     """
     law: Any = next(law for law in stand.laws if law.key == "suspension")
-    rows, k, ratios, given = [], [], [], []
+    rows, k, ratios, dampings = [], [], [], []
     for table in document["isolator"]:
         for axis in _axes(table).T:
             rows.append(np.concatenate([axis, np.cross(_numbers(table["position"]), axis)]))
         k += list(_numbers(table["stiffness"]))
-        given += list(_numbers(table.get("damping", [0, 0, 0])))
+        dampings += list(_numbers(table.get("damping", [0, 0, 0])))
         ratios += [_si(table.get("ratio", 0)) + _si(table.get("loss", 0)) / 2] * 3
     R, springs = np.array(rows), np.array(k)
     C, at = np.eye(3), np.zeros(3)
@@ -235,7 +235,7 @@ def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]
     x = S @ np.linalg.pinv(S.T @ K @ S, rcond=1e-13, hermitian=True) @ S.T @ weight
     lift = springs * (R @ x) * (R[:, :3] @ g)
     borne = np.repeat(lift.reshape(-1, 3).sum(axis=1), 3) / max(float(g @ g), 1e-300)
-    c = np.array(given) + 2 * np.array(ratios) * np.sqrt(springs * np.maximum(borne, 0.0))
+    c = np.array(dampings) + 2 * np.array(ratios) * np.sqrt(springs * np.maximum(borne, 0.0))
     D = R.T @ (c[:, None] * R)
     isolators = {"stiffness": (law.stiffness, K), "damping": (law.damping, D)}
     if "preload" in document.get("suspension", {}):

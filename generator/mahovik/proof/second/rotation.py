@@ -73,11 +73,11 @@ def fixed_rotation(angles: Vec3) -> Array:
     return np.asarray(by_angles("ship", ca.DM(angles)).full())
 
 
-def mounting(given: MountingAngles | MountingAxes) -> Array:
+def mounting(directions: MountingAngles | MountingAxes) -> Array:
     """Axes of a flywheel in its mount's frame at phi_s = 0 (3x3)."""
-    if isinstance(given, MountingAngles):
-        return fixed_rotation((given.psi, given.theta, given.zero))
-    first, zero = unit(given.axis), unit(given.zero)
+    if isinstance(directions, MountingAngles):
+        return fixed_rotation((directions.psi, directions.theta, directions.zero))
+    first, zero = unit(directions.axis), unit(directions.zero)
     second = unit(zero - first * float(first @ zero))
     return np.column_stack([first, second, np.cross(first, second)])
 

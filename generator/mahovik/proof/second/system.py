@@ -325,7 +325,7 @@ def _point_quantities() -> Expr:
     specific_force = axes.T @ (chart.second_rate(velocity) - gravity)
     results = [position, axes, ca.vertcat(axes.T @ velocity, omega), specific_force, chart.second_rate(omega)]
     arguments = [origin, fixed, place, C, gravity, chart.q_dot[:6], chart.q_ddot[:6]]
-    return ca.Function("measured", arguments, [chart.here(value) for value in results])
+    return ca.Function("measured", arguments, [chart.at_present(value) for value in results])
 
 
 def points(system: System) -> Results:

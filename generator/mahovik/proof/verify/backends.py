@@ -296,13 +296,13 @@ class KeptBackend(FunctionBackend):
 
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Calls one function with those of the inputs that it takes; returns status and outputs."""
-        f, given = self.made.functions[function], {}
+        f, arguments = self.made.functions[function], {}
         for a in f.arguments:
             if a.name == "table" and inputs.get("table") is not None:
-                given[a.name] = inputs["table"]
+                arguments[a.name] = inputs["table"]
             elif a.direction == "in" and a.name not in self.made.tables:
-                given[a.name] = _memory(a, self.made.element, inputs[a.name])
-        arrays, results = self.made.arrange(function, 1, given, {})
+                arguments[a.name] = _memory(a, self.made.element, inputs[a.name])
+        arrays, results = self.made.arrange(function, 1, arguments, {})
         status = np.zeros(1, dtype=np.int32)
         self.made.library.call(function, 1, arrays, status)
         return int(status[0]), {a.name: _plain(a, memory, self.made.element) for a, memory in results}
@@ -321,7 +321,7 @@ def _plain(a: ArgumentLayout, memory: NDArray[Any], element: np.dtype[Any]) -> A
     row = memory.reshape(-1).view(record(a.members, element))[0]
     result = {
         m.name: (
-            [{inner.name: each[inner.name].tolist() for inner in m.members} for each in row[m.name]]
+            [{inner.name: entry[inner.name].tolist() for inner in m.members} for entry in row[m.name]]
             if m.kind == "record"
             else row[m.name].tolist()
         )

@@ -93,8 +93,8 @@ class CBackend(ProgramBackend):
         table = self.library.default("default")
         mounting = None
         if "prepare_mounts" in public_names(program):
-            given = {"parameters": self.library.default("default_parameters")}
-            mounting = run("prepare_mounts", given)[1]["mounting"]
+            defaults = {"parameters": self.library.default("default_parameters")}
+            mounting = run("prepare_mounts", defaults)[1]["mounting"]
         super().__init__("c", self.generated.layout, program, table, mounting, run, self.generated.values.options)
 
     @cached_property
@@ -113,12 +113,12 @@ class CBackend(ProgramBackend):
         if function not in self.left_out:
             return super().call(function, inputs)
         interpreter = self.interpreter
-        given = dict(inputs)
-        if isinstance(given.get("table"), self.library.ffi.CData):
-            given["table"] = interpreter._table
-        if given.get("mounting") is None:
-            given["mounting"] = interpreter.mounting
-        return interpreter.call(function, given)
+        arguments = dict(inputs)
+        if isinstance(arguments.get("table"), self.library.ffi.CData):
+            arguments["table"] = interpreter._table
+        if arguments.get("mounting") is None:
+            arguments["mounting"] = interpreter.mounting
+        return interpreter.call(function, arguments)
 
     @cached_property
     def full(self) -> CBackend:

@@ -134,7 +134,7 @@ class Rows:
         self.check(quantity, "exact").demand(right, state, words)
 
     def compare(
-        self, name: str, state: State, equation: Equation, found: Mapping[str, Any], suffix: str = "",
+        self, name: str, state: State, equation: Equation, answer: Mapping[str, Any], suffix: str = "",
         least_squares: bool = False, weak: Sequence[str] = (),
     ) -> None:  # fmt: skip
         """Compare results with the answer of an equation, each of its quantities, with measured scales.
@@ -155,7 +155,7 @@ class Rows:
                 check.skip("rounding decides a word of the answer", name)
                 continue
             check.note_scale(quantity, value, scale)
-            off, words = difference(found.get(quantity), value, scale, check.floor)
+            off, words = difference(answer.get(quantity), value, scale, check.floor)
             check.note(off, name, words)
 
     def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:

@@ -97,9 +97,9 @@ class Check:
             self.second = max(self.second or 0.0, second)
         self._decide()
 
-    def compare(self, found: Any, expected: Any, scale: Any, state: str = "") -> None:
-        """Count one state: |found - expected| over the scale; equal values are demanded where the scale is None."""
-        off, words = difference(found, expected, scale, self.floor)
+    def compare(self, result: Any, expected: Any, scale: Any, state: str = "") -> None:
+        """Count one state: |result - expected| over the scale; equal values are demanded where the scale is None."""
+        off, words = difference(result, expected, scale, self.floor)
         self.note(off, state, words)
 
     def demand(self, right: bool, state: str = "", words: str = "") -> None:
@@ -146,7 +146,7 @@ def _share(value: float, limit: float) -> float:
 
 
 def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> tuple[float, str]:
-    """Largest |found - expected| / scale over the components, and a reason if the values cannot be compared."""
+    """Largest |result - expected| / scale over the components, and a reason if the values cannot be compared."""
     if result is None:
         return math.inf, "missing"
     if isinstance(expected, dict):
@@ -170,13 +170,13 @@ def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> 
     return float(relative.max()), ""
 
 
-def _of_parts(found: Any, expected: dict[str, Any], scale: Any, floor: float) -> tuple[float, str]:
+def _of_parts(result: Any, expected: dict[str, Any], scale: Any, floor: float) -> tuple[float, str]:
     """Difference of the worst part of a nested object, and its words with the name of the part."""
-    if not isinstance(found, Mapping):
+    if not isinstance(result, Mapping):
         return math.inf, "no object"
     worst, words = 0.0, ""
     for name, value in expected.items():
-        off, reason = difference(found.get(name), value, scale[name], floor)
+        off, reason = difference(result.get(name), value, scale[name], floor)
         if off > worst:
             worst, words = off, f"{name}: {reason}" if reason else name
     return worst, words

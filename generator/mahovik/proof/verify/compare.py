@@ -80,13 +80,13 @@ class Judge:
         self,
         request: Request,
         want: str,
-        found: Mapping[str, Any] | None,
+        answer: Mapping[str, Any] | None,
         left_out: Collection[str] = (),
         words: str = "",
     ) -> None:
         """Note the differences of one state, but of what is `left_out`.
 
-        `found`: the judged values; None where the state was refused, for the reason in `words`.
+        `answer`: the judged values; None where the state was refused, for the reason in `words`.
         """
         measured = self.scales.want(request.state, want)
         if measured is None:
@@ -94,7 +94,7 @@ class Judge:
         values = {name: value for name, value in measured.values.items() if name not in left_out}
         if is_beyond(measured.values):
             values.pop("reaction", None)
-        if measured.undecided and found is not None:
+        if measured.undecided and answer is not None:
             for quantity in values:
                 self._check(want, quantity).skip("rounding decides a word of the answer", _name(request))
             return
@@ -102,14 +102,14 @@ class Judge:
         for quantity, value in values.items():
             off, reason, between = math.inf, words, math.inf
             scale, floor = measured.scales[quantity], self._limits.floor
-            if found is not None:
+            if answer is not None:
                 if quantity in ("q", "orientation") and self._stand.hold is not None:
                     near = max(HALF_TURN, self._limits.value)
-                    found = {**found, quantity: _half_turns_as(quantity, value, found.get(quantity), near)}
-                off, reason = difference(found.get(quantity), value, scale, floor)
+                    answer = {**answer, quantity: _half_turns_as(quantity, value, answer.get(quantity), near)}
+                off, reason = difference(answer.get(quantity), value, scale, floor)
             check = self._check(want, quantity)
             check.note_scale(quantity, value, scale)
-            if refusal and found is None:
+            if refusal and answer is None:
                 self._note(check, (off, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif refusal:
                 self._one_sided.setdefault(want, []).append((check, off, request, refusal))
@@ -119,8 +119,8 @@ class Judge:
                 if other > check.accepted_of_second and other <= self._noise(request.state, want, quantity, scale):
                     check.note(off, _name(request), reason, request)
                     continue
-                if found is not None:
-                    between = difference(found.get(quantity), second[quantity], scale, floor)[0]
+                if answer is not None:
+                    between = difference(answer.get(quantity), second[quantity], scale, floor)[0]
                 self._note(check, (off, other, between), request, reason or more)
             else:
                 check.note(off, _name(request), reason, request)

@@ -125,9 +125,9 @@ def stand_in(folder: Path, stand: Stand, refusal: type[MahovikError] = CheckErro
     if fitting:
         names = " and ".join(f'"{candidate.name}"' for candidate in fitting)
         raise refusal(f"{folder}: holds C of this stand under the names {names}: move all but one to other folders")
-    others = ", ".join(f'"{name}", physics {header.physics}' for name, header in headers.items())
+    there = ", ".join(f'"{name}", physics {header.physics}' for name, header in headers.items())
     raise refusal(
-        f'{folder}: holds the C of stand {others}, expected that of "{stand.name}", also under another name '
+        f'{folder}: holds the C of stand {there}, expected that of "{stand.name}", also under another name '
         "(generate --prefix): generate it again, or choose another folder"
     )
 
@@ -160,7 +160,7 @@ def deliver(
     Raises UsageError where a file there is not the generator's own, and for a project in the place of a delivered
     folder or the reverse. What an older generator left, and a COST.md of other C, is removed.
     """
-    old = require_own(folder, stand) or {}
+    old = manifest_of(folder, stand) or {}
     listed: Mapping[str, str] = old.get("files", {})
     unchanged = {name for name in listed if (folder / name).is_file() and _hash(folder / name) == listed[name]}
     yours = [name for name in replaceable if name in listed and name not in unchanged and (folder / name).is_file()]
@@ -196,7 +196,7 @@ def deliver(
     return Delivery(paths, tuple(notes))
 
 
-def require_own(folder: Path, stand: Stand) -> dict[str, Any] | None:
+def manifest_of(folder: Path, stand: Stand) -> dict[str, Any] | None:
     """The manifest of a folder, None where there is none. Raises UsageError if it is of another stand, or not ours."""
     manifest = read_manifest(folder)
     if manifest is not None and manifest["stand"] != stand.name:

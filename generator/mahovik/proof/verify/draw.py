@@ -106,19 +106,19 @@ def with_drawn_actuators(stand: Stand, state: State, rng: np.random.Generator) -
     if not known:
         return state
     sizes = rng.uniform(0.3, 1.0, len(known)) * rng.choice([-1.0, 1.0], len(known))
-    given = {name: float(size * each.usual) for (name, each), size in zip(known.items(), sizes, strict=True)}
-    return replace(state, actuators=MappingProxyType(given))
+    settings = {name: float(size * actuator.usual) for (name, actuator), size in zip(known.items(), sizes, strict=True)}
+    return replace(state, actuators=MappingProxyType(settings))
 
 
 def round_to_float(stand: Stand, state: State) -> State:
     """The state with every number but the quaternion rounded to the nearest float, V, V_dot of a held carrier by u."""
-    given: dict[str, Any] = {}
+    rounded: dict[str, Any] = {}
     for key in (*INPUTS, *HELD_KEYS):
         value = getattr(state, key)
-        given[key] = None if value is None else _floats(value)
+        rounded[key] = None if value is None else _floats(value)
     if stand.hold is not None:
-        given |= {twist: twist_of(stand.hold, given[key]) for key, twist in HELD_KEYS.items()}
-    return replace(state, **given, wrench=MappingProxyType({name: _floats(w) for name, w in state.wrench.items()}))
+        rounded |= {twist: twist_of(stand.hold, rounded[key]) for key, twist in HELD_KEYS.items()}
+    return replace(state, **rounded, wrench=MappingProxyType({name: _floats(w) for name, w in state.wrench.items()}))
 
 
 def _floats(numbers: Sequence[float]) -> Any:

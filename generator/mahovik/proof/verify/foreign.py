@@ -261,8 +261,8 @@ def torque_checks(case: TorqueCase, answered: Answered) -> list[Check]:
             rows.check("tau", "value").refuse(StateError(faults[0][:200]), where)
             continue
         status = 0 if names == ["OK"] else sum(STATUS_VALUES[name] for name in {*names})
-        found = {name: np.array(result[name], dtype=np.float64) for name in sizes}
-        judge_torques(case, rows, where, state, motor_options(case.stand), np.zeros(N, dtype=bool), status, found)
+        answer = {name: np.array(result[name], dtype=np.float64) for name in sizes}
+        judge_torques(case, rows, where, state, motor_options(case.stand), np.zeros(N, dtype=bool), status, answer)
     return rows.checks()
 
 

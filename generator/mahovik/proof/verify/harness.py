@@ -55,21 +55,21 @@ def judge(
     scales: Scales | None = None,
 ) -> list[Check]:
     """Checks of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
-    found = Judge(stand, limits, second, judged, scales)
+    comparison = Judge(stand, limits, second, judged, scales)
     for done, (name, state) in enumerate(states):
         for want in wants:
             if not applicable(state, want):
                 continue
-            if found.scales.want(state, want) is None:
+            if comparison.scales.want(state, want) is None:
                 continue
             try:
                 values, words = backend.evaluate(state, (want,)), ""
             except StateError as error:
                 values, words = None, f"refused: {error}"
-            found.compare(Request(name, state, (want,)), want, values, words=words)
+            comparison.compare(Request(name, state, (want,)), want, values, words=words)
         if progress is not None:
             progress(done + 1, len(states))
-    rows = found.checks()
+    rows = comparison.checks()
     compared = {row.judged for row in rows}
     return rows + [
         Check(want, "no state compared", verdict="FAILED", words="no reference has an answer at any of the states")

@@ -82,16 +82,16 @@ def with_angles(stand: Stand, state: State) -> State:
     return replace(state, quaternion=None, angles=cast(Vec3, tuple(angles)))
 
 
-def with_pose(stand: Stand, state: State, given: Collection[str]) -> State:
+def with_pose(stand: Stand, state: State, keys: Collection[str]) -> State:
     """The state of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
     position the one where the hold has the carrier.
     """
     hold = stand.hold
     assert hold is not None
     at_home = replace(state, angles=None, quaternion=home_attitude(stand))
-    if not {"angles", "quaternion"} & set(given):
+    if not {"angles", "quaternion"} & set(keys):
         state = at_home
-    if "position" in given:
+    if "position" in keys:
         return state
     turned = carrier_rotation(stand, at_home) - carrier_rotation(stand, state)
     place = np.array(hold.position) + turned @ np.array(hold.pivot)
@@ -122,8 +122,8 @@ def onto_hold(stand: Stand, state: State) -> State:
         return with_pose(stand, state, ())
     if not has_coordinates(hold):
         return state
-    here = coordinates_at(stand, state)
-    return at_coordinates(stand, state, here.q, here.orientation)
+    coordinates = coordinates_at(stand, state)
+    return at_coordinates(stand, state, coordinates.q, coordinates.orientation)
 
 
 # -- keys that answers depend on ---------------------------------------------------------------------------------------

@@ -76,8 +76,8 @@ def check_refusals(program: Program, inputs: Mapping[str, Any], call: Call) -> C
             tried += 1
             status, untouched = call(function.name, with_value(good, wrong))
             right = status == STATUS_VALUES[wrong.status]
-            found = f"status {status_words(status)}, expected {wrong.status}"
-            words = "refused, but outputs were written" if right else found
+            difference = f"status {status_words(status)}, expected {wrong.status}"
+            words = "refused, but outputs were written" if right else difference
             check.demand(right and untouched, f"{function.name}: {wrong.words}", words)
         if not tried:
             check.demand(False, function.name, "no wrong input is known for it")
@@ -110,7 +110,7 @@ def wrong_within(
     if isinstance(value, Mapping) or np.ndim(value) > 0:
         if symbol == "attitude" and len(path) > 1:
             longer, shorter = (np.multiply(value, 1 + sign * 10 * UNIT_LENGTH).tolist() for sign in (1, -1))
-            yield from (WrongValue(path, each, "RANGE") for each in (longer, shorter))
+            yield from (WrongValue(path, attitude, "RANGE") for attitude in (longer, shorter))
         for key, item in value.items() if isinstance(value, Mapping) else enumerate(value):
             yield from wrong_within(item, (*path, key), real, unchecked, beyond)
     elif (is_whole := isinstance(value, int)) or not math.isnan(value):
@@ -164,7 +164,7 @@ def _replace_at(value: Any, path: Path, new: Any) -> Any:
 def good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[str, Any]:
     """Good arguments of every public function: an ordinary state, and what does not belong to one."""
     state = next((s for name, s in states if name.startswith("random")), states[0][1])
-    others = {
+    arguments = {
         "angles": (0.1, 0.7, -0.2),
         "position": state.position,
         "phi": 1.0,
@@ -174,7 +174,7 @@ def good_inputs(backend: CBackend, states: Sequence[tuple[str, State]]) -> dict[
         **turns(state),
         "carry": {"rounding": [0.0] * (13 + 2 * len(state.phi))},
     }
-    return {**backend.arguments(state), **others, **_coordinates(backend.program)}
+    return {**backend.arguments(state), **arguments, **_coordinates(backend.program)}
 
 
 def _coordinates(program: Program) -> dict[str, Any]:
@@ -195,9 +195,9 @@ def raw_call(backend: CBackend) -> Call:
         return library.value(program.function("prepare"), "table")
 
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        given = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
+        arguments = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
         if name == "prepare" and inputs["table"] is not NULL:
-            given["table"] = table()
-        return library.probe(program.function(name), given)
+            arguments["table"] = table()
+        return library.probe(program.function(name), arguments)
 
     return call

@@ -69,12 +69,12 @@ def measure_rounding(
                 return all(_is_narrow(balls[key], size) for key, size in sizes.items())
 
             try:
-                found, balls, words = backend.evaluate(state, (want,)), enclose(exact, narrow), ""
+                answer, balls, words = backend.evaluate(state, (want,)), enclose(exact, narrow), ""
             except StateError as refusal:
-                found, words = {}, str(refusal)
+                answer, words = {}, str(refusal)
             for key, size in sizes.items():
                 check = checks.setdefault((want, key), Check(want, key, limits.rigorous))
-                check.note(math.inf if words else error(found[key], balls[key], size), name, words, request)
+                check.note(math.inf if words else error(answer[key], balls[key], size), name, words, request)
         if progress is not None:
             progress(done + 1, len(states))
     judged_words = f"{real} C" if against is None else f"{real} C in {against}"
@@ -82,9 +82,9 @@ def measure_rounding(
     return report(stand, judged_words, seed, len(states), limits.rigorous, list(checks.values()))
 
 
-def error(found: Any, balls: Any, size: Array) -> float:
+def error(answer: Any, balls: Any, size: Array) -> float:
     """Upper bound of the largest error of numbers, over their scales; inf where they are none, or too many."""
-    numbers, exact = np.array(found, dtype=np.float64), _flat(balls)
+    numbers, exact = np.array(answer, dtype=np.float64), _flat(balls)
     if numbers.size != len(exact) or not np.isfinite(numbers).all():
         return math.inf
     with ctx.workprec(BITS):

@@ -63,8 +63,8 @@ class Scales:
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
-        others = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
-        self._stands = [(each, bodies_of(each)) for each in (stand, *others)]
+        changed_stands = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
+        self._stands = [(near, bodies_of(near)) for near in (stand, *changed_stands)]
         self._kept: dict[int, tuple[State, list[tuple[Stand, State, Pieces]]]] = {}
         self._ordinary: dict[str, Mapping[str, Any]] = {}
         self._wants: dict[tuple[int, str], tuple[State, Measured | None]] = {}
@@ -111,7 +111,7 @@ class Scales:
         """
         with np.errstate(all="ignore"):
             neighbours = self.neighbours(state)
-            values, others, undecided = equation(*neighbours[0]), [], False
+            values, answers, undecided = equation(*neighbours[0]), [], False
             words = words_of(values)
             for neighbour in neighbours[1:]:
                 try:
@@ -120,10 +120,12 @@ class Scales:
                     undecided = True
                     continue
                 undecided = undecided or words_of(other) != words
-                others.append(other)
+                answers.append(other)
             if least_squares:
-                others += self._shaken_answers(equation, *neighbours[0])
-            scales = {name: self._scale(name, value, [each[name] for each in others]) for name, value in values.items()}
+                answers += self._shaken_answers(equation, *neighbours[0])
+            scales = {
+                name: self._scale(name, value, [answer[name] for answer in answers]) for name, value in values.items()
+            }
             for name in FLOORS.keys() & scales.keys():
                 scales[name] = scales[name] + self._floor(name, state, values, scales)
         return Measured(values, scales, undecided)
@@ -151,10 +153,10 @@ class Scales:
         return known[1]
 
     def _draw_neighbours(self, state: State) -> Iterator[tuple[Stand, State, Pieces]]:
-        for number, (own, own_bodies) in enumerate(self._stands):
+        for number, (stand_near, bodies_near) in enumerate(self._stands):
             moved = self.moved(state, self._size) if number else state
-            stand = stand_at(own, moved) if moved.actuators else own
-            bodies: Bodies | None = None if moved.actuators else own_bodies
+            stand = stand_at(stand_near, moved) if moved.actuators else stand_near
+            bodies: Bodies | None = None if moved.actuators else bodies_near
             moved = held_state(stand, moved)
             yield stand, moved, reference.pieces(stand, moved, bodies)
 
@@ -175,22 +177,22 @@ class Scales:
         w, x, y, z = (q / np.sqrt(q @ q)).tolist()
         return replace(state, quaternion=(w, x, y, z))
 
-    def _scale(self, name: str, value: Any, others: list[Any]) -> Any:
+    def _scale(self, name: str, value: Any, answers: list[Any]) -> Any:
         """Scale of a value; None of a word."""
         if isinstance(value, Mapping):
-            return {key: self._scale(key, each, [other[key] for other in others]) for key, each in value.items()}
+            return {key: self._scale(key, part, [other[key] for other in answers]) for key, part in value.items()}
         if is_word(value):
             return None
         number = np.asarray(value, dtype=np.float64)
         largest = np.abs(number)
-        for other in others:
+        for other in answers:
             largest = np.maximum(largest, np.abs(other - number) / self._size)
         largest = share(largest, BESIDE.get(name))
         return np.maximum(largest, RESTING * np.max(largest, initial=0.0))
 
     def _floor(self, name: str, state: State, values: Values, scales: Mapping[str, Any]) -> Any:
         """What the contract declares to be added to a scale."""
-        kind, (_, own, at) = FLOORS[name], self.neighbours(state)[0]
+        kind, (_, held, at) = FLOORS[name], self.neighbours(state)[0]
         if kind == "own":
             return 0.0
         if kind == "largest":
@@ -203,10 +205,10 @@ class Scales:
         if state.task and name == "residual":
             return np.abs(vector(state.demand)) + np.max(scales["V_dot"], initial=0.0)
         if kind == "motion":
-            return self._motion_floor(name, own, at)
-        moved = values.get("V_dot", vector(own.V_dot)), values.get("phi_ddot", vector(own.phi_ddot))
-        others = [_terms(other, *moved) for _, _, other in self.neighbours(state)[1:]]
-        terms = self._scale("", _terms(at, *moved), others).sum(axis=0)
+            return self._motion_floor(name, held, at)
+        moved = values.get("V_dot", vector(held.V_dot)), values.get("phi_ddot", vector(held.phi_ddot))
+        of_neighbours = [_terms(other, *moved) for _, _, other in self.neighbours(state)[1:]]
+        terms = self._scale("", _terms(at, *moved), of_neighbours).sum(axis=0)
         if name == "reaction" or self.stand.hold is None:
             return terms
         return np.abs(twists(self.stand.hold)).T @ terms
@@ -252,9 +254,9 @@ def changed(data: Any, size: float, rng: np.random.Generator) -> Any:
     if isinstance(data, np.ndarray):
         return data * (1.0 + size * rng.uniform(-1.0, 1.0, data.shape)) if data.dtype.kind == "f" else data
     if isinstance(data, tuple):
-        if all(isinstance(each, float) for each in data):
+        if all(isinstance(element, float) for element in data):
             return tuple(changed(np.array(data), size, rng).tolist())
-        return tuple(changed(each, size, rng) for each in data)
+        return tuple(changed(element, size, rng) for element in data)
     if is_dataclass(data) and not isinstance(data, type):
         return replace(data, **{f.name: changed(getattr(data, f.name), size, rng) for f in fields(data) if f.init})
     if isinstance(data, Mapping):

@@ -102,11 +102,11 @@ def _check(target: Target, real: str, name: str, files: Mapping[str, str], expec
         row.words = unable
         return row
     try:
-        found = run_selftest(target, name, files).splitlines()
+        lines = run_selftest(target, name, files).splitlines()
     except ToolchainError as error:
         row.verdict, row.words = "FAILED", str(error)
         return row
-    row.words, row.states = next(_problems(expected, found), ""), sum(" PASS " in line for line in found)
+    row.words, row.states = next(_problems(expected, lines), ""), sum(" PASS " in line for line in lines)
     row.verdict = "FAILED" if row.words else "ok"
     return row
 
@@ -117,19 +117,19 @@ def run_selftest(target: Target, name: str, files: Mapping[str, str], timeout: f
         return run(target, build(target, files, Path(scratch)), timeout)
 
 
-def _problems(expected: Sequence[str], found: Sequence[str]) -> Iterator[str]:
+def _problems(expected: Sequence[str], printed: Sequence[str]) -> Iterator[str]:
     """Problems of a printed self-test: fast math and golden vectors first, then differences from the host."""
-    for line in found:
+    for line in printed:
         if line.startswith("wrong results"):
             yield line
         if " FAIL " in line:
             yield f"not the interpreter's bits: {line}"
-    for ours, theirs in zip(expected, found, strict=False):
+    for ours, theirs in zip(expected, printed, strict=False):
         if ours != theirs:
             yield f'the host has "{ours}", the target "{theirs}"'
-    if len(expected) != len(found):
-        yield f"{len(found)} lines, the host has {len(expected)}"
-    if not any(line == "failures 0" for line in found):
+    if len(expected) != len(printed):
+        yield f"{len(printed)} lines, the host has {len(expected)}"
+    if not any(line == "failures 0" for line in printed):
         yield "no line says that there were no failures"
 
 

@@ -57,14 +57,14 @@ def read_object(line: str) -> dict[str, Any]:
     return document
 
 
-def identifier(found: dict[str, Any]) -> Any:
+def identifier(document: dict[str, Any]) -> Any:
     """The id of an object. StateError where strict JSON cannot repeat it."""
-    given = found.get("id")
+    identity = document.get("id")
     try:
-        json.dumps(given, allow_nan=False)
+        json.dumps(identity, allow_nan=False)
     except (ValueError, RecursionError):
         raise StateError("id: cannot be repeated in strict JSON") from None
-    return given
+    return identity
 
 
 def read_request(stand: Stand, request: dict[str, Any], real: str = "double") -> Request:
@@ -74,7 +74,7 @@ def read_request(stand: Stand, request: dict[str, Any], real: str = "double") ->
     faults += [f'{k}: key "{x.key}" appears twice' for k, x in request.items() if isinstance(x, _RepeatedKeys)]
     if "angles" in request and "quaternion" in request:
         faults.append("angles, quaternion: both given, expected one of them")
-    want, given = tuple[str, ...](), dict[str, Any]()
+    want, values = tuple[str, ...](), dict[str, Any]()
     try:
         want = _want(request)
     except StateError as error:
@@ -84,17 +84,17 @@ def read_request(stand: Stand, request: dict[str, Any], real: str = "double") ->
     for key, n in INPUTS.items():
         count = len(stand.flywheels) if n == "N" else int(n)
         try:
-            given[key] = _list_of(request.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
+            values[key] = _list_of(request.get(key, [0.0] * count), key, count, QUANTITIES[key].limits(real))
         except StateError as error:
             faults.append(str(error))
     if faults:
         raise StateError("; ".join(faults))
-    given["angles"] = given["angles"] if "angles" in request else None
+    values["angles"] = values["angles"] if "angles" in request else None
     quaternion = _quaternion(request) if "quaternion" in request else None
     task, demand = _task(stand, request, want, real)
-    given |= freedoms_of(stand, request, want, real)
-    given["actuators"] = _actuators(stand, request, real)
-    state = State(**given, quaternion=quaternion, wrench=_wrench(stand, request, real), task=task, demand=demand)
+    values |= freedoms_of(stand, request, want, real)
+    values["actuators"] = _actuators(stand, request, real)
+    state = State(**values, quaternion=quaternion, wrench=_wrench(stand, request, real), task=task, demand=demand)
     return Request(identifier(request), state, want)
 
 
@@ -103,10 +103,10 @@ def read_line(stand: Stand, line: str, real: str = "double") -> Request:
     return read_request(stand, read_object(line), real)
 
 
-def refuse_duplicates(found: dict[str, Any]) -> None:
+def refuse_duplicates(document: dict[str, Any]) -> None:
     """Raises StateError where an object that `read_object` gave has a key twice."""
-    if isinstance(found, _RepeatedKeys):
-        raise StateError(f'key "{found.key}" appears twice')
+    if isinstance(document, _RepeatedKeys):
+        raise StateError(f'key "{document.key}" appears twice')
 
 
 def _integer(digits: str) -> int | float:
@@ -138,33 +138,33 @@ def excerpt(value: Any) -> str:
     return text if len(text) <= 40 else text[:37] + "..."
 
 
-def _want(found: dict[str, Any]) -> tuple[str, ...]:
-    if "want" not in found:
+def _want(document: dict[str, Any]) -> tuple[str, ...]:
+    if "want" not in document:
         raise StateError(f"want: missing, expected a list of {', '.join(WANTS)}")
-    given = found["want"]
-    if not isinstance(given, list):
-        raise StateError(f"want: expected a list of names, found {excerpt(given)}")
-    if not given:
+    names = document["want"]
+    if not isinstance(names, list):
+        raise StateError(f"want: expected a list of names, found {excerpt(names)}")
+    if not names:
         raise StateError(f"want: empty, expected at least one of {', '.join(WANTS)}")
-    for name in given:
+    for name in names:
         if not isinstance(name, str):
             raise StateError(f"want: expected names, found {excerpt(name)}")
         if name not in ALL_WANTS:
             raise StateError(f'want: unknown "{name}"{suggestion(name, ALL_WANTS)}')
-        if name in TASK_WANTS and "task" not in found:
+        if name in TASK_WANTS and "task" not in document:
             raise StateError(f'want: "{name}" needs a task, {{"task": NAME, "demand": [...]}}')
-    if fault := want_fault(given):
+    if fault := want_fault(names):
         raise StateError(fault)
-    return tuple(given)
+    return tuple(names)
 
 
-def _list_of(given: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
+def _list_of(listed: Any, where: str, count: int, limits: Sequence[float]) -> tuple[float, ...]:
     """`count` finite numbers within their limits in magnitude, which repeat."""
-    if not isinstance(given, list):
-        raise StateError(f"{where}: expected a list of {count_numbers(count)}, found {excerpt(given)}")
-    if len(given) != count:
-        raise StateError(f"{where}: expected {count_numbers(count)}, found {len(given)}")
-    numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(given))
+    if not isinstance(listed, list):
+        raise StateError(f"{where}: expected a list of {count_numbers(count)}, found {excerpt(listed)}")
+    if len(listed) != count:
+        raise StateError(f"{where}: expected {count_numbers(count)}, found {len(listed)}")
+    numbers = tuple(_number(value, f"{where}[{i}]") for i, value in enumerate(listed))
     _refuse_beyond(numbers, where, limits)
     return numbers
 
@@ -176,46 +176,46 @@ def _refuse_beyond(numbers: Sequence[float], where: str, limits: Sequence[float]
             raise StateError(f"{where}[{i}]: {number:.9g} is out of range, at most {limit:g} in magnitude")
 
 
-def freedoms_of(stand: Stand, found: dict[str, Any], want: Sequence[str], real: str) -> dict[str, Any]:
+def freedoms_of(stand: Stand, document: dict[str, Any], want: Sequence[str], real: str) -> dict[str, Any]:
     """u, u_dot (m each) of a held carrier, and the V, V_dot they give; nothing of a free one. Raises StateError."""
     if fault := hold_fault(want, stand.hold is not None):
         raise StateError(fault)
     if stand.hold is None:
         for key, other in HELD_KEYS.items():
-            if key in found:
+            if key in document:
                 raise StateError(f"{key}: the stand has no [hold], expected {other}")
         return {}
     if "generalized" in want and not has_coordinates(stand.hold):
         raise StateError(f'want: no "generalized": {no_coordinates(stand.hold)}; ask for forward')
-    count, given = len(stand.hold.freedoms), {}
-    if count and "reaction" in want and not found.keys() & {"u_dot", "V_dot"}:
+    count, values = len(stand.hold.freedoms), {}
+    if count and "reaction" in want and not document.keys() & {"u_dot", "V_dot"}:
         raise StateError(
             f'u_dot: missing, but "reaction" is that of a given motion, expected {count} number{"s"[: count > 1]}; '
             "ask for forward to find the free motion and its reaction"
         )
     for key, other in HELD_KEYS.items():
-        if other in found:
+        if other in document:
             raise StateError(f"{other}: the carrier is held, expected {key}, {count_numbers(count)}")
-        given[key] = _list_of(found.get(key, [0.0] * count), key, count, (math.inf,))
-        given[other] = twist_of(stand.hold, given[key])
-        _refuse_beyond(given[other], f"{key}: gives {other}", QUANTITIES[other].limits(real))
-    return given
+        values[key] = _list_of(document.get(key, [0.0] * count), key, count, (math.inf,))
+        values[other] = twist_of(stand.hold, values[key])
+        _refuse_beyond(values[other], f"{key}: gives {other}", QUANTITIES[other].limits(real))
+    return values
 
 
-def _number(given: Any, where: str) -> float:
-    if isinstance(given, bool) or not isinstance(given, int | float):
-        raise StateError(f"{where}: expected a number, found {excerpt(given)}")
+def _number(value: Any, where: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise StateError(f"{where}: expected a number, found {excerpt(value)}")
     try:
-        number = float(given)
+        number = float(value)
     except OverflowError:
-        raise StateError(f"{where}: {excerpt(given)} is not finite as a double") from None
+        raise StateError(f"{where}: {excerpt(value)} is not finite as a double") from None
     if not math.isfinite(number):
-        raise StateError(f"{where}: {excerpt(given)} is not finite")
+        raise StateError(f"{where}: {excerpt(value)} is not finite")
     return number
 
 
-def _quaternion(found: dict[str, Any]) -> Quaternion:
-    q = _list_of(found["quaternion"], "quaternion", 4, (math.inf,))
+def _quaternion(document: dict[str, Any]) -> Quaternion:
+    q = _list_of(document["quaternion"], "quaternion", 4, (math.inf,))
     length = math.hypot(*q)
     if not abs(length - 1.0) <= UNIT_LENGTH:
         raise StateError(f"quaternion: length {length:.9g}, expected 1 within {UNIT_LENGTH:g}")
@@ -245,29 +245,29 @@ def _task(stand: Stand, result: dict[str, Any], want: Sequence[str], real: str) 
     return name, _list_of(result["demand"], "demand", rows[name], QUANTITIES["V_dot"].limits(real))
 
 
-def _by_name(found: dict[str, Any], key: str, known: Collection[str], what: str) -> dict[str, Any]:
+def _by_name(document: dict[str, Any], key: str, known: Collection[str], what: str) -> dict[str, Any]:
     """The values of a key that is an object, by names that the stand has."""
-    given = found.get(key, {})
-    if not isinstance(given, dict):
-        raise StateError(f"{key}: expected an object of {what}, found {excerpt(given)}")
-    for name in given:
+    values = document.get(key, {})
+    if not isinstance(values, dict):
+        raise StateError(f"{key}: expected an object of {what}, found {excerpt(values)}")
+    for name in values:
         if name not in known:
             raise StateError(f'{key}: unknown "{name}"{suggestion(name, known, f"the stand has no {what}")}')
-    return given
+    return values
 
 
-def _wrench(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
-    given, limits = (
-        _by_name(found, "wrench", [b.name for b in stand.bodies], "bodies"),
+def _wrench(stand: Stand, document: dict[str, Any], real: str) -> MappingProxyType[str, Vec6]:
+    wrenches, limits = (
+        _by_name(document, "wrench", [b.name for b in stand.bodies], "bodies"),
         QUANTITIES["wrench"].limits(real),
     )
-    values = {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in given.items()}
+    values = {name: cast(Vec6, _list_of(value, f"wrench, {name}", 6, limits)) for name, value in wrenches.items()}
     return MappingProxyType(values)
 
 
-def _actuators(stand: Stand, found: dict[str, Any], real: str) -> MappingProxyType[str, float]:
+def _actuators(stand: Stand, document: dict[str, Any], real: str) -> MappingProxyType[str, float]:
     known, values = actuators_of(stand), {}
-    for name, value in _by_name(found, "actuators", known, "fins and propellers").items():
+    for name, value in _by_name(document, "actuators", known, "fins and propellers").items():
         row, where = known[name], f"actuators, {name}"
         most = row.limit or QUANTITIES["phi_dot"].limits(real)[0]
         values[name] = _number(value, where)
@@ -331,22 +331,22 @@ def evaluate_lines(
 
 def evaluate_line(stand: Stand, backend: Backend, line: bytes, real: str = "double") -> tuple[str, bool]:
     """The result of one line, an error line where it cannot be evaluated."""
-    given: Any = None
+    identity: Any = None
     try:
         if len(line) > LONGEST:
             raise StateError(f"a line of more than {LONGEST} bytes")
-        found = read_object(_text(line))
-        given = identifier(found)
-        request = read_request(stand, found, real)
+        document = read_object(_text(line))
+        identity = identifier(document)
+        request = read_request(stand, document, real)
         values = backend.evaluate(request.state, request.want)
-        return _line(given, values), True
+        return _line(identity, values), True
     except StateError as error:
-        return _line(given, {"error": str(error)}), False
+        return _line(identity, {"error": str(error)}), False
 
 
-def _line(given: Any, values: dict[str, Any]) -> str:
+def _line(identity: Any, values: dict[str, Any]) -> str:
     """The id as it was given (any JSON value, nested however deep), then the values."""
-    return f'{{"id": {json.dumps(given)}, {members(values)}}}'
+    return f'{{"id": {json.dumps(identity)}, {members(values)}}}'
 
 
 def _text(line: bytes) -> str:
@@ -359,11 +359,11 @@ def _text(line: bytes) -> str:
 def state_object(state: State) -> dict[str, Any]:
     """The keys of a state as in a line, without those that are zero."""
     stands_for = HELD_KEYS.values() if state.u or state.u_dot else ()
-    given = {key: getattr(state, key) for key in STATE if key not in ("id", "want", *stands_for)}
-    given["wrench"] = {name: value for name, value in state.wrench.items() if any(value)}
-    given["actuators"] = dict(state.actuators)
+    values = {key: getattr(state, key) for key in STATE if key not in ("id", "want", *stands_for)}
+    values["wrench"] = {name: value for name, value in state.wrench.items() if any(value)}
+    values["actuators"] = dict(state.actuators)
     kept = {"angles", "demand"} if state.task else {"angles"}
-    return {key: value for key, value in given.items() if value is not None and (key in kept or any(value))}
+    return {key: value for key, value in values.items() if value is not None and (key in kept or any(value))}
 
 
 def state_line(request: Request) -> str:

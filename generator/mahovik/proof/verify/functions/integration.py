@@ -120,8 +120,8 @@ class Motion:
         self._case, self._function, self._locked = case, function, locked
         self.carried = carried
         self._driven, self._bodies = function.startswith("step_driven"), bodies_of(case.stand)
-        self._given = case.backend.arguments(state)
-        x = self._given["x"]
+        self._arguments = case.backend.arguments(state)
+        x = self._arguments["x"]
         names = ("position", "attitude", "V", *(("phi", "phi_dot") if case.count else ()))
         self._x = {name: case.nearest_numbers(x[name]) for name in names}
         self._state = replace(state, angles=None, quaternion=cast(Quaternion, tuple(self._x["attitude"].tolist())))
@@ -186,19 +186,19 @@ class Motion:
 
     def _change(self, dt: float, steps: int, order: int) -> Array:
         """Change of the state over the motion by `steps` steps of the program. Raises StateError."""
-        given = self._given | {"dt": dt, "order": order}
+        arguments = self._arguments | {"dt": dt, "order": order}
         if self.carried:
-            given["carry"] = {"rounding": [0.0] * (13 + 2 * self._case.count)}
+            arguments["carry"] = {"rounding": [0.0] * (13 + 2 * self._case.count)}
         if self._locked is not None:
-            given["locked"] = [int(each) for each in self._locked]
+            arguments["locked"] = [int(is_locked) for is_locked in self._locked]
         for _ in range(steps):
-            results = self._case.call(self._function, given)
-            given |= {"x": results["next"], "carry": results.get("carry")}
+            results = self._case.call(self._function, arguments)
+            arguments |= {"x": results["next"], "carry": results.get("carry")}
         change, first = {}, 0
         for name, start in self._x.items():
-            change[name] = np.array(given["x"][name], dtype=np.float64) - start
+            change[name] = np.array(arguments["x"][name], dtype=np.float64) - start
             if self.carried:
-                change[name] += np.array(given["carry"]["rounding"][first : first + len(start)])
+                change[name] += np.array(arguments["carry"]["rounding"][first : first + len(start)])
             first += len(start)
         change["attitude"] = _turn(self._x["attitude"], change["attitude"])
         return np.concatenate(list(change.values()))

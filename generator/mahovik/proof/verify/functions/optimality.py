@@ -86,7 +86,7 @@ class Question:
     edge     the name of a bit or refusal that one number decides, and by what; "" elsewhere
     due      whether the status has it
     stand    another stand than the C's by default: its table is given
-    given_turns  whether sines and cosines of the phases are given
+    with_turns  whether sines and cosines of the phases are given
     """
 
     name: str
@@ -97,7 +97,7 @@ class Question:
     edge: str = ""
     due: bool = False
     stand: Stand | None = None
-    given_turns: bool = False
+    with_turns: bool = False
 
     @property
     def weight(self) -> Array:
@@ -164,7 +164,7 @@ class Problem:
 
 
 def judge_conditions(
-    case: Any, rows: Rows, question: Question, problem: Problem, x: Array, found: Mapping[str, Any], status: int,
+    case: Any, rows: Rows, question: Question, problem: Problem, x: Array, answer: Mapping[str, Any], status: int,
     slack: float, regular: float,
 ) -> None:  # fmt: skip
     """The bounds are kept, and the conditions of a least error hold within them; LIMITED and UNREACHABLE say so.
@@ -173,7 +173,7 @@ def judge_conditions(
     judged. UNREACHABLE is due by the residual that is given, which is judged by itself.
     """
     where, scaled, bits = question.name, problem.scaled, status_bits(status)
-    limited, size = np.array(found["limited"], dtype=bool), np.maximum(np.abs(problem.least), np.abs(problem.most))
+    limited, size = np.array(answer["limited"], dtype=bool), np.maximum(np.abs(problem.least), np.abs(problem.most))
     high, low = x >= problem.most - slack * size, x <= problem.least + slack * size
     inside = (x <= problem.most + slack * size) & (x >= problem.least - slack * size)
     rows.demand("bounds kept", bool(np.all(inside | problem.locked)), where, "a bound is exceeded")
@@ -183,7 +183,7 @@ def judge_conditions(
     if regular and np.any(np.isfinite(size) & (size < 1e30)):
         off = excess(np.where(pinned, 0.0, problem.W), scaled.r, scaled.r - problem.W @ problem.y(x), side, regular)
         rows.check("least error, within bounds").note(off, where)
-    residual = vector(found["residual"])
+    residual = vector(answer["residual"])
     error = scaled.root @ (residual if question.use is None else residual[question.use])
     left, most = float(np.linalg.norm(error)), float(case.scales.cuts.reached * np.linalg.norm(scaled.r))
     words = f"the error is {left:.1e}, of {most:.1e} accepted"
@@ -224,17 +224,19 @@ def judge_inverse(case: Case, rows: Rows) -> None:
 
     def ask(question: Question) -> tuple[int, dict[str, Any]]:
         """Status and answer of the C. Raises StateError: it does not take the stand."""
-        given = case.backend.arguments(question.state) | (turns(question.state) if question.given_turns else {})
+        arguments = case.backend.arguments(question.state) | (turns(question.state) if question.with_turns else {})
         if question.stand is not None:
             parameters = parameters_of(question.stand, case.backend.layout)
-            given |= {"table": case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]}
-        status, outputs = case.backend.call(rows.function, given | {"options": question.options})
+            arguments |= {
+                "table": case.call("prepare", {"parameters": parameters, "table": case.backend.table()})["table"]
+            }
+        status, outputs = case.backend.call(rows.function, arguments | {"options": question.options})
         return status, {"phi_ddot": [], "sigma": [], "limited": []} | outputs.get("out", outputs)
 
     for number, (name, state) in enumerate(_states(case, rows.function)):
         for question in _questions(case, fast, number, name, state, ask):
             try:
-                status, found = ask(question)
+                status, answer = ask(question)
             except StateError:  # flywheels this small are none
                 continue
             if question.edge:
@@ -242,20 +244,20 @@ def judge_inverse(case: Case, rows: Rows) -> None:
                 words = f"{bit} {'expected' if question.due else 'not expected'}, status {status_words(status)}"
                 rows.demand(f"{bit} at its bound", (bit in bits) == question.due, f"{name}, {question.edge}", words)
             elif fast:
-                _judge_fast(case, rows, question, status, vector(found["phi_ddot"]))
+                _judge_fast(case, rows, question, status, vector(answer["phi_ddot"]))
             elif status < 0:
                 rows.demand("answer", False, name, f"status {status_words(status)}")
             else:
-                _judge_inverse(case, rows, question, status, found)
+                _judge_inverse(case, rows, question, status, answer)
 
 
-def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, found: Mapping[str, Any]) -> None:
+def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, answer: Mapping[str, Any]) -> None:
     """Judge one answer of `inverse`: its conditions, and what follows from it."""
-    where, x, at = question.name, vector(found["phi_ddot"]), case.scales.at(question.state)
+    where, x, at = question.name, vector(answer["phi_ddot"]), case.scales.at(question.state)
     limit, regular = np.array(question.options["limit"], dtype=np.float64), THRESHOLDS[case.real].regular
     none = np.zeros(len(limit))
     problem = Problem(question.scaled(case.stand, at), none, -limit, limit, none.astype(bool))
-    judge_conditions(case, rows, question, problem, x, found, status, 0.0, regular)
+    judge_conditions(case, rows, question, problem, x, answer, status, 0.0, regular)
     free = float(np.min(limit, initial=np.inf)) > 1e30
     # of a damped answer, whose scale the weak directions do not raise, the solver regularises them
     is_weak = question.damping[1] > 0.0 and has_weak(kept_values(case, problem.scaled), regular)
@@ -265,12 +267,12 @@ def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, foun
         return answer_of(case, question, stand, near, None if free else x)
 
     rows.compare(
-        where, question.state, equation, {**found, "status": words}, "" if free else ", with limits",
+        where, question.state, equation, {**answer, "status": words}, "" if free else ", with limits",
         least_squares=True, weak=("phi_ddot",) if is_weak else (),
     )  # fmt: skip
-    _judge_hardest(rows, question, found)
+    _judge_hardest(rows, question, answer)
     if question.state.task:
-        _judge_by_points(case, rows, question, found)
+        _judge_by_points(case, rows, question, answer)
 
 
 def answer_of(case: Case, question: Question, stand: Stand, at: Pieces, phi_ddot: Array | None) -> Values:
@@ -323,9 +325,9 @@ def with_motors(stand: Stand, options: Mapping[str, Any]) -> Stand:
     return replace(stand, flywheels=tuple(wheels), inverse_most=float(np.min(options["most"], initial=np.inf)))
 
 
-def _judge_hardest(rows: Rows, question: Question, found: Mapping[str, Any]) -> None:
+def _judge_hardest(rows: Rows, question: Question, answer: Mapping[str, Any]) -> None:
     """A unit vector u: along the demand out of reach, or the least singular direction, W W^T u = sigma_m^2 u."""
-    hardest, rank = vector(found["hardest"]), int(found["rank"])
+    hardest, rank = vector(answer["hardest"]), int(answer["rank"])
     hardest = hardest if question.use is None else hardest[question.use]
     if not np.any(hardest):
         return
@@ -400,14 +402,14 @@ def _states(case: Case, function: str) -> Iterator[tuple[str, State]]:
 
 def options_of(case: Case, number: int, **more: Any) -> dict[str, Any]:
     """Weights from 1 to 10, motors without limits or friction, and `more`, in numbers of the element type."""
-    given: dict[str, Any] = dict(case.backend.arguments(case.states[0][1])["options"])
+    options: dict[str, Any] = dict(case.backend.arguments(case.states[0][1])["options"])
     no, none = [0.0] * case.count, case.none
-    given |= {"weight": case.random(100 + number).uniform(1.0, 10.0, case.count), "limit": none, "most": none}
-    given |= {"near_singular": 1e-6, "damping": 0.0, "motor_torque": none, "motor_speed": none}
-    if _CURVE[0] in given:
-        given[_CURVE[1]] = np.full(np.shape(given[_CURVE[1]]), case.none[0]).tolist()
-    given |= {"motor_viscous": no, "motor_coulomb": no, "motor_coulomb_speed": [1.0] * case.count} | more
-    return {key: case.nearest_numbers(x).tolist() if isinstance(x, np.ndarray) else x for key, x in given.items()}
+    options |= {"weight": case.random(100 + number).uniform(1.0, 10.0, case.count), "limit": none, "most": none}
+    options |= {"near_singular": 1e-6, "damping": 0.0, "motor_torque": none, "motor_speed": none}
+    if _CURVE[0] in options:
+        options[_CURVE[1]] = np.full(np.shape(options[_CURVE[1]]), case.none[0]).tolist()
+    options |= {"motor_viscous": no, "motor_coulomb": no, "motor_coulomb_speed": [1.0] * case.count} | more
+    return {key: case.nearest_numbers(x).tolist() if isinstance(x, np.ndarray) else x for key, x in options.items()}
 
 
 def _questions(
@@ -419,7 +421,7 @@ def _questions(
     """
 
     def question(**more: Any) -> Question:
-        return Question(name, state, options_of(case, number, **more), given_turns=bool(number % 2))
+        return Question(name, state, options_of(case, number, **more), with_turns=bool(number % 2))
 
     plain, damped = question(), question(**(FAST_DAMPED if fast else DAMPED))
     yield plain
@@ -493,11 +495,11 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
 
 def _curve_through(case: Case, speed: Array, torque: Array) -> dict[str, Any]:
     """Curves of the motors, nowhere zero, made so much lower or higher that they give a torque (N) at a speed (N)."""
-    given = case.backend.arguments(case.states[0][1])["options"]
-    speeds, points = (np.array(given[key]) for key in _CURVE)
+    options = case.backend.arguments(case.states[0][1])["options"]
+    speeds, points = (np.array(options[key]) for key in _CURVE)
     points = np.where(points < 1e30, 0.1 + points, 1.0)
-    here = np.array([np.interp(*each) for each in zip(speed, speeds, points, strict=True)])
-    return {_CURVE[1]: points * (torque / here)[:, None]}
+    available = np.array([np.interp(*curve) for curve in zip(speed, speeds, points, strict=True)])
+    return {_CURVE[1]: points * (torque / available)[:, None]}
 
 
 def _at_the_edge_of_reach(case: Case, plain: Question, scaled: ScaledDemand, rank: int) -> Iterator[Question]:
@@ -574,7 +576,7 @@ def judge_torque_for(case: Case, rows: Rows) -> None:
         locked: Flags = np.zeros(case.count, dtype=np.bool_)
         if number % 3 == 2 and case.count > 1:
             locked[case.random(800 + number).integers(case.count)] = True
-        given = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
+        arguments = case.backend.arguments(state) | {"locked": [int(x) for x in locked]}
         options = options_of(
             case, number, motor_speed=2.0 * np.abs(state.phi_dot) + 10.0, motor_power=case.none,
             target_speed=case.random(700 + number).uniform(-100.0, 100.0, case.count),
@@ -589,11 +591,11 @@ def judge_torque_for(case: Case, rows: Rows) -> None:
             kinds.append({_CURVE[1]: case.nearest_numbers(curve).tolist()})
         for more in kinds:
             try:
-                status, found = case.call_with_status(rows.function, {**given, "options": options | more})
+                status, answer = case.call_with_status(rows.function, {**arguments, "options": options | more})
             except StateError as error:
                 rows.check("answer").refuse(error, name)
                 continue
-            judge_torques(case, rows, name, state, options | more, locked, status, found)
+            judge_torques(case, rows, name, state, options | more, locked, status, answer)
 
 
 def motor_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Array]:
@@ -611,10 +613,10 @@ def motor_bounds(state: State, options: Mapping[str, Any]) -> tuple[Array, Array
 
 def judge_torques(
     case: Any, rows: Rows, name: str, state: State, options: Mapping[str, Any], locked: Flags, status: int,
-    found: Mapping[str, Any]
+    answer: Mapping[str, Any]
 ) -> None:  # fmt: skip
     """Judge one answer: torques, what they bring about, the status. `case`: with stand, scales, limits and second."""
-    question, tau = Question(name, state, options, locked=locked), vector(found["tau"])
+    question, tau = Question(name, state, options, locked=locked), vector(answer["tau"])
     problem = Problem.of_torques(question, case.stand, case.scales.at(state))
     expected = problem.solution(question.weight)
     sigma = np.linalg.svd(problem.scaled.W, compute_uv=False)
@@ -627,23 +629,23 @@ def judge_torques(
         def least(stand: Stand, near: State, at: Pieces) -> Values:
             return {"tau": Problem.of_torques(replace(question, state=near), stand, at).solution(question.weight)}
 
-        rows.compare(name, state, least, found, least_squares=True)
+        rows.compare(name, state, least, answer, least_squares=True)
     regular = 0.0 if is_weak or of_share else THRESHOLDS[case.limits.real].bounded
-    judge_conditions(case, rows, question, problem, tau, found, status, case.limits.value, regular)
+    judge_conditions(case, rows, question, problem, tau, answer, status, case.limits.value, regular)
     if of_share:
-        _judge_share(case, rows, question, problem, found, is_weak)
+        _judge_share(case, rows, question, problem, answer, is_weak)
 
     def equation(stand: Stand, near: State, at: Pieces) -> Values:
         V_dot, phi_ddot = coupled(at, tau, cast(Array, locked))
         left = vector(state.demand) - question.rows(stand, at).acceleration(V_dot)
         return {"V_dot": V_dot, "phi_ddot": phi_ddot, "residual": left}
 
-    rows.compare(name, state, equation, found)
-    _judge_by_points(case, rows, question, found)
+    rows.compare(name, state, equation, answer)
+    _judge_by_points(case, rows, question, answer)
 
 
 def _judge_share(
-    case: Any, rows: Rows, question: Question, problem: Problem, found: Mapping[str, Any], is_weak: bool
+    case: Any, rows: Rows, question: Question, problem: Problem, result: Mapping[str, Any], is_weak: bool
 ) -> None:
     """The answer is that of its share, and the share the largest t <= 1 with W y = start + t towards within bounds.
 
@@ -651,9 +653,9 @@ def _judge_share(
     """
     from scipy.optimize import linprog
 
-    scaled, share = problem.scaled, float(found["share"])
+    scaled, share = problem.scaled, float(result["share"])
     towards = scaled.root @ vector(question.state.demand)
-    start, y = scaled.r - towards, problem.y(vector(found["tau"]))
+    start, y = scaled.r - towards, problem.y(vector(result["tau"]))
     if share > 0.0:
         off = scaled.W @ y - start - share * towards
         size = float(np.linalg.norm(start) + np.linalg.norm(towards) + np.linalg.norm(scaled.W) * np.linalg.norm(y))
@@ -671,9 +673,9 @@ def _judge_share(
     rows.check("largest share").note(abs(share - largest), question.name, words)
 
 
-def _judge_by_points(case: Any, rows: Rows, question: Question, found: Mapping[str, Any]) -> None:
+def _judge_by_points(case: Any, rows: Rows, question: Question, answer: Mapping[str, Any]) -> None:
     """The residual by the second derivation's points: the rows of the literal reference have no part in it."""
-    state, V_dot, points = question.state, vector(found["V_dot"]), {}
+    state, V_dot, points = question.state, vector(answer["V_dot"]), {}
     task, gravity = task_of(case.stand, state.task), np.array(case.stand.gravity)
     if any(row.of for row in task.rows):
         moving = replace(state, task="", demand=(), V_dot=tuple(V_dot))
@@ -691,4 +693,4 @@ def _judge_by_points(case: Any, rows: Rows, question: Question, found: Mapping[s
     left = vector(state.demand) - reached
     left = left if question.use is None else np.where(question.use, left, 0.0)
     scale = np.abs(vector(state.demand)) + np.abs(reached) + speeds
-    rows.check("residual, by points of the second", "value").compare(found["residual"], left, scale, question.name)
+    rows.check("residual, by points of the second", "value").compare(answer["residual"], left, scale, question.name)

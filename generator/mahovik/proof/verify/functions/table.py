@@ -116,7 +116,7 @@ def checks_of(case: AnyCase, name: str) -> list[Check]:
         if judge:
             judge.judge(case, rows)
         if isinstance(case, Case) and name in FUNCTIONS and FUNCTIONS[name].want and case.takes(name, "sine"):
-            value.judge_trials(case, rows, partial(value.trials_of_given_sines, function=name), ", of given sines")
+            value.judge_trials(case, rows, partial(value.trials_with_sines, function=name), ", of given sines")
     except StateError as error:  # of a call that every program must answer
         return [Check(name, "refused", verdict="FAILED", words=str(error))]
     checks = rows.checks()

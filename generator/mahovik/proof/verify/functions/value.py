@@ -68,7 +68,7 @@ class Trial:
 
     name: str
     state: State
-    given: Mapping[str, Any]
+    arguments: Mapping[str, Any]
     equation: Equation
     read: Callable[[Mapping[str, Any]], Mapping[str, Any]] = dict
 
@@ -77,11 +77,11 @@ def judge_trials(case: Case, rows: Rows, trials: Callable[[Case], Iterator[Trial
     """A check for each quantity of the trials."""
     for trial in trials(case):
         try:
-            found = trial.read(case.call(rows.function, trial.given))
+            answer = trial.read(case.call(rows.function, trial.arguments))
         except StateError as error:
             rows.check("answer").refuse(error, trial.name)
             continue
-        rows.compare(trial.name, trial.state, trial.equation, found, suffix)
+        rows.compare(trial.name, trial.state, trial.equation, answer, suffix)
 
 
 def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
@@ -90,20 +90,20 @@ def state_trials(case: Case, equation: Equation) -> Iterator[Trial]:
         yield Trial(name, state, case.backend.arguments(state), equation)
 
 
-def trials_of_given_sines(case: Case, function: str) -> Iterator[Trial]:
+def trials_with_sines(case: Case, function: str) -> Iterator[Trial]:
     """A function that answers a want, with the sines and cosines of the phases; it need not look at the phases."""
 
     def equation(stand: Stand, state: State, at: reference.Pieces) -> Values:
         return reference.evaluate(stand, state, (function,), at, case.scales.cuts)
 
     for name, state in case.states:
-        given = case.backend.arguments(state) | turns(state)
-        given["x"] = given["x"] | {"phi": [0.0] * case.count}
+        arguments = case.backend.arguments(state) | turns(state)
+        arguments["x"] = arguments["x"] | {"phi": [0.0] * case.count}
 
-        def read(trials: Mapping[str, Any], given: Mapping[str, Any] = given) -> Mapping[str, Any]:
-            return case.backend.with_reaction(given, dict(trials)) if function in ("forward", "coupled") else trials
+        def read(trials: Mapping[str, Any], arguments: Mapping[str, Any] = arguments) -> Mapping[str, Any]:
+            return case.backend.with_reaction(arguments, dict(trials)) if function in ("forward", "coupled") else trials
 
-        yield Trial(name, state, given, equation, read)
+        yield Trial(name, state, arguments, equation, read)
 
 
 def locked_trials(case: Case) -> Iterator[Trial]:
@@ -123,21 +123,21 @@ def estimate_trials(case: Case) -> Iterator[Trial]:
     n = 2 * case.count
     for number, (name, state) in enumerate(case.states):
         rng = case.random(number)
-        given = {
+        prior = {
             "unbalance": case.nearest_numbers(DEVIATION * rng.normal(size=n)).tolist(),
             "variance": case.nearest_numbers(DEVIATION**2 * rng.uniform(0.5, 1.5, n)).tolist(),
             "factor": case.nearest_numbers(0.3 * rng.normal(size=n * (n - 1) // 2)).tolist(),
             "largest": 1.0,
         }
-        H, u, P = slopes(case.stand, state), np.array(given["unbalance"]), covariance(given)
+        H, u, P = slopes(case.stand, state), np.array(prior["unbalance"]), covariance(prior)
         noise = case.nearest_numbers(NOISE * np.sqrt(np.diag(H @ P @ H.T)))
 
         def equation(stand: Stand, near: State, _: Any, noise: Array = noise, u: Array = u, P: Array = P) -> Values:
             return dict(zip(("unbalance", "covariance"), identify_step(stand, near, noise, FORGET, u, P), strict=True))
 
-        inputs = {**case.backend.arguments(state), "noise": noise.tolist(), "forget": FORGET, "estimate": given}
-        yield Trial(name, state, inputs, equation, lambda found: {
-            "unbalance": found["estimate"]["unbalance"], "covariance": covariance(found["estimate"])
+        inputs = {**case.backend.arguments(state), "noise": noise.tolist(), "forget": FORGET, "estimate": prior}
+        yield Trial(name, state, inputs, equation, lambda results: {
+            "unbalance": results["estimate"]["unbalance"], "covariance": covariance(results["estimate"])
         })  # fmt: skip
 
 
@@ -156,7 +156,7 @@ def quaternion_trials(case: Case) -> Iterator[Trial]:
         yield Trial(
             name, state, {"angles": list(_angles_of(state))},
             lambda stand, near, _: {"C": attitude(stand.angles, *_angles_of(near))},
-            lambda found: {"C": quaternion_rotation(*found["attitude"])},
+            lambda results: {"C": quaternion_rotation(*results["attitude"])},
         )  # fmt: skip
 
 
@@ -187,8 +187,8 @@ def coordinate_trials(case: Case) -> Iterator[Trial]:
             same = all(list(x[key]) == value for key, value in kept.items())
             return pose | {"V_dot": result["V_dot"], "phases kept": same}
 
-        given = {**q, "angles": list(_angles_of(state)), "table": table, "x": x}
-        yield Trial(name, at, given, _free_coordinates if hold is None else _held_coordinates, read)
+        arguments = {**q, "angles": list(_angles_of(state)), "table": table, "x": x}
+        yield Trial(name, at, arguments, _free_coordinates if hold is None else _held_coordinates, read)
 
 
 def _free_coordinates(stand: Stand, state: State, _: Any) -> Values:
@@ -235,10 +235,10 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
         other = _with_other_parameters(case.stand, case.random(200 + number))
         judge = Judge(other, case.limits)
         try:
-            given = {"parameters": parameters_of(other, case.backend.layout), "table": case.backend.table()}
-            table = {"table": case.call("prepare", given)["table"]}
+            arguments = {"parameters": parameters_of(other, case.backend.layout), "table": case.backend.table()}
+            table = {"table": case.call("prepare", arguments)["table"]}
             if mounts:
-                table["mounting"] = case.call("prepare_mounts", given)["mounting"]
+                table["mounting"] = case.call("prepare_mounts", arguments)["mounting"]
         except StandError as error:  # beyond the range of parameters
             check.skip(str(error), f"stand {number + 1}")
             continue
@@ -247,8 +247,8 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
             continue
         for name, state in case.states[number::OTHER_STANDS]:
             for want in (want for want in asked if want in known):
-                found = case.backend.answer(want, state, case.backend.arguments(state) | table)
-                judge.compare(Request(f"{name} of stand {number + 1}", state, (want,)), want, found)
+                answer = case.backend.answer(want, state, case.backend.arguments(state) | table)
+                judge.compare(Request(f"{name} of stand {number + 1}", state, (want,)), want, answer)
         for one in judge.checks():
             check.note(one.value, f"{one.state}, {one.quantity}", one.words)
 
@@ -287,11 +287,11 @@ def judge_mounts(case: Case, rows: Rows) -> None:
             if case.stand.hold is not None:
                 u_dot = tuple(np.linalg.lstsq(twists(case.stand.hold), np.array(V_dot), rcond=None)[0].tolist())
             moving = replace(state, V_dot=tuple(V_dot), u_dot=u_dot)
-            found = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
+            mount_wrench = case.call("mounts", case.backend.arguments(moving))["mount_wrench"]
         except StateError as error:
             moment.refuse(error, name)
             continue
-        wrenches, torque = np.array(found, dtype=np.float64).reshape(-1, 6), case.scales.want(moving, "torque")
+        wrenches, torque = np.array(mount_wrench, dtype=np.float64).reshape(-1, 6), case.scales.want(moving, "torque")
         forward = case.scales.want(state, "forward")
         if torque is None or forward is None:
             moment.skip("the reference has no answer", name)
@@ -329,18 +329,20 @@ def judge_jacobian(case: Case, rows: Rows) -> None:
         names = tuple(re.sub("_V$", "_u", re.sub("^V_dot", "u_dot", name)) for name in names)
     parts = {name: re.fullmatch("(V_dot|u_dot|phi_ddot)_(.*)", name) for name in names}
     pairs = {name: match.groups() for name, match in parts.items() if match}
-    by = tuple(dict.fromkeys(given for _, given in pairs.values()))
+    by = tuple(dict.fromkeys(by_what for _, by_what in pairs.values()))
     patterns = {"derivatives": [(np.zeros(case.count, dtype=bool), case.states[:JACOBIAN_STATES])]}
     if want == "coupled":
         locked_states = enumerate(case.states[:LOCKED_STATES])
-        patterns["derivatives, with locks"] = [(case.lock_pattern(k), [each]) for k, each in locked_states]
+        patterns["derivatives, with locks"] = [
+            (case.lock_pattern(k), [locked_state]) for k, locked_state in locked_states
+        ]
     for quantity, trials in patterns.items():
         check = rows.check(quantity)
         for locked, states in trials:
             judge = Derivatives(case.second, want, by, list(locked) if locked.any() else ())
             for name, state in states:
                 try:
-                    found = case.call(rows.function, case.backend.arguments(state) | {"locked": [*map(int, locked)]})
+                    answer = case.call(rows.function, case.backend.arguments(state) | {"locked": [*map(int, locked)]})
                 except StateError as error:
                     check.refuse(error, name)
                     continue
@@ -353,9 +355,9 @@ def judge_jacobian(case: Case, rows: Rows) -> None:
                 if measured is None:
                     check.skip("the reference has no answer", name)
                     continue
-                for matrix, (value, given) in pairs.items():
-                    scale = np.divide.outer(measured.scales[value], sizes[given])
-                    check.compare(found[matrix], expected[matrix], scale, f"{name}, {matrix}")
+                for matrix, (value, by_what) in pairs.items():
+                    scale = np.divide.outer(measured.scales[value], sizes[by_what])
+                    check.compare(answer[matrix], expected[matrix], scale, f"{name}, {matrix}")
 
 
 def _sizes(case: Case, state: State) -> dict[str, Array]:
@@ -375,10 +377,10 @@ def judge_wrap(case: Case, rows: Rows) -> None:
     """An angle, but for whole turns, within half a turn."""
     check = rows.check("phi, of the promised error")
     for phi in _angles(case, case.random(len(rows.function))):
-        (found,) = case.call(rows.function, {"phi": phi}).values()
-        off = Fraction(found) - Fraction(phi)
+        (wrapped,) = case.call(rows.function, {"phi": phi}).values()
+        off = Fraction(wrapped) - Fraction(phi)
         off -= TURN * round(off / TURN)
-        beyond = max(0.0, abs(found) - math.pi * (1 + case.unit))
+        beyond = max(0.0, abs(wrapped) - math.pi * (1 + case.unit))
         check.note((abs(float(off)) + beyond) / (PROMISE * case.unit), f"{rows.function} of {phi}")
 
 

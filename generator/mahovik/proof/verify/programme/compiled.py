@@ -130,17 +130,17 @@ def compare_with_law(
     """
     size = PERTURBATION[part.real]
     for number, inputs in enumerate(drawn):
-        status, found = part.call(rows.function, inputs)
-        found["status"] = status_words(status)
+        status, results = part.call(rows.function, inputs)
+        results["status"] = status_words(status)
         nearby = [law(**changed(dict(inputs), size, rng)) for _ in range(PERTURBATIONS)]
         for name, value in law(**inputs).items():
-            others = [other[name] for other in nearby]
+            neighbours = [other[name] for other in nearby]
             if is_word(value):
-                words = f"{found[name]}, expected {value}"
-                rows.demand(name, found[name] in (value, *others), f"sample {number}", words)
+                words = f"{results[name]}, expected {value}"
+                rows.demand(name, results[name] in (value, *neighbours), f"sample {number}", words)
             else:
-                scale = np.max([np.abs(value), *(np.abs(other - value) / size for other in others)], axis=0)
-                rows.check(name).compare(found[name], value, scale, f"sample {number}")
+                scale = np.max([np.abs(value), *(np.abs(other - value) / size for other in neighbours)], axis=0)
+                rows.check(name).compare(results[name], value, scale, f"sample {number}")
 
 
 def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numbers = NOTHING) -> None:

@@ -88,8 +88,8 @@ def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
     if (status := min(status for status, _ in answers)) < 0:
         rows.add(Check.of(function, np.inf, made.limit, f"the C answers with status {status}"))
         return
-    found = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
-    angles = Angles(found["phi"], found["phi_dot"], found["phi_ddot"])
+    columns = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
+    angles = Angles(columns["phi"], columns["phi_dot"], columns["phi_ddot"])
     turned, speed = angles.phi - exact.phi, largest(exact.phi_dot) or 1.0
     turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
     value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
@@ -100,11 +100,11 @@ def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
         i = int(np.argmax(shares))
         words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
         rows.add(Check.of("residual", shares[i], case.limit.residual + made.limit, words))
-        if "tau" in found:
+        if "tau" in columns:
             tau = case.equations(t)[1]
             peak = largest(tau) or 1.0
             words = f"drive torques, share of the largest, {peak:.3g} N m"
-            rows.add(Check.of("torque", largest(found["tau"] - tau) / peak, TORQUE * made.limit, words))
+            rows.add(Check.of("torque", largest(columns["tau"] - tau) / peak, TORQUE * made.limit, words))
 
 
 def judge_clock(compiled: CompiledProgramme, rows: Rows) -> None:

@@ -90,7 +90,7 @@ def displacement(stand: Stand, q: Array, mean: Array) -> tuple[float, float]:
 
     Turns about one axis are counted; otherwise the angle is at most half a turn.
     """
-    now, start = (carrier_at(stand, each, np.zeros_like(q)) for each in (q, mean))
+    now, start = (carrier_at(stand, coordinates, np.zeros_like(q)) for coordinates in (q, mean))
     turned = rotation_vector(start.C.T @ now.C)
     if np.linalg.matrix_rank(start.A[3:]) <= 1:
         turned = start.A[3:] @ (q - mean)

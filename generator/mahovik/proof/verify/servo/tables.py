@@ -73,8 +73,8 @@ def table_checks(case: ServoCase) -> Iterator[Check]:
 
 def _members(case: ServoCase, table: str, expected: dict[str, Any]) -> Iterator[Check]:
     """Every member of a table, against the law with a scale; a text says why it is not compared."""
-    found = case.default(table)
-    for name in dict.fromkeys((*found, *expected)):
+    table_of_c = case.default(table)
+    for name in dict.fromkeys((*table_of_c, *expected)):
         limit = max(LIMITS[case.made.real].law, {"lead": TIME, "omega": TIME, "matrix": MATRIX}.get(name, 0.0))
         row, value = Check(table, name, limit), expected.get(name)
         if isinstance(value, str):
@@ -82,7 +82,7 @@ def _members(case: ServoCase, table: str, expected: dict[str, Any]) -> Iterator[
         elif value is None:
             row.demand(False, words="no such number in the law")
         else:
-            row.compare(found.get(name), *(value if isinstance(value, tuple) else (value, np.abs(value))))
+            row.compare(table_of_c.get(name), *(value if isinstance(value, tuple) else (value, np.abs(value))))
         yield row
 
 
@@ -134,11 +134,11 @@ def _target(case: ServoCase) -> tuple[Array, Array]:
     assert trim is not None and motion is not None
     phase = np.arange(NODES) / NODES
     q = motion.at(phase * motion.span, np.zeros_like(motion.mean)).q[:, list(trim.coordinates)]
-    target, found = law.coefficients(q, phase, trim.harmonics).T, case.default("trim_default")["target"]
+    target, of_c = law.coefficients(q, phase, trim.harmonics).T, case.default("trim_default")["target"]
     # all coefficients are averages of the same samples; coordinates at rest have only their rounding
     scale = np.abs(target).max(axis=1, keepdims=True) + RESTING * np.abs(target).max()
-    if found.shape == target.shape:
-        target[:, 0] = found[:, 0]  # means, which are not corrected, are shifted by the programme's bias
+    if of_c.shape == target.shape:
+        target[:, 0] = of_c[:, 0]  # means, which are not corrected, are shifted by the programme's bias
     return target, scale
 
 
@@ -188,7 +188,7 @@ def trim_matrix(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     matrix = np.zeros((columns, len(units), T))
     matrix[:, :, 1:] = (trim.gain * least_cost_matrix(G, above, trim.harmonics)).reshape(columns, len(units), T - 1)
     scale = np.full(matrix.shape, np.abs(matrix).max())
-    return tuple((each / units[:, None]).reshape(columns, -1) for each in (matrix, scale))  # type: ignore[return-value]
+    return tuple((numbers / units[:, None]).reshape(columns, -1) for numbers in (matrix, scale))  # type: ignore[return-value]
 
 
 def least_cost_matrix(G: Array, above: Array, harmonics: int) -> Array:
@@ -241,11 +241,13 @@ def responses(of: Sequence[Array], harmonics: int) -> Array:
     return law.coefficients(d.reshape(M, m, -1), phase, highest)
 
 
-def _slope(function: Callable[..., Array], given: Sequence[Array], number: int, step: Array | float) -> Array:
+def _slope(function: Callable[..., Array], arguments: Sequence[Array], number: int, step: Array | float) -> Array:
     """Derivatives (K, n) of a function (K) by its argument of this number (n), by central differences of `step`."""
     columns = []
-    for way in np.eye(len(given[number])) * step:
-        ends = [function(*given[:number], given[number] + aside, *given[number + 1 :]) for aside in (way, -way)]
+    for way in np.eye(len(arguments[number])) * step:
+        ends = [
+            function(*arguments[:number], arguments[number] + aside, *arguments[number + 1 :]) for aside in (way, -way)
+        ]
         columns.append((ends[0] - ends[1]) / (2 * np.abs(way).max()))
     return np.array(columns).T
 
