@@ -121,15 +121,15 @@ def _sizes(generated: Generated, names: Names) -> list[dict[str, Any]]:
     ]
 
 
-def _call(f: Function, generated: Generated, names: Names, wide: bool, each: bool) -> dict[str, Any]:
-    """Values of the template for one function; `each`: every state has a table of its own."""
+def _call(f: Function, generated: Generated, names: Names, wide: bool, own_tables: bool) -> dict[str, Any]:
+    """Values of the template for one function; `own_tables`: every state has a table of its own."""
     layouts = {a.name: _argument_layout(a, generated, wide) for a in f.arguments}
 
     def argument_of_state(a: Argument) -> str:
         """An argument of the function for one state."""
         if a.name not in layouts:
             return "NULL"
-        if each and a.name in TABLES:
+        if own_tables and a.name in TABLES:
             return f"&{a.name}_j"
         order = layouts[a.name].order
         if order == "components":
@@ -141,19 +141,20 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
         return a.name
 
     def type_of(a: Argument) -> str:
-        if each and a.name in TABLES:
+        if own_tables and a.name in TABLES:
             assert isinstance(a.type, Struct)
             return f"{names.prefix}_wide_{a.type.name}"
         return names.type(Kind.REAL if a in gathered else a.type)
 
-    single = [a for a in f.arguments if each and a.name in TABLES]
+    single = [a for a in f.arguments if own_tables and a.name in TABLES]
     gathered = [a for a in f.arguments if layouts[a.name].order == "components"]
     return {
-        "name": f"{f.name}_of" if each else f.name,
+        "name": f"{f.name}_of" if own_tables else f.name,
         "comment": comment_lines(
-            f"{f.name}, {'a batch' if wide else 'state by state'}{', each with its table' if each else ''}: {f.purpose}"
+            f"{f.name}, {'a batch' if wide else 'state by state'}"
+            f"{', each with its table' if own_tables else ''}: {f.purpose}"
         ),
-        "wide_name": f"{f.name}_batch_of" if each else f"{f.name}_batch",
+        "wide_name": f"{f.name}_batch_of" if own_tables else f"{f.name}_batch",
         "take": [f"{names.function(f'{a.name}_at')}({a.name}, j, &{a.name}_j);" for a in single],
         "wide": wide,
         "given": [
@@ -177,15 +178,15 @@ def _call(f: Function, generated: Generated, names: Names, wide: bool, each: boo
 
 def _of_batch(f: Function) -> str:
     """Arguments of the batch of a function."""
-    first, *others = (a.name for a in f.arguments if a.optional != "missing")
-    return ", ".join([first, "n", *others])
+    first, *following = (a.name for a in f.arguments if a.optional != "missing")
+    return ", ".join([first, "n", *following])
 
 
 def _rows(a: Argument, passed: ArgumentLayout) -> list[tuple[str, int, int, str]]:
     """Array, first component, number of components and place of each member of an argument for one state."""
-    starts = accumulate((each.size for each in passed.members), initial=0)
+    starts = accumulate((member.size for member in passed.members), initial=0)
     place = f"{a.name}_j.%s" if isinstance(a.type, Struct) else f"{a.name}_j"
     return [
-        (a.name, start, each.size, place.replace("%s", each.name))
-        for start, each in zip(starts, passed.members, strict=False)
+        (a.name, start, member.size, place.replace("%s", member.name))
+        for start, member in zip(starts, passed.members, strict=False)
     ]

@@ -10,7 +10,7 @@ from typing import Any
 from mahovik.contract.functions import BATCH_FUNCTIONS
 from mahovik.core.emit.calls import call, nested_loops, over_members, over_rows
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.declaration import given_zeros, pointer_arguments, zeros
+from mahovik.core.emit.declaration import pointer_arguments, zeros, zeros_for_null
 from mahovik.core.emit.generate import Generated, header_structs
 from mahovik.core.emit.layout import paragraph
 from mahovik.core.emit.names import Names
@@ -29,18 +29,18 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 
 
-def batch_files(stand: Stand, generated: Generated, each: tuple[bool, ...] = BOTH) -> dict[str, str]:
-    """Header and source of the batches of generated C; `each`: of one stand, of n stands, or BOTH, as delivered.
+def batch_files(stand: Stand, generated: Generated, table_forms: tuple[bool, ...] = BOTH) -> dict[str, str]:
+    """Header and source of the batches of generated C; `table_forms`: of one stand, of n stands, or BOTH, as delivered.
 
     Raises UsageError where no function has a batch.
     """
-    made = batches(generated.program, each)
+    made = batches(generated.program, table_forms)
     if not made.batches:
         names = ", ".join(name for name in BATCH_FUNCTIONS)
         raise UsageError(
             f"--batch: no function of --only {','.join(generated.only)} has a batch, expected one of {names}"
         )
-    printer = _Printer(generated, made, Code(made.program, identities(stand)), True in each)
+    printer = _Printer(generated, made, Code(made.program, identities(stand)), True in table_forms)
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}
 
 
@@ -164,9 +164,9 @@ class _Printer:
 
     def _signature(self, batch: Batch) -> dict[str, Any]:
         """Name of a batch, and declarations of its first argument and of those after the counts."""
-        table, *others = [self._batch_declaration(a, batch) for a in batch.narrow.arguments]
+        table, *following = [self._batch_declaration(a, batch) for a in batch.narrow.arguments]
         status = f"{self._names.type(Kind.STATUS)} status[]"
-        return {"name": self._names.function(_name(batch)), "table": table, "others": ", ".join([*others, status])}
+        return {"name": self._names.function(_name(batch)), "table": table, "others": ", ".join([*following, status])}
 
     def _batch_declaration(self, a: Argument, batch: Batch) -> str:
         """An argument of the batch: reals of all states, or a value common to all."""
@@ -182,10 +182,10 @@ class _Printer:
     def _batch(self, batch: Batch) -> dict[str, Any]:
         """Values of the template for a batch."""
         tables = PREPARED if batch.each else {}
-        given = {a.name: f"{a.name}s" if a.name in tables else a.name for a in batch.narrow.arguments}
-        pointers = [given[a.name] for a in pointer_arguments(batch.narrow)]
+        texts = {a.name: f"{a.name}s" if a.name in tables else a.name for a in batch.narrow.arguments}
+        pointers = [texts[a.name] for a in pointer_arguments(batch.narrow)]
         varying = [a for a in batch.narrow.arguments if _varies(a)]
-        first, *others = given.values()
+        first, *following = texts.values()
         return self._signature(batch) | {
             "aligned": [f"{a.name}s" for a in batch.narrow.arguments if a.name in tables],
             "declarations": [
@@ -194,10 +194,10 @@ class _Printer:
             "loads": [line for a in varying if a.direction == "in" for line in self._rows(a, "load")],
             "stores": [line for a in varying if a.direction != "in" for line in self._rows(a, "store")],
             "call": call(self._names, batch.wide, lambda a: self._argument_text(a, batch)),
-            "given_zeros": given_zeros(batch.narrow, self._names),
+            "zeros_for_null": zeros_for_null(batch.narrow, self._names),
             "null": " || ".join(f"{p} == NULL" for p in [*pointers, "status"]),
             "first": first,
-            "passed": ", ".join([*others, "status"]),
+            "passed": ", ".join([*following, "status"]),
         }
 
     def _argument_text(self, a: Argument, batch: Batch) -> str:
@@ -215,12 +215,12 @@ class _Printer:
         """Lines that move all reals of an argument, row by row, by a function that moves the rows of an array."""
         place, array = f"wide_{a.name}", f"{what}_{a.name}"
         const = "const " if what == "load" else ""
-        given = ", ".join(
+        arguments = ", ".join(
             [array, "n", "first", "count", "{}", "{}"] + (["&refused", "whole"] if what == "store" else [])
         )
 
         def row(address: str, size: str) -> str:
-            return f"{array} = {self._names.function(what)}({given.format(address, size)});"
+            return f"{array} = {self._names.function(what)}({arguments.format(address, size)});"
 
         lines = [f"{const}{self._names.type(Kind.REAL)} *{array} = {a.name};"]
         if not isinstance(a.type, Struct):
@@ -288,10 +288,10 @@ class Preparing:
     def arguments(self) -> str:
         """Declarations of all arguments of the function but the first and the number of stands."""
         names, prefix = self._names, self._names.prefix
-        given = [f"const {names.type(self._layout.table)} *table", f"const {prefix}_real *const varied[]"]
-        given += [f"{prefix}_wide_table tables[]"]
-        given += [f"{prefix}_wide_{self._layout.mount_table.name} mountings[]"] if self._mounts else []
-        return ", ".join([*given, f"{prefix}_status status[]"])
+        declarations = [f"const {names.type(self._layout.table)} *table", f"const {prefix}_real *const varied[]"]
+        declarations += [f"{prefix}_wide_table tables[]"]
+        declarations += [f"{prefix}_wide_{self._layout.mount_table.name} mountings[]"] if self._mounts else []
+        return ", ".join([*declarations, f"{prefix}_status status[]"])
 
     def contract(self) -> list[str]:
         """Comment for the header."""
@@ -324,11 +324,11 @@ class Preparing:
         names = self._names
         first = self._made.preparing[0]
         parameters = names.declaration("each", self._made.widener.wide.of(self._layout.parameters))
-        given = {"parameters": "&each", "table": "to", "refused": "&refused"}
-        calls = [f"{call(names, first.wide, lambda a: given[a.name])};"]
+        texts = {"parameters": "&each", "table": "to", "refused": "&refused"}
+        calls = [f"{call(names, first.wide, lambda a: texts[a.name])};"]
         if self._mounts:
             place = f"&mountings[first / {self._made.lanes}]"
-            into = given | {"mounting": place}
+            into = texts | {"mounting": place}
             calls += [
                 f"if (mountings != NULL) {{ {call(names, self._made.preparing[1].wide, lambda a: into[a.name])}; }}"
             ]
@@ -365,8 +365,8 @@ def reals(struct: Struct) -> int:
     """How many reals a struct has."""
     result = 0
     for f in struct.fields:
-        each = reals(f.type) if isinstance(f.type, Struct) else int(f.type is Kind.REAL)
+        count = reals(f.type) if isinstance(f.type, Struct) else int(f.type is Kind.REAL)
         for length in f.shape:
-            each *= int(length)
-        result += each
+            count *= int(length)
+        result += count
     return result

@@ -25,13 +25,13 @@ def argument_text(a: Argument, place: str) -> str:
     return f"&{place}" if a.variable.pointer else place
 
 
-def call(names: Names, function: Function, given: Mapping[str, str] | Callable[[Argument], str]) -> str:
-    """A call; `given`: the text of every argument, by its name or of the argument itself; null for one that is not."""
+def call(names: Names, function: Function, texts: Mapping[str, str] | Callable[[Argument], str]) -> str:
+    """A call; `texts`: the text of every argument, by its name or of the argument itself; null for one that is not."""
 
     def text(a: Argument) -> str:
-        if callable(given):
-            return given(a)
-        return given.get(a.name, "NULL") if a.optional == "missing" else given[a.name]
+        if callable(texts):
+            return texts(a)
+        return texts.get(a.name, "NULL") if a.optional == "missing" else texts[a.name]
 
     return f"{names.function(function.name)}({', '.join(text(a) for a in function.arguments)})"
 

@@ -82,7 +82,7 @@ class Code:
         width = max(map(len, public), default=0)
         plain = f"{name.upper()}_PLAIN_NAMES"
         lines = [*comment_lines(_IDENTITY.format(plain)), f"#ifndef {plain}"]
-        lines += [f"#define {each:<{width}} {each}_{suffix}" for each in public]
+        lines += [f"#define {symbol:<{width}} {symbol}_{suffix}" for symbol in public]
         begin = '#ifdef __cplusplus\nextern "C" {\n'
         return header.replace(begin, "\n".join([*lines, "#endif", "", begin]), 1)
 

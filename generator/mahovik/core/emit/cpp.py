@@ -88,12 +88,12 @@ def _parameter(a: Argument, names: Names) -> str:
 def _variable_type(a: Argument, names: Names, scope: str = "") -> str:
     """The type of a variable for an argument; `scope`: `stand::` where the namespace has to be named."""
     kind = _kind(a, names)
-    own = scope if kind not in ("int", names.type(a.type)) else ""
+    qualifier = scope if kind not in ("int", names.type(a.type)) else ""
     if not a.shape:
-        return f"{own}{kind}"
+        return f"{qualifier}{kind}"
     size = f"{scope if isinstance(a.shape[0], NamedCount) else ''}{_count(a.shape[0])}"
     array = {"Real": "Reals", "int": "Ints"}.get(kind)
-    return f"{scope}{array}<{size}>" if array else f"std::array<{own}{kind}, {size}>"
+    return f"{scope}{array}<{size}>" if array else f"std::array<{qualifier}{kind}, {size}>"
 
 
 def _kind(a: Argument, names: Names) -> str:
@@ -124,9 +124,9 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
     """A whole program in C++17 that calls `forward`, by its file name."""
     code = Code(generated.program, identities(stand))
     forward = code.program.function("forward")
-    given = {"table": "stand::default_table", "x": "x"}
-    given |= {a.name: "nullptr" for a in forward.arguments if a.optional == "missing"}
-    zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in given]
+    texts = {"table": "stand::default_table", "x": "x"}
+    texts |= {a.name: "nullptr" for a in forward.arguments if a.optional == "missing"}
+    zeroed = [a for a in forward.arguments if a.direction == "in" and a.name not in texts]
     twist, freedom = _first_twist(stand, code)
     text = code.render(
         "cmake/example.cpp.j2",
@@ -141,7 +141,7 @@ def cpp_example(stand: Stand, generated: Generated) -> dict[str, str]:
         results=[
             f"{_variable_type(a, code.names, 'stand::')} {a.name}" for a in forward.arguments if a.direction == "out"
         ],
-        call=f"stand::forward({', '.join(given.get(a.name, a.name) for a in forward.arguments)})",
+        call=f"stand::forward({', '.join(texts.get(a.name, a.name) for a in forward.arguments)})",
     )
     return {"example.cpp": text}
 

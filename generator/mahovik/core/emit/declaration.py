@@ -104,10 +104,10 @@ def null_check(function: Function, names: Names) -> list[str]:
         return []
     condition = " || ".join(f"{a.name} == NULL" for a in pointers)
     refused = wrap_statement(f"if ({condition}) {{ return {names.constant('BAD_ARGUMENT')}; }}", "    ")
-    return refused + [f"    {line}" for line in given_zeros(function, names)]
+    return refused + [f"    {line}" for line in zeros_for_null(function, names)]
 
 
-def given_zeros(function: Function, names: Names) -> list[str]:
+def zeros_for_null(function: Function, names: Names) -> list[str]:
     """Statements that put zeros in the place of arrays that are zeros where their address is null."""
     return [f"if ({a.name} == NULL) {{ {a.name} = {zeros_of(a, names)}; }}" for a in optional(function)]
 

@@ -45,7 +45,7 @@ def encoder_files(stand: Stand, generated: Generated) -> dict[str, str]:
     known = {
         "most": MOST,
         "struct": struct_lines(ENCODER, codes[0].names),
-        "declarations": [found for code in codes for found in code.public_declarations(code.public)],
+        "declarations": [line for code in codes for line in code.public_declarations(code.public)],
         "functions": list(functions.values()),
     }
     return {f"mahovik_encoder.{kind}": template(f"mahovik_encoder.{kind}.j2").render(**known) for kind in "hc"}

@@ -93,7 +93,7 @@ def eva_files(stand: Stand, generated: Generated) -> dict[str, str]:
     code = Code(program, identities(stand))
     writer = _Writer(code)
     every = drivers(program)
-    printed = [writer.driver(each) for each in every]
+    printed = [writer.driver(entry) for entry in every]
     contracts = [writer.contract(program.function(name)) for name in CHECKS if name in writer.known]
     words: dict[str, Any] = {
         "suffix": "" if code.precision.name == "double" else "f",
@@ -103,7 +103,7 @@ def eva_files(stand: Stand, generated: Generated) -> dict[str, str]:
         "unroll": max([_UNROLLED, *(int(n) for c in program.structs for f in c.fields for n in f.shape)]),
         "public": [f.name for f in code.public],
         "coarse": STATUS_VALUES["COARSE"],
-        "trusted": [each["name"] for each in contracts],
+        "trusted": [entry["name"] for entry in contracts],
         "checks": [f.name for f in program.functions if f.returns is Kind.STATUS and not f.public],
         "fills": list(writer.fills),
         "merged": [f.name for f in program.functions if f.returns is not Kind.STATUS or f.name in _MERGED],
@@ -203,27 +203,27 @@ class _Writer:
         """Values of the template for a check: a number beyond its limit, or a quaternion without a large component."""
         state, largest = f.arguments[0].type, self._names.constant("LARGEST")
         assert isinstance(state, Struct)
-        given = [f"{self._names.type(state)} x;"]
-        given += [f"reals(x.{field.name}, {int(field.shape[0])}, {largest});" for field in state.fields]
+        statements = [f"{self._names.type(state)} x;"]
+        statements += [f"reals(x.{field.name}, {int(field.shape[0])}, {largest});" for field in state.fields]
         for a in f.arguments:
             if a.shape:
-                limits = self._limits_given(f)
+                limits = self._limits_passed(f)
                 real = self._names.type(Kind.REAL)
-                given += [f"{declaration(self._names, a)}", f"{real} limit, above;"]
-                given += [f"reals({a.name}, {int(a.shape[0])}, {largest});"]
-                given += [f"switch (Frama_C_interval(0, {len(limits) - 1})) {{"]
+                statements += [f"{declaration(self._names, a)}", f"{real} limit, above;"]
+                statements += [f"reals({a.name}, {int(a.shape[0])}, {largest});"]
+                statements += [f"switch (Frama_C_interval(0, {len(limits) - 1})) {{"]
                 for i, limit in enumerate(limits):
                     case = f"case {i}:" if i < len(limits) - 1 else "default:"
-                    given.append(f"{case} limit = {self._number(limit)}; above = {self._above(limit)}; break;")
-                given.append("}")
-        given.append("int beyond = 0;")
+                    statements.append(f"{case} limit = {self._number(limit)}; above = {self._above(limit)}; break;")
+                statements.append("}")
+        statements.append("int beyond = 0;")
         for place, count, _, above in self._limits(f, "x."):
-            given.append(f"if (beyond == 0) {{ beyond = one_beyond({place}, {count}, {above}); }}")
-        given.append(f"if (beyond == 0) {{ reals(x.attitude, 4, {self._code.real(LEAST + 1.5 * CLEARLY)}); }}")
+            statements.append(f"if (beyond == 0) {{ beyond = one_beyond({place}, {count}, {above}); }}")
+        statements.append(f"if (beyond == 0) {{ reals(x.attitude, 4, {self._code.real(LEAST + 1.5 * CLEARLY)}); }}")
         text = call(self._names, f, lambda a: "&x" if a.name == "x" else a.name)
-        return {"entry": entry, "given": given, "call": text, "refused": True}
+        return {"entry": entry, "given": statements, "call": text, "refused": True}
 
-    def _limits_given(self, f: Function) -> list[Const]:
+    def _limits_passed(self, f: Function) -> list[Const]:
         """Limits that callers give to a check, each once."""
         constants: dict[str, Const] = {}
         for caller in self._code.program.functions:
@@ -331,9 +331,9 @@ class _Writer:
     def _of(self, what: str, place: str, f: Field) -> Iterator[str]:
         if isinstance(f.type, Struct):
             places = [f"{place}[{k}]" for k in range(prod(int(n) for n in f.shape))] if f.shape else [place]
-            for each in places:
+            for element in places:
                 for inner in f.type.fields:
-                    yield from self._of(what, f"{each}.{member(inner.name)}", inner)
+                    yield from self._of(what, f"{element}.{member(inner.name)}", inner)
             return
         count = prod(int(n) for n in f.shape)
         if f.type is Kind.REAL:

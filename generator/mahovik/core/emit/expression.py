@@ -15,12 +15,12 @@ from mahovik.core.program.expression import (
     Const,
     Convert,
     Expr,
-    Given,
     Logic,
     Missing,
     Negate,
     Not,
     Place,
+    Present,
     Select,
     Status,
 )
@@ -116,9 +116,9 @@ class Expressions:
                 return f"-{self._inside(e.operand, _UNARY + 1)}", _UNARY
             case Missing():
                 return "NULL", _PRIMARY
-            case Given(operand=Place(root=root)):
+            case Present(operand=Place(root=root)):
                 return f"{root.name} != NULL", _COMPARE
-            case Not(operand=Given(operand=Place(root=root))):
+            case Not(operand=Present(operand=Place(root=root))):
                 return f"{root.name} == NULL", _COMPARE
             case Not():
                 return f"!{self._inside(e.operand, _UNARY + 1)}", _UNARY

@@ -120,16 +120,16 @@ class _Printer:
         layout = self._layout
         if not layout.coordinates:
             return None
-        own, ways = len(own_coordinates(layout.ways)), Ways(layout.ways)
+        count, ways = len(own_coordinates(layout.ways)), Ways(layout.ways)
         first = f"&model->value[{self._stand.name.upper()}_AT_COORDINATES"
-        places = ([0] if own else []) + ([own] if turns_about_point(layout.ways) else [])
-        places.append(own + (4 if turns_about_point(layout.ways) else 0))
+        places = ([0] if count else []) + ([count] if turns_about_point(layout.ways) else [])
+        places.append(count + (4 if turns_about_point(layout.ways) else 0))
         angle = ways.turns[0] if has_angle(layout.ways) else None
         return {
             "targets": [f"{first} + {place}]" if place else f"{first}]" for place in places],
             "angle": None if angle is None else ways.number(angle),
             "speed": angle,
-            "count": own,
+            "count": count,
         }
 
     def pose(self, name: str) -> str:
@@ -245,15 +245,15 @@ class _Printer:
             "mounting": "&model->mounting",
         }
         drive = {"tau": f"{values}DRIVE]", "phi_ddot": f"{values}DRIVE]"}
-        given = common | {"V_dot": V_dot, "phi_ddot": phi_ddot, "out": "&momenta"}
-        outputs = [("momentum", given)]
+        texts = common | {"V_dot": V_dot, "phi_ddot": phi_ddot, "out": "&momenta"}
+        outputs = [("momentum", texts)]
         if flywheels:
-            outputs += [] if torque else [("torque", given | {"tau": f"{values}TORQUE]"})]
-            outputs.append(("mounts", given | {"mount_wrench": f"{values}LOADS]"}))
+            outputs += [] if torque else [("torque", texts | {"tau": f"{values}TORQUE]"})]
+            outputs.append(("mounts", texts | {"mount_wrench": f"{values}LOADS]"}))
         if self._layout.sensors:
-            outputs.append(("points", given | {"out": "readings"}))
+            outputs.append(("points", texts | {"out": "readings"}))
         if self._layout.held:
-            outputs.append(("reaction", given | {"reaction": f"{values}REACTION]"}))
+            outputs.append(("reaction", texts | {"reaction": f"{values}REACTION]"}))
         coupled = flywheels and torque
         rates = common | {"u_dot": "u_dot"} | {"V_dot": V_dot} | drive | ({"phi_ddot": phi_ddot} if coupled else {})
         step = common | drive | {"dt": "h", "order": "4", "next": "&model->x"}

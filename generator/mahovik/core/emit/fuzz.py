@@ -46,7 +46,7 @@ class _Harness:
         self._inputs = test_inputs.inputs(code.program)
         self._plan = test_inputs.plan(code.program)
         self._drawing = Draws(
-            self._names, "from", lambda path: _argument_name(".".join(path)), lambda given: self._largest(given.name)
+            self._names, "from", lambda path: _argument_name(".".join(path)), lambda drawn: self._largest(drawn.name)
         )
 
     def text(self) -> str:
@@ -56,7 +56,7 @@ class _Harness:
         draws = [{"name": a.name, "lines": self._draw_lines(a)} for a in self._inputs]
         vary = over_members(self._names, parameters, self._variation_lines, _argument_name("parameters"))
         functions = [self._function(f) for f in code.public]
-        lines = [line for each in (*takes, *draws, *functions) for line in each["lines"]] + vary
+        lines = [line for part in (*takes, *draws, *functions) for line in part["lines"]] + vary
 
         def is_called(function: str) -> bool:
             return any(f"{function}(" in line for line in lines)
@@ -92,7 +92,7 @@ class _Harness:
 
     def _draw_lines(self, a: Argument) -> list[str]:
         """Lines that draw one argument."""
-        return [line for each in self._plan if each.path[0] == a.name for line in self._drawing.lines(each)]
+        return [line for drawn in self._plan if drawn.path[0] == a.name for line in self._drawing.lines(drawn)]
 
     def _options(self) -> list[str]:
         """Lines that draw options, each member by its bound."""

@@ -149,7 +149,7 @@ class _Printer:
     def manifest(self, files: Mapping[str, str]) -> str:
         """Manifest: identity of the stand and hash of every file, without dates."""
         facts = self._facts
-        tables = [dict(each) for each in facts.measured]
+        tables = [dict(table) for table in facts.measured]
         more = {"programme": facts.motion, "tables": tables, "limit": facts.limit}
         return manifest_with(self._stand, self._code.precision.name, files, more)
 
@@ -167,11 +167,11 @@ class _Printer:
 
     def _wrapper(self, course: Course) -> dict[str, Any]:
         """The public function of a course, which passes on to the one that takes the table."""
-        given = {a.name: a.name for a in course.inner.arguments}
-        given["table"] = f"&{self._names.function(course.form.table.name)}_values"
+        texts = {a.name: a.name for a in course.inner.arguments}
+        texts["table"] = f"&{self._names.function(course.form.table.name)}_values"
         function = self._code.function(replace(course.outer, body=()))
         return function | {
-            "body": function["body"] + wrap_statement(f"return {call(self._names, course.inner, given)};", INDENT)
+            "body": function["body"] + wrap_statement(f"return {call(self._names, course.inner, texts)};", INDENT)
         }
 
     def _answers(self, golden: GoldenCourse) -> dict[str, Any]:

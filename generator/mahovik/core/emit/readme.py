@@ -47,17 +47,17 @@ def _example(code: Code) -> dict[str, Any]:
     names = code.names
     needy = {f.name for f in code.public if any(a.name == "mounting" and a.direction == "in" for a in f.arguments)}
     called = min(code.public, key=lambda f: (f.name != "forward", f.name in needy))
-    given, lines = {}, []
+    texts, lines = {}, []
     for a in called.arguments:
         table = TABLES.get(a.type.name) if isinstance(a.type, Struct) else None
         default = names.function(table.default) if table and table.default else ""
         if a.optional:
-            given[a.name] = "NULL"
+            texts[a.name] = "NULL"
             continue
         if default and a.direction == "in":
-            given[a.name] = f"&{default}"
+            texts[a.name] = f"&{default}"
             continue
-        given[a.name] = argument_text(a, a.name)
+        texts[a.name] = argument_text(a, a.name)
         text, about = names.declaration(a.name, a.type, a.shape), f"  /* {a.unit} */" if a.unit else ""
         if a.name == "x":
             text += " = { .attitude = { 1 } }"
@@ -74,7 +74,7 @@ def _example(code: Code) -> dict[str, Any]:
     return {
         "declarations": lines,
         "moves": any(a.name == "x" for a in called.arguments),
-        "call": call(names, called, given),
+        "call": call(names, called, texts),
         "answer": answer,
         "count": names.length(shape[0]) if shape else "",
         "unit": unit,

@@ -135,8 +135,8 @@ def _put_statements(f: Field, names: Names) -> list[str]:
         reals = names.function("record_put_reals")
         return over_rows(names, place, f.shape, lambda row, size: f"{reals}(page, {row}, {size});")
     if isinstance(f.type, Struct):
-        put, given = names.function(f"record_put_{f.type.name}"), "&"
+        put, prefix = names.function(f"record_put_{f.type.name}"), "&"
     else:
-        put, given = names.function("record_put"), f"({names.function('record_word')})"
+        put, prefix = names.function("record_put"), f"({names.function('record_word')})"
     last = "" if isinstance(f.type, Struct) else ", 4"
-    return nested_loops(names, place, f.shape, lambda e, _: [f"{put}(page, {given}{e}{last});"])
+    return nested_loops(names, place, f.shape, lambda e, _: [f"{put}(page, {prefix}{e}{last});"])

@@ -84,8 +84,8 @@ class _SelfTest:
             fast_factor=test_inputs.FAST,
             refused_every=test_inputs.REFUSED_EVERY,
             refused_last=test_inputs.REFUSED_EVERY - 1,
-            takes_ints=any("take_ints(" in line for each in (*takes, *functions) for line in each["lines"]),
-            drawn={each.rule.name.lower() for each in (*self._golden.plan, *self._golden.options_plan)},
+            takes_ints=any("take_ints(" in line for part in (*takes, *functions) for line in part["lines"]),
+            drawn={part.rule.name.lower() for part in (*self._golden.plan, *self._golden.options_plan)},
             step=DRAWN_STEP,
             draws_fast=any("* fast)" in line for line in draws),
             mounting="mount_table" in self._structs,
@@ -120,8 +120,8 @@ class _SelfTest:
             "status": status,
             "refusable": status and bool(out),
             "kept_bytes": " + ".join(f"sizeof results.{f.name}.{name}" for name, *_ in kept) or "0u",
-            "kept": [line for each in kept for line in self._take_lines(f, *each)],
-            "lines": [line for each in out for line in self._take_lines(f, *each)],
+            "kept": [line for check in kept for line in self._take_lines(f, *check)],
+            "lines": [line for check in out for line in self._take_lines(f, *check)],
             "cases": [(a.status, f"0x{a.hash:08x}u", len(a.listed)) for a in answers],
             "numbers": [
                 wrap_statement(", ".join(map(self._code.hex, a.listed)) + ",", INDENT) for a in answers if a.listed
@@ -215,16 +215,16 @@ class _SelfTest:
 
     def _options_draws(self) -> list[str]:
         """Lines that draw the options of `inverse`."""
-        draws = Draws(self._names, "seed", ".".join, lambda each: self._code.real(each.largest))
-        return [line for each in self._golden.options_plan for line in draws.lines(each)]
+        draws = Draws(self._names, "seed", ".".join, lambda drawn: self._code.real(drawn.largest))
+        return [line for drawn in self._golden.options_plan for line in draws.lines(drawn)]
 
     def _draws(self) -> list[str]:
         """Lines that draw all inputs in the order of the plan."""
         draws = Draws(self._names, "seed", lambda path: f"in.{'.'.join(path)}", self._largest, ", refused")
-        return [line for each in self._golden.plan for line in draws.lines(each)]
+        return [line for drawn in self._golden.plan for line in draws.lines(drawn)]
 
-    def _largest(self, given: Input) -> str:
-        return self._code.real(given.largest) + (" * fast" if given.name in test_inputs.FAST_INPUTS else "")
+    def _largest(self, drawn: Input) -> str:
+        return self._code.real(drawn.largest) + (" * fast" if drawn.name in test_inputs.FAST_INPUTS else "")
 
     def _scaling_lines(self, f: Field, place: str, depth: int) -> list[str]:
         """Lines that multiply a member of the parameters where it is a mass or an inertia."""
@@ -275,22 +275,24 @@ class Draws:
         self._names, self._source, self._attitude = names, source, attitude
         self._place, self._largest = place, largest
 
-    def lines(self, each: Input) -> list[str]:
+    def lines(self, drawn: Input) -> list[str]:
         """Lines that draw one input."""
-        place, source, rule = self._place(each.path), self._source, each.rule
+        place, source, rule = self._place(drawn.path), self._source, drawn.rule
         if rule is Draw.ATTITUDE:
             return [f"draw_attitude({source}, {place}{self._attitude});"]
         if rule is Draw.TURNS:
-            cosine = self._place((*each.path[:-1], test_inputs.COSINE))
-            return [f"draw_turns({source}, {place}, {cosine}, {row_length(self._names, each.shape)});"]
+            cosine = self._place((*drawn.path[:-1], test_inputs.COSINE))
+            return [f"draw_turns({source}, {place}, {cosine}, {row_length(self._names, drawn.shape)});"]
         if rule in (Draw.REALS, Draw.POWER, Draw.FLAGS):
             what = {Draw.REALS: "reals", Draw.POWER: "powers", Draw.FLAGS: "flags"}[rule]
-            more = "" if rule is Draw.FLAGS else f", {self._largest(each)}"
-            return over_rows(self._names, place, each.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});")
-        given = {
+            more = "" if rule is Draw.FLAGS else f", {self._largest(drawn)}"
+            return over_rows(
+                self._names, place, drawn.shape, lambda row, n: f"draw_{what}({source}, {row}, {n}{more});"
+            )
+        values = {
             Draw.ORDER: f"draw_order({source})",
             Draw.STEP: f"draw_step({source})",
             Draw.SHARE: f"draw_share({source})",
-            Draw.FACTOR: f"draw_factor({source}, {self._largest(each)})",
+            Draw.FACTOR: f"draw_factor({source}, {self._largest(drawn)})",
         }
-        return [f"{place} = {given[rule]};"]
+        return [f"{place} = {values[rule]};"]

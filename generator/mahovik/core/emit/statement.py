@@ -40,7 +40,7 @@ class Statements:
         self._constant = {id(a.variable): a.direction == "in" for a in structs}
         local = [s for s in statements(function.body) if isinstance(s, Let | Declare)]
         loops = [s.index for s in statements(function.body) if isinstance(s, Loop)]
-        counted = Counter(each.name for each in (*(a.variable for a in function.arguments), *loops))
+        counted = Counter(variable.name for variable in (*(a.variable for a in function.arguments), *loops))
         counted.update(s.variable.name for s in local)
         self._twice = {name for name, count in counted.items() if count > 1}
         self._fresh = FreshNames(counted)
@@ -141,7 +141,7 @@ class Statements:
             case Return(value):
                 return self._line(f"return {text(value)};", indent, "")
             case of.Block(body):
-                if any(isinstance(each, Let | Declare) and each.variable.name in self._twice for each in body):
+                if any(isinstance(inner, Let | Declare) and inner.variable.name in self._twice for inner in body):
                     return [f"{indent}{{", *self._block(body, indent + _STEP), f"{indent}}}"]
                 return self._block(body, indent)
             case Loop():

@@ -24,8 +24,8 @@ def statuses(names: Names, layout: Layout, part: Program | None) -> list[tuple[s
         "rank": _power(decided.rank),
         "lengths": ", ".join(_lengths(layout)),
     }
-    result = [each for each in STATUSES if each.name in occurring]
-    return [(names.constant(each.name), each.value, each.meaning.format(**words)) for each in result]
+    result = [s for s in STATUSES if s.name in occurring]
+    return [(names.constant(s.name), s.value, s.meaning.format(**words)) for s in result]
 
 
 def _lengths(layout: Layout) -> Iterator[str]:

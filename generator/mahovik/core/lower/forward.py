@@ -10,7 +10,7 @@ from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.freedoms import place_of
 from mahovik.core.lower.hold import write_twist
 from mahovik.core.lower.library import Library
-from mahovik.core.program.expression import Given, Status
+from mahovik.core.program.expression import Present, Status
 from mahovik.core.program.kernel import BAD_ARGUMENT, OK, Reals, inline, local, reals, record, result
 from mahovik.core.program.vector import cross
 
@@ -52,11 +52,11 @@ def check_inputs(
         lib["check_state"](x)
     if turns:
         sine, cosine = turns
-        if Given(sine):
-            if not Given(cosine):
+        if Present(sine):
+            if not Present(cosine):
                 return BAD_ARGUMENT
             lib["check_turns"](sine, cosine)
-        elif Given(cosine):
+        elif Present(cosine):
             return BAD_ARGUMENT
     if lib.layout.stream:
         lib["within"](table.stream, 3, lib.limit("MAX_VELOCITY"))
@@ -148,7 +148,7 @@ def all_turns(lib: Library, x: Any, given: Any) -> Any:
     sine, cosine = given
     sines = reals(lib.layout.count)
     cosines = reals(lib.layout.count)
-    if Given(sine):  # the phases of x are checked, but not used
+    if Present(sine):  # the phases of x are checked, but not used
         for s in range(lib.layout.count):
             sines[s] = sine[s]
             cosines[s] = cosine[s]

@@ -17,7 +17,7 @@ from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.symbolic import formula
-from mahovik.core.program.expression import Given, Status
+from mahovik.core.program.expression import Present, Status
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,
     OK,
@@ -307,7 +307,7 @@ def add_step(lib: Library, torques: bool) -> None:
             return BAD_ARGUMENT
         if not (order == 4 or order == 2):
             return BAD_ARGUMENT
-        if Given(carry):
+        if Present(carry):
             lib["within"](carry.rounding, len(carry.rounding), lib.limit("MAX_ROUNDING"))
         y = record(layout.state)  # state of a stage; then the new state
         total = record(layout.state)  # sum of the rates at the stages
@@ -318,7 +318,7 @@ def add_step(lib: Library, torques: bool) -> None:
             for s in range(N):
                 square = x.phi_dot[s] * x.phi_dot[s]
                 fastest = square if square > fastest else fastest
-        if Given(carry):
+        if Present(carry):
             check_as(RANGE, lib["carry_over"](table, x, total, over, carry, y))
         else:
             lib["advance"](x, total, over, y)

@@ -121,9 +121,9 @@ class Rows:
     coordinates: Coordinates
     six: SixRows | None
 
-    def refuse_blocked(self, given: Iterable[Sequence[float]], source: str) -> None:
+    def refuse_blocked(self, rows: Iterable[Sequence[float]], source: str) -> None:
         """Refuse rows that ask for what the hold blocks, by its direction. Raises MotionError."""
-        longer = [row for row in given if len(row) != self.coordinates.count]
+        longer = [row for row in rows if len(row) != self.coordinates.count]
         if not longer:
             return
         expected = f"expected its freedoms, {', '.join(self.coordinates.in_words)}"
@@ -140,9 +140,9 @@ class Rows:
             return tuple(row)
         return tuple((self.six.along @ np.array(row)).tolist())
 
-    def matrix(self, given: Iterable[Sequence[float]]) -> Array:
+    def matrix(self, rows: Iterable[Sequence[float]]) -> Array:
         """Rows (M, m)."""
-        return np.array([self.of(row) for row in given], dtype=np.float64).reshape(-1, self.coordinates.count)
+        return np.array([self.of(row) for row in rows], dtype=np.float64).reshape(-1, self.coordinates.count)
 
 
 # -- tables ----------------------------------------------------------------------------------------------------------
@@ -201,7 +201,7 @@ def _intervals(raw: Any) -> dict[str, Any]:
 def _path_lists(raw: Any) -> tuple[tuple[str, ...], ...]:
     """Lists of paths. Raises QuantityError."""
     lists = raw if isinstance(raw, list) else [None]
-    if not all(isinstance(each, list) and all(isinstance(path, str) for path in each) for each in lists):
+    if not all(isinstance(paths, list) and all(isinstance(path, str) for path in paths) for paths in lists):
         raise QuantityError(f"expected [[path, path, ..], ..], found {show(raw)}")
     return tuple(map(tuple, lists))
 
@@ -645,10 +645,10 @@ def _task(table: SlewTable, stand: Stand, problems: Problems) -> Task | None:
         if table.task not in tasks:
             problems.add("task", f"unknown {show(table.task)}{suggestion(table.task, tasks, 'the stand has none')}")
         return tasks.get(table.task)
-    given = problems.valid(Task.table(), {"rows": table.rows})
-    if given is None:
+    valid = problems.valid(Task.table(), {"rows": table.rows})
+    if valid is None:
         return None
-    task = Task.of_table(given, name="rows")
+    task = Task.of_table(valid, name="rows")
     check_tasks(problems, (task,), stand.instruments, stand.points)
     return task
 

@@ -15,7 +15,7 @@ class Argument:
     """An argument: `direction` is "in", "out" or "inout"; unit, frame and purpose are for the reader.
 
     `optional`: its address may be null in a call of a public function: then it is "zeros", or it is "missing", which
-    the function sees by `Given`; empty: it may not.
+    the function sees by `Present`; empty: it may not.
     `overlaps`: a result of a public function that may overlap any of its inputs.
     """
 

@@ -17,7 +17,7 @@ from mahovik.core.program.expression import Binary, Compare, Const, Expr, Place,
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Block, Declare, Let, Loop, Set, Statement, Statements, When
 from mahovik.core.program.types import Kind, Struct, numbers
-from mahovik.core.program.walk import called_names, inside, own, statements
+from mahovik.core.program.walk import called_names, direct_expressions, inside, statements
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class _Counter:
         return sum((self._statement(s, bound) for s in body), ZERO)
 
     def _statement(self, s: Statement, bound: dict[str, int]) -> Cost:
-        cost = sum((self._expr(e, bound) for e in own(s)), ZERO)
+        cost = sum((self._expr(e, bound) for e in direct_expressions(s)), ZERO)
         match s:
             case Set(_, value, _, True) if value.kind is Kind.REAL:
                 return cost + Cost(additions=1)

@@ -264,7 +264,7 @@ class BitCast(Unary):
         super().__init__(operand, kind)
 
 
-class Given(Unary):
+class Present(Unary):
     """Is an argument there whose address may be null? The operand is its place."""
 
     __slots__ = ()

@@ -46,8 +46,8 @@ class Function:
             taken = [a.name for a in self.arguments]
             arguments = tuple(v for name, v in zip(self.parameters, arguments, strict=True) if name in taken)
         if len(arguments) == sum(a.optional != "missing" for a in self.arguments):
-            given = iter(arguments)
-            arguments = tuple(Missing() if a.optional == "missing" else next(given) for a in self.arguments)
+            passed = iter(arguments)
+            arguments = tuple(Missing() if a.optional == "missing" else next(passed) for a in self.arguments)
         if len(arguments) != len(self.arguments):
             raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))

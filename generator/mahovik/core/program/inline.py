@@ -14,7 +14,7 @@ from mahovik.core.program.expression import Const, Expr, Place, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import Block, Declare, Do, Let, Loop, Note, Return, Set, Statement, When
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.program.walk import FreshNames, rebuilt, substitution, used_variables, with_blocks, with_own
+from mahovik.core.program.walk import FreshNames, map_expressions, rebuilt, substitution, used_variables, with_blocks
 
 LONGEST = 6
 """Most iterations of a loop that is unrolled."""
@@ -55,18 +55,18 @@ def _flat(body: tuple[Statement, ...], outer: bool = False) -> bool:
     return True
 
 
-def _flat_here(body: tuple[Statement, ...], found: Callable[[str], Function]) -> bool:
+def _gets_flat(body: tuple[Statement, ...], function_of: Callable[[str], Function]) -> bool:
     """Will the body of a loop be flat when functions are copied into it, and its own short loops out?"""
     for s in body:
         match s:
             case Do(call):
-                callee = found(call.signature.name)
+                callee = function_of(call.signature.name)
                 if callee.returns is not None or not is_flat(callee):
                     return False
             case Loop(_, Const(), Const() as stop, inner) if not stop.name and int(stop.value) <= LONGEST:
-                if not _flat_here(inner, found):
+                if not _gets_flat(inner, function_of):
                     return False
-            case When(_, inner, otherwise) if _flat_here(inner, found) and _flat_here(otherwise, found):
+            case When(_, inner, otherwise) if _gets_flat(inner, function_of) and _gets_flat(otherwise, function_of):
                 pass
             case _ if not _flat((s,)):
                 return False
@@ -76,9 +76,9 @@ def _flat_here(body: tuple[Statement, ...], found: Callable[[str], Function]) ->
 class _Body:
     """One function while it is rewritten."""
 
-    def __init__(self, function: Function, found: Callable[[str], Function], reserved: tuple[str, ...]) -> None:
+    def __init__(self, function: Function, function_of: Callable[[str], Function], reserved: tuple[str, ...]) -> None:
         self._function = function
-        self._found = found
+        self._function_of = function_of
         self._fresh = FreshNames((*reserved, *(a.name for a in function.arguments)))
 
     def function(self) -> Function:
@@ -92,7 +92,7 @@ class _Body:
         """An expression; `before` gets what must be done before it: the bodies of the functions that it calls."""
 
         def inline_call(call: Call) -> Expr:
-            if not is_flat(self._found(call.signature.name)):
+            if not is_flat(self._function_of(call.signature.name)):
                 raise TypeError(f"{call.signature.name} is called inside an expression, but cannot be copied there")
             steps, value = self._copy_body(call)
             before.extend(steps)
@@ -111,7 +111,7 @@ class _Body:
                 yield from self._loop(s, meanings)
             case _:
                 before: list[Statement] = []
-                new = with_own(s, lambda e: self._expr(e, meanings, before))
+                new = map_expressions(s, lambda e: self._expr(e, meanings, before))
                 yield from before
                 if isinstance(new, Let | Declare):
                     new = replace(new, variable=self._again(new.variable, meanings))
@@ -126,7 +126,7 @@ class _Body:
         before: list[Statement] = []
         new = tuple([self._expr(argument, meanings, before) for argument in call.arguments])
         yield from before
-        function = self._found(call.signature.name)
+        function = self._function_of(call.signature.name)
         yield from self._fitting(function, new) or (replace(s, call=Call(function.signature, new)),)
 
     def _fitting(self, function: Function, arguments: tuple[Expr, ...]) -> list[Statement]:
@@ -149,7 +149,7 @@ class _Body:
         start, stop = (rebuilt(e, substitution(meanings)) for e in (s.start, s.stop))
         if isinstance(start, Const) and isinstance(stop, Const) and not stop.name:
             turns = range(int(start.value), int(stop.value))
-            if len(turns) <= LONGEST and _flat_here(s.body, self._found):
+            if len(turns) <= LONGEST and _gets_flat(s.body, self._function_of):
                 for turn in turns:
                     yield from self._block(s.body, {**meanings, id(s.index): Const(turn, Kind.INT)})
                 return
@@ -159,7 +159,7 @@ class _Body:
 
     def _copy_body(self, call: Call) -> tuple[list[Statement], Expr | None]:
         """The body of a function at a call, and the value that it returns."""
-        function = self._found(call.signature.name)
+        function = self._function_of(call.signature.name)
         purpose = function.purpose[0].lower() + function.purpose[1:]
         steps: list[Statement] = [Note(f"{function.name}: {purpose}")] if function.returns is None else []
         meanings: dict[int, Expr] = {}

@@ -23,12 +23,12 @@ from mahovik.core.program.expression import (
     Const,
     Convert,
     Expr,
-    Given,
     Missing,
     Negate,
     Not,
     Pair,
     Place,
+    Present,
     Select,
     Status,
     Variable,
@@ -306,7 +306,7 @@ class Transpiler:
                 return f"({text} & {self._mask})" if e.kind is Kind.WORD else text
             case Missing():
                 return "None"
-            case Given(operand=Place(root=root)):
+            case Present(operand=Place(root=root)):
                 return f"({_safe(root.name)} is not None)"
             case Not():
                 return f"(not {self._expr(e.operand)})"

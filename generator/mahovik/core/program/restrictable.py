@@ -18,26 +18,27 @@ from mahovik.core.program.walk import expressions
 
 def restrictable(program: Program) -> frozenset[tuple[str, str]]:
     """(function, argument) of all results of internal functions that lie apart from the function's other arguments."""
-    found = {(f.name, a.name) for f in program.functions if not f.public for a in f.arguments if a.direction != "in"}
+    internal = [f for f in program.functions if not f.public]
+    candidates = {(f.name, a.name) for f in internal for a in f.arguments if a.direction != "in"}
     for caller in reversed(program.functions):  # each comes after all that call it
         for call in _calls(caller):
-            for result in _overlapping(caller, call, found):
-                found.discard((call.signature.name, result))
-    return frozenset(found)
+            for result in _overlapping(caller, call, candidates):
+                candidates.discard((call.signature.name, result))
+    return frozenset(candidates)
 
 
 def _calls(function: Function) -> Iterator[Call]:
     return (e for e in expressions(function.body) if isinstance(e, Call))
 
 
-def _overlapping(caller: Function, call: Call, found: set[tuple[str, str]]) -> Iterator[str]:
+def _overlapping(caller: Function, call: Call, candidates: set[tuple[str, str]]) -> Iterator[str]:
     """Results of a call that may overlap another of its arguments."""
     passed = list(call.pairs)
     for parameter, value in passed:
         if parameter.direction == "in" or not isinstance(value, Place):
             continue
         places = [v for p, v in passed if p is not parameter and isinstance(v, Place) and _by_address(p)]
-        if any(_may_overlap(caller, value, other, found) for other in places):
+        if any(_may_overlap(caller, value, other, candidates) for other in places):
             yield parameter.name
 
 

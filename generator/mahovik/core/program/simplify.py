@@ -22,16 +22,16 @@ from mahovik.core.program.types import Kind, Struct
 from mahovik.core.program.walk import (
     FreshNames,
     blocks,
+    direct_expressions,
     expressions,
     inside,
-    own,
+    map_expressions,
     reachable,
     rebuilt,
     statements,
     substitution,
     used_variables,
     with_blocks,
-    with_own,
 )
 
 Meanings = dict[int, Expr]
@@ -64,7 +64,7 @@ def _used_places(body: Statements) -> Iterator[Place]:
                     whole = isinstance(value, Place) and parameter.direction != "in"
                     yield from list(_places(value))[1 if whole else 0 :]
             case _:
-                yield from (p for e in own(s) for p in _places(e))
+                yield from (p for e in direct_expressions(s) for p in _places(e))
         for inner in blocks(s):
             yield from _used_places(inner)
 
@@ -217,7 +217,7 @@ class _ShortLoops:
     def _statement(self, s: Statement, meanings: Meanings, moved: bool) -> Statements:
         if isinstance(s, Loop):
             return self._loop(s, meanings)
-        new = with_own(s, lambda e: _expr(e, meanings))
+        new = map_expressions(s, lambda e: _expr(e, meanings))
         if isinstance(new, Let) and (number := literal(new.value)) is not None:
             meanings[id(new.variable)] = Const(number, Kind.INT)
             return ()

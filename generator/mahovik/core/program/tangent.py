@@ -23,9 +23,9 @@ from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import (
     FreshNames,
     blocks,
+    direct_expressions,
     expressions,
     inside,
-    own,
     statements,
     used_variables,
     with_blocks,
@@ -469,7 +469,7 @@ def _without_idle(body: Statements, kept: set[int]) -> Statements:
     read = {
         _key(p)
         for s in statements(body)
-        for e in own(s)
+        for e in direct_expressions(s)
         for p in inside(e)
         if isinstance(p, Place) and not (isinstance(s, Set) and _key(p) == _key(s.place))
     }

@@ -7,7 +7,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import loops_of_no_turn
 from mahovik.core.program.statement import Declare, Let, Loop, Statements
 from mahovik.core.program.types import Kind
-from mahovik.core.program.walk import blocks, called_names, inside, own, statements, used_variables
+from mahovik.core.program.walk import blocks, called_names, direct_expressions, inside, statements, used_variables
 
 
 def validate(program: Program) -> None:
@@ -36,7 +36,7 @@ def validate(program: Program) -> None:
 def _check_block(function: Function, body: Statements, scope: dict[str, int]) -> None:
     scope = dict(scope)
     for s in body:
-        for e in own(s):
+        for e in direct_expressions(s):
             for part in inside(e):
                 _check_place(function, part, scope)
         within = scope

@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import Expr, Given, Place, Variable
+from mahovik.core.program.expression import Expr, Place, Present, Variable
 from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Block,
@@ -47,13 +47,13 @@ _BODIES: Mapping[type, tuple[str, ...]] = {
 # ---- statements ----
 
 
-def own(s: Statement) -> tuple[Expr, ...]:
+def direct_expressions(s: Statement) -> tuple[Expr, ...]:
     """The expressions of a statement, without those of the statements inside it."""
     names = _EXPRESSIONS.get(type(s))
     return tuple([getattr(s, name) for name in names]) if names else ()
 
 
-def with_own(s: Statement, part: Callable[[Expr], Expr], **other: Any) -> Statement:
+def map_expressions(s: Statement, part: Callable[[Expr], Expr], **other: Any) -> Statement:
     """The same statement with `part` of each of its own expressions, and with other members that differ."""
     changed: dict[str, Any] = {name: part(getattr(s, name)) for name in _EXPRESSIONS.get(type(s), ())}
     return replace(s, **changed, **other)
@@ -86,7 +86,7 @@ def statements(body: Iterable[Statement]) -> Iterator[Statement]:
 def expressions(body: Iterable[Statement]) -> Iterator[Expr]:
     """Every expression of a body, from the outside in; places that are written are included."""
     for s in statements(body):
-        for e in own(s):
+        for e in direct_expressions(s):
             yield from inside(e)
 
 
@@ -142,7 +142,7 @@ def without_missing(function: Function) -> Function:
     def block(body: Statements) -> Statements:
         statements: list[Statement] = []
         for s in body:
-            if isinstance(s, When) and isinstance(s.condition, Given):
+            if isinstance(s, When) and isinstance(s.condition, Present):
                 statements += block(s.otherwise)
             else:
                 statements.append(with_blocks(s, block))

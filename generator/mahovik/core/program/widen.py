@@ -40,7 +40,16 @@ from mahovik.core.program.refusal import REFUSED
 from mahovik.core.program.simplify import prune
 from mahovik.core.program.statement import Copy, Declare, Do, Let, Loop, Note, Set, Statement, Statements, When
 from mahovik.core.program.types import Field, Kind, Precision, Struct
-from mahovik.core.program.walk import FreshNames, blocks, inside, own, rebuilt, statements, used_variables, with_own
+from mahovik.core.program.walk import (
+    FreshNames,
+    blocks,
+    direct_expressions,
+    inside,
+    map_expressions,
+    rebuilt,
+    statements,
+    used_variables,
+)
 
 BYTES = 64
 """Size of one wide value, bytes: a line of the cache, a register of AVX-512, two of AVX2, four of SSE2 or NEON."""
@@ -57,8 +66,8 @@ class Wide:
 
     def __init__(self, precision: Precision) -> None:
         self.lanes = BYTES * 8 // precision.width
-        here = f"{self.lanes} reals, one a state"
-        self.real = Struct("wide", here, (Field("at", Kind.REAL, (self.lanes,)),))
+        purpose = f"{self.lanes} reals, one a state"
+        self.real = Struct("wide", purpose, (Field("at", Kind.REAL, (self.lanes,)),))
         self.word = Struct("wide_word", f"{self.lanes} words, one a state", (Field("at", Kind.WORD, (self.lanes,)),))
         self._structs: dict[str, Struct] = {}
 
@@ -206,7 +215,7 @@ class _Widening:
         statements: list[Statement] = []
         for s in body:
             match s:
-                case Set(place, value) if where is not None and not self._is_own(place, where):
+                case Set(place, value) if where is not None and not self._is_private(place, where):
                     new = place + value if s.add else value
                     statements.append(Set(place, select(where, new, place), s.comment))
                 case Set(place):
@@ -240,7 +249,7 @@ class _Widening:
                     raise TypeError(f"{self._narrow.name}: {type(s).__name__} under a condition that varies")
         return statements
 
-    def _is_own(self, place: Place, where: Expr) -> bool:
+    def _is_private(self, place: Place, where: Expr) -> bool:
         """May all states set a variable where it has no value yet, or where only states under `where` ever read it?"""
         root = id(place.root)
         return root in self._unset or self._scopes.get(root) is where
@@ -328,7 +337,7 @@ class _Widening:
                 continue
             names = ("body", "otherwise")
             inner = {name: tuple(self._join(body)) for name, body in zip(names, item.bodies, strict=False)}
-            yield with_own(s, lambda e: self._expr(e, None), **inner)
+            yield map_expressions(s, lambda e: self._expr(e, None), **inner)
 
     def _call(self, call: Call) -> Call:
         """The wide form of a function is called."""
@@ -337,7 +346,7 @@ class _Widening:
 
     def _loop(self, stretch: _Stretch) -> Iterator[Statement]:
         """A stretch as a loop over lanes, after what is the same for all and the arrays that it needs."""
-        yield from (with_own(s, lambda e: self._expr(e, None)) for s in stretch.before)
+        yield from (map_expressions(s, lambda e: self._expr(e, None)) for s in stretch.before)
         index = Variable(LANE, Kind.INT)
         outer: list[Statement] = []
         inner: list[Statement] = [Declare(v) for v in self._waiting.pop(id(stretch), [])]
@@ -353,9 +362,9 @@ class _Widening:
                         outer.append(replace(s, variable=self._widen_variable(variable)))
                 case Let(variable, value) if len(self._users[id(variable)]) > 1:
                     outer.append(Declare(self._widen_variable(variable), s.comment))
-                    inner.append(with_own(Set(variable.place, value), lambda e: self._expr(e, index.place)))
+                    inner.append(map_expressions(Set(variable.place, value), lambda e: self._expr(e, index.place)))
                 case _:
-                    inner.append(with_own(s, lambda e: self._expr(e, index.place)))
+                    inner.append(map_expressions(s, lambda e: self._expr(e, index.place)))
         yield from outer
         if all(isinstance(s, Note) for s in inner):
             yield from inner
@@ -427,7 +436,7 @@ Key = tuple[Step, ...]
 
 def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) -> tuple[Statement, ...]:
     """The body of a loop over `lane` with stores of what it reads again at its end; `name`: makes a new name."""
-    if not all(isinstance(s, Let | Set | Note) or not own(s) for s in body):
+    if not all(isinstance(s, Let | Set | Note) or not direct_expressions(s) for s in body):
         return tuple(body)
     scalars = _scalars(body, lane)
     values: dict[Key, Variable] = {}
@@ -446,7 +455,7 @@ def late(body: Sequence[Statement], lane: Variable, name: Callable[[str], str]) 
             values[key] = Variable(name(_name(s.place)), s.place.kind)
             statements.append(Let(values[key], new, s.comment))
         else:
-            statements.append(with_own(s, lambda e: rebuilt(e, leaf)))
+            statements.append(map_expressions(s, lambda e: rebuilt(e, leaf)))
     stores = (Set(place, values[key].place) for key, place in scalars.items() if key in values)
     return (*statements, *stores)
 
@@ -468,7 +477,7 @@ def _scalars(body: Sequence[Statement], lane: Variable) -> dict[Key, Place]:
 
     for s in body:
         target = s.place if isinstance(s, Set) else None
-        for x in (x for e in own(s) for x in inside(e)):
+        for x in (x for e in direct_expressions(s) for x in inside(e)):
             if isinstance(x, Place) and x is not target and (key := key_of(x)) is not None:
                 read_again.add(key)
         if isinstance(s, Set) and (key := key_of(s.place)) is not None:

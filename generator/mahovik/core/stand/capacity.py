@@ -179,7 +179,7 @@ class Capacity:
     envelope   all sums, by facets; its `worst` are the directions in which no more than `direction` is reached
     """
 
-    each: tuple[float | None, ...]
+    limits: tuple[float | None, ...]
     axes: Vec3
     alone: Vec3
     total: float
@@ -202,15 +202,15 @@ def _momentum(flywheel: Flywheel) -> float | None:
     return None if speed is None else float(inertia_about_origin(flywheel)[0, 0]) * speed
 
 
-def _capacity(stand: Stand, each: list[float | None]) -> Capacity:
-    columns = _columns(stand, each)
+def _capacity(stand: Stand, limits: list[float | None]) -> Capacity:
+    columns = _columns(stand, limits)
     capacity = envelope(columns)
     alone = vec3(np.array([capacity.reach(axis) for axis in np.eye(3)]))
     total = float(np.linalg.norm(columns, axis=1).sum())
-    return Capacity(tuple(each), vec3(np.abs(columns).sum(axis=0)), alone, total, capacity.radius, capacity)
+    return Capacity(tuple(limits), vec3(np.abs(columns).sum(axis=0)), alone, total, capacity.radius, capacity)
 
 
-def _columns(stand: Stand, each: list[float | None]) -> Array:
+def _columns(stand: Stand, limits: list[float | None]) -> Array:
     """Spin axes in E1 times the limits (N, 3); zero where there is none."""
     spins = [placed.axes[:, 0] for placed in placed_bodies(stand) if isinstance(placed.body, Flywheel)]
-    return np.array([(limit or 0.0) * spin for limit, spin in zip(each, spins, strict=True)]).reshape(-1, 3)
+    return np.array([(limit or 0.0) * spin for limit, spin in zip(limits, spins, strict=True)]).reshape(-1, 3)

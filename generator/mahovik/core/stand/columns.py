@@ -116,8 +116,8 @@ def numbers(value: Any) -> Iterator[Any]:
         for f in fields(value):
             yield from numbers(getattr(value, f.name))
     elif isinstance(value, tuple | list):
-        for each in value:
-            yield from numbers(each)
+        for entry in value:
+            yield from numbers(entry)
     elif isinstance(value, float | Column):
         yield value
 
@@ -154,7 +154,7 @@ def _with_numbers(change: Callable[[Any], Any], value: Any) -> Any:
     if is_dataclass(value) and not isinstance(value, type):
         return replace(value, **{f.name: _with_numbers(change, getattr(value, f.name)) for f in fields(value)})
     if isinstance(value, tuple | list):
-        return type(value)(_with_numbers(change, each) for each in value)
+        return type(value)(_with_numbers(change, entry) for entry in value)
     return change(value) if isinstance(value, float | Column) else value
 
 

@@ -38,7 +38,7 @@ def content(path: Path, most: int = TEXT) -> bytes:
         opened = path.open("rb")
     except FileNotFoundError:
         suffix = path.suffix or ".toml"
-        near = nearest_name(path.stem, sorted(each.stem for each in path.parent.glob(f"*{suffix}")))
+        near = nearest_name(path.stem, sorted(sibling.stem for sibling in path.parent.glob(f"*{suffix}")))
         meant = "" if near is None else f', did you mean "{path.with_name(f"{near}{suffix}")}"?'
         raise FileNotFoundError(errno.ENOENT, f"no such file{meant}", str(path)) from None
     with opened as file:

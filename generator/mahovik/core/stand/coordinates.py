@@ -60,13 +60,13 @@ class Coordinates:
     @property
     def unit_names(self) -> tuple[str, ...]:
         """Unit of each, in SI; empty for one of a basis."""
-        return tuple({LENGTH: "m", ANGLE: "rad"}.get(each, "") for each in self.dimensions)
+        return tuple({LENGTH: "m", ANGLE: "rad"}.get(dimension, "") for dimension in self.dimensions)
 
     @property
     def groups(self) -> tuple[tuple[int, ...], ...]:
         """Numbers of the coordinates of one unit, by unit."""
         kinds = dict.fromkeys(self.dimensions)
-        return tuple(tuple(k for k, each in enumerate(self.dimensions) if each == kind) for kind in kinds)
+        return tuple(tuple(k for k, dimension in enumerate(self.dimensions) if dimension == kind) for kind in kinds)
 
     @property
     def words(self) -> str:
@@ -81,22 +81,22 @@ def coordinates_of(stand: Stand) -> Coordinates:
     if hold is None:
         return Coordinates(FREE, (LENGTH,) * 3 + (ANGLE,) * 3)
     if not hold.freedoms:
-        found = "no freedoms: clamped, the carrier makes no motion that could be planned"
-        raise StandError([f'{stand.name}: hold: {found}; expected a freedom, such as freedoms = ["yaw"]'])
+        reason = "no freedoms: clamped, the carrier makes no motion that could be planned"
+        raise StandError([f'{stand.name}: hold: {reason}; expected a freedom, such as freedoms = ["yaw"]'])
     if not is_closed(hold):
-        found = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion to be planned"
-        raise StandError([f"{stand.name}: hold: {found}; expected a closed set, of which `mahovik check` tells"])
+        reason = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion to be planned"
+        raise StandError([f"{stand.name}: hold: {reason}; expected a closed set, of which `mahovik check` tells"])
     dimensions = {"slide": LENGTH, "turn": ANGLE, "twist": PLAIN}
     kinds = tuple(dimensions[freedom.kind] for freedom in hold.freedoms)
     return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles), tuple(freedom_words(hold)))
 
 
 def _order(hold: Hold, sequence: Sequence) -> tuple[int, ...]:
-    turns = [k for k, each in enumerate(hold.freedoms) if each.kind == "turn"]
+    turns = [k for k, freedom in enumerate(hold.freedoms) if freedom.kind == "turn"]
     if len(turns) > 1:  # a closed set: all three
         names = TURNS["ship" if sequence == "euler" else sequence]
         turns = [hold.freedoms.index(FREEDOMS[name]) for name in names]
-    return (*(k for k, each in enumerate(hold.freedoms) if each.kind != "turn"), *turns)
+    return (*(k for k, freedom in enumerate(hold.freedoms) if freedom.kind != "turn"), *turns)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,16 +115,16 @@ class SixRows:
         """Rows of a held stand; None for a basis, and where its own rows are six."""
         hold = stand.hold
         assert hold is not None
-        if any(each.kind == "twist" for each in hold.freedoms) or len(hold.freedoms) == len(FREE):
+        if any(freedom.kind == "twist" for freedom in hold.freedoms) or len(hold.freedoms) == len(FREE):
             return None
         turned = [AXES[("roll", "pitch", "yaw").index(name)] for name in TURNS[stand.angles]]
         axes = np.zeros((6, 6))
         axes[:3, :3], axes[3:, 3:] = np.eye(3), np.array(turned).T
-        own = np.array([_direction(each) for each in hold.freedoms]).T
-        inverse = np.linalg.pinv(own)
-        turns = [each for each in hold.freedoms if each.kind == "turn"]
-        plain = all(each in FREEDOMS.values() for each in turns) and (len(turns) < 2 or stand.angles != "euler")
-        return SixRows(inverse @ axes if plain else None, (np.eye(6) - own @ inverse) @ axes)
+        directions = np.array([_direction(freedom) for freedom in hold.freedoms]).T
+        inverse = np.linalg.pinv(directions)
+        turns = [freedom for freedom in hold.freedoms if freedom.kind == "turn"]
+        plain = all(freedom in FREEDOMS.values() for freedom in turns) and (len(turns) < 2 or stand.angles != "euler")
+        return SixRows(inverse @ axes if plain else None, (np.eye(6) - directions @ inverse) @ axes)
 
     def direction(self, rows: Array) -> str | None:
         """Name of the direction along which rows (M, 6) ask for most of what is blocked; None: they ask for none."""

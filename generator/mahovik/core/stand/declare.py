@@ -32,13 +32,13 @@ class Draw:
     def __init__(self, rng: np.random.Generator) -> None:
         self.rng = rng
 
-    def flag(self, given: bool | None) -> bool:
+    def flag(self, fixed: bool | None) -> bool:
         drawn = bool(self.rng.random() < 0.5)  # drawn always, so that one option does not shift the others
-        return drawn if given is None else given
+        return drawn if fixed is None else fixed
 
-    def count(self, given: int | None, most: int) -> int:
+    def count(self, fixed: int | None, most: int) -> int:
         drawn = int(self.rng.integers(most + 1))
-        return drawn if given is None else given
+        return drawn if fixed is None else fixed
 
     def uniform(self, low: float, high: float) -> float:
         return float(self.rng.uniform(low, high))
@@ -267,7 +267,7 @@ class Declared:
                 if spread is not None and spread.late is late:
                     changed[f.name] = spread.add(errors, value)
                 elif not late and isinstance(value, tuple) and value and isinstance(value[0], Declared):
-                    changed[f.name] = tuple(each.with_errors(errors) for each in value)
+                    changed[f.name] = tuple(entry.with_errors(errors) for entry in value)
         return replace(self, **changed)  # type: ignore[type-var]  # every subclass is a dataclass
 
 

@@ -157,8 +157,8 @@ def _eigenvalue(constant: Array, rotors: _Rotors, phases: Array, mean_scale: Arr
     diagonal = np.diag(full)
     if not (diagonal > 0).all() or not np.isfinite(full).all():
         return -np.inf
-    own = 1.0 / np.sqrt(diagonal)
-    scales = (own, np.concatenate([mean_scale, own[6:]]))
+    by_diagonal = 1.0 / np.sqrt(diagonal)
+    scales = (by_diagonal, np.concatenate([mean_scale, by_diagonal[6:]]))
     return min(_least(full * scale[:, None] * scale[None, :]) for scale in scales)
 
 

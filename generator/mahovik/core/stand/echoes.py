@@ -30,8 +30,8 @@ def as_written(raw: Any, unit: str) -> str:
 
 def echo(raw: Any, value: float, unit: str) -> str | None:
     """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
-    own = text_with_unit(raw)
-    return None if own is None else f"{own} ({value:.6g} {unit})"
+    as_typed = text_with_unit(raw)
+    return None if as_typed is None else f"{as_typed} ({value:.6g} {unit})"
 
 
 def list_item(raw: Any, index: int) -> Any:
@@ -115,9 +115,9 @@ class Moments:
 
 def moments_of(raw: Mapping[str, Any]) -> Moments:
     """Moments of inertia of a valid table of a body, as it stands in the file."""
-    given = {key: raw[key] for key in KEYS if key in raw}
-    moments = [unit for unit in map(unit_of, given.values()) if unit]
-    place = ", ".join(f"{key} = {as_written(value, INERTIA.si)}" for key, value in given.items())
+    typed = {key: raw[key] for key in KEYS if key in raw}
+    moments = [unit for unit in map(unit_of, typed.values()) if unit]
+    place = ", ".join(f"{key} = {as_written(value, INERTIA.si)}" for key, value in typed.items())
     return Moments(
         place if place and len(place) <= _LONGEST else KEYS[0], moments[-1] if moments else INERTIA.si, not moments
     )

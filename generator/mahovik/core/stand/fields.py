@@ -82,13 +82,13 @@ def symmetric3(raw: Any, dimension: Dimension, unit: str | None = None) -> Mat3:
         value, unit = split_value_unit(raw, unit)
         return symmetric3(value, dimension, unit)
     if not isinstance(raw, list) or len(raw) != 3:
-        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f"expected three rows of three numbers, or a diagonal of three, found {found}")
+        shape = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected three rows of three numbers, or a diagonal of three, found {shape}")
     if not any(isinstance(item, list) for item in raw):
         return cast(Mat3, _diagonal(vector(raw, (3,), dimension, unit)))
     rows = tuple(numbers_of_row(row, 3, (dimension,) * 3, unit, i) for i, row in enumerate(raw))
-    given = raw if unit is None else {"value": raw, "unit": unit}
-    return cast(Mat3, _symmetric(rows, given, ((dimension,) * 2,) * 2))
+    with_unit = raw if unit is None else {"value": raw, "unit": unit}
+    return cast(Mat3, _symmetric(rows, with_unit, ((dimension,) * 2,) * 2))
 
 
 def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None:
@@ -99,8 +99,8 @@ def matrix6(raw: Any, blocks: Blocks, *, symmetric: bool = False) -> Mat6 | None
     if isinstance(raw, dict):
         raise QuantityError("a 6x6 mixes units (metres and radians), so one unit cannot be for all: write SI numbers")
     if not isinstance(raw, list) or len(raw) != 6:
-        found = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f"expected six rows of six numbers, or a diagonal of six, found {found}")
+        shape = f"{len(raw)} items" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected six rows of six numbers, or a diagonal of six, found {shape}")
     if not any(isinstance(item, list) for item in raw):
         numbers = tuple(_element(raw[i], blocks[i // 3][i // 3], None, f"[{i}]") for i in range(6))
         rows = _diagonal(numbers)
@@ -128,8 +128,8 @@ def numbers_of_row(
         except QuantityError as error:
             raise QuantityError(f"[{i}]: {error}") from None
     if not isinstance(raw, list) or len(raw) != length:
-        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f"[{i}]: expected {length} numbers, found {found}")
+        shape = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"[{i}]: expected {length} numbers, found {shape}")
     return tuple(_element(raw[j], dimensions[j], unit, f"[{i}][{j}]") for j in range(length))
 
 
@@ -282,15 +282,15 @@ def require_bounds(
     raw: Any = None,
 ) -> float:
     """`value` itself, in `unit`. Raises QuantityError if it is out of bounds, with `raw`, the number in the file."""
-    found = echo(raw, value, unit) or f"{repr(value).removesuffix('.0')} {unit}".rstrip()
+    shown = echo(raw, value, unit) or f"{repr(value).removesuffix('.0')} {unit}".rstrip()
     if above is not None and most is not None and not above < value <= most:
-        raise QuantityError(f"{found}: expected above {above:g}, at most {most:g}")
+        raise QuantityError(f"{shown}: expected above {above:g}, at most {most:g}")
     if above is not None and value <= above:
-        raise QuantityError(f"{found} is not above {above:g}")
+        raise QuantityError(f"{shown} is not above {above:g}")
     if least is not None and value < least:
-        raise QuantityError(f"{found} is negative" if least == 0 else f"{found} is below {least:g}")
+        raise QuantityError(f"{shown} is negative" if least == 0 else f"{shown} is below {least:g}")
     if most is not None and value > most:
-        raise QuantityError(f"{found} is above {most:g}")
+        raise QuantityError(f"{shown} is above {most:g}")
     return value
 
 
@@ -337,7 +337,7 @@ def letter(letters: tuple[str, ...]) -> QuantityValidator:
             raise QuantityError(f"expected one of {' '.join(letters)}, found {show(raw)}")
         return letters.index(raw)
 
-    return validator(read, write=letters.__getitem__, words=tuple((each, i) for i, each in enumerate(letters)))
+    return validator(read, write=letters.__getitem__, words=tuple((char, i) for i, char in enumerate(letters)))
 
 
 def one_word(words: Mapping[str, Any], expected: str = "") -> QuantityValidator:

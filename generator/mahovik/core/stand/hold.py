@@ -69,8 +69,8 @@ def _freedoms(raw: Any) -> tuple[Freedom, ...]:
 
 def _basis(raw: Any) -> tuple[Freedom, ...]:
     if not isinstance(raw, list) or not raw:
-        found = "an empty list (freedoms = [] is clamped)" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f"expected rows of six numbers, u v w p q r at u = 1, found {found}")
+        shown = "an empty list (freedoms = [] is clamped)" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f"expected rows of six numbers, u v w p q r at u = 1, found {shown}")
     rows = []
     for i, row in enumerate(raw):
         try:
@@ -120,8 +120,8 @@ class Hold(Declared):
         """The hold of a valid table; None where that is not in order, which is noted."""
         ways = {key: way for key in HoldForm.model_fields if (way := getattr(table, key)) is not None}
         if len(ways) != 1:
-            found = f"{', '.join(ways)} given together" if ways else "it is not said how the carrier can move"
-            note(f'{found}, expected one of {", ".join(HoldForm.model_fields)}, such as freedoms = ["yaw"]')
+            fault = f"{', '.join(ways)} given together" if ways else "it is not said how the carrier can move"
+            note(f'{fault}, expected one of {", ".join(HoldForm.model_fields)}, such as freedoms = ["yaw"]')
             return None
         ((key, way),) = ways.items()
         kinds: dict[str, FreedomKind] = {"axis": "turn", "slide": "slide"}
@@ -132,8 +132,8 @@ class Hold(Declared):
         hold = cls(freedoms, table.pivot or ZERO3, table.position, table.angles)
         row = _first_dependent(twists(hold)) if key == "basis" else None  # named freedoms are independent
         if row is not None:
-            others = "row 0" if row == 1 else f"rows 0 to {row - 1}"
-            note("basis", f"row {row} follows from {others}: rows must be independent, leave it out")
+            earlier = "row 0" if row == 1 else f"rows 0 to {row - 1}"
+            note("basis", f"row {row} follows from {earlier}: rows must be independent, leave it out")
             return None
         return hold
 
@@ -177,7 +177,7 @@ def _twist(freedom: Freedom, pivot: Vec3) -> list[Any]:
 def _unit(freedom: Freedom) -> list[float]:
     """Direction of length 1 of what slides or turns."""
     most = max(map(abs, freedom.direction))  # squares neither overflow nor vanish
-    x, y, z = (each / most for each in freedom.direction)
+    x, y, z = (component / most for component in freedom.direction)
     length = math.sqrt(x * x + y * y + z * z)  # the same bits on every machine
     return [x / length, y / length, z / length]
 
@@ -237,7 +237,7 @@ def find_freedom(hold: Hold, name: str | None) -> int:
     if name in numbers:
         return numbers.index(name)
     if name not in names:
-        where = f"; {found}" if (found := numbers_in_words(hold)) else ""
+        where = f"; {numbered}" if (numbered := numbers_in_words(hold)) else ""
         raise QuantityError(f"{show(name)} is no freedom of this hold{suggestion(name, names)}{where}")
     return names.index(name)
 
@@ -247,13 +247,13 @@ def coordinate_problem(hold: Hold, freedom: int) -> str | None:
 
     The angle about an axis is one where nothing else turns, the way along a direction where nothing turns it.
     """
-    own = hold.freedoms[freedom]
-    turns = [each for each in hold.freedoms if each.kind == "turn"]
-    if own.kind == "twist":
+    wanted = hold.freedoms[freedom]
+    turns = [turn for turn in hold.freedoms if turn.kind == "turn"]
+    if wanted.kind == "twist":
         return "a freedom of a basis has no coordinate"
-    if own.kind == "turn" and len(turns) > 1:
+    if wanted.kind == "turn" and len(turns) > 1:
         return "where several freedoms turn, none has an angle of its own"
-    if own.kind == "slide" and any(each.direction != own.direction for each in turns):
+    if wanted.kind == "slide" and any(turn.direction != wanted.direction for turn in turns):
         return "where another freedom turns its direction, what slides has no coordinate of its own"
     return None
 

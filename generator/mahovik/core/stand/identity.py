@@ -48,9 +48,9 @@ def identities(stand: Stand) -> Identities:
         numbers |= law.content(stand.law(law))
     body_of = {body.name: body for body in stand.bodies}
     for body in (numbers["carrier"], *numbers["instruments"], *numbers["flywheels"]):
-        given = {type(law): _without_defaults(law) for law in body_of[body["name"]].laws if isinstance(law, BodyLaw)}
+        laws = {type(law): _without_defaults(law) for law in body_of[body["name"]].laws if isinstance(law, BodyLaw)}
         del body["laws"]
-        body |= {law.key: given.get(law) for law in body_laws() if law in given or not law.optional}
+        body |= {law.key: laws.get(law) for law in body_laws() if law in laws or not law.optional}
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))

@@ -104,7 +104,7 @@ class BodyLaw(Law):
         """What a state may set, by name of its table."""
         return {}
 
-    def actuated(self, given: Mapping[str, float]) -> Self:
+    def actuated(self, deflections: Mapping[str, float]) -> Self:
         """The law with what a state sets, by name of its table."""
         return self
 
@@ -135,8 +135,8 @@ class CarrierLaw(Law):
         if cls.item is None:
             result = [cls.of_table(table) for table in tables]
         else:
-            given = {name: getattr(header, name) for name in cls.header if header is not None}
-            result = [cls(*given.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
+            shared = {name: getattr(header, name) for name in cls.header if header is not None}
+            result = [cls(*shared.values(), tuple(map(cls.item.of_table, tables)))]  # type: ignore[call-arg]  # its list
         return next((law for law in result if law.acts), None)
 
     @classmethod

@@ -58,8 +58,8 @@ def tables() -> dict[str, type[Table]]:
 @cache
 def arrays() -> dict[str, type[Table]]:
     """Arrays of tables [[key]] by key: bodies, points, laws between E0 and the carrier, those mounted on bodies."""
-    own = [law for law in carrier_laws() if not issubclass(law, HeldLaw)]
-    of_laws = {law.key: law.item.table() for law in (*own, *mounted_laws()) if law.item is not None}
+    declared = [law for law in carrier_laws() if not issubclass(law, HeldLaw)]
+    of_laws = {law.key: law.item.table() for law in (*declared, *mounted_laws()) if law.item is not None}
     bodies = {"instrument": body_table(Instrument), "flywheel": body_table(Flywheel)}
     parts_of_laws = {key: part.table() for law in carrier_laws() for key, part in law.made_of.items()}
     return {**bodies, "point": Point.table(), **of_laws, **parts_of_laws}

@@ -222,5 +222,5 @@ def grade(velocity: float) -> str:
     """The finest grade that admits this eccentricity times speed, m/s: "G 6.3"; "-" without static unbalance."""
     if velocity == 0.0:
         return "-"
-    result = next((each for each in GRADES if 1e3 * velocity <= each * (1.0 + _ROUNDING)), None)
+    result = next((g for g in GRADES if 1e3 * velocity <= g * (1.0 + _ROUNDING)), None)
     return f"above G {GRADES[-1]:g}" if result is None else f"G {result:g}"

@@ -175,9 +175,9 @@ class WithLaws:
         """The data of one law; None where it does not act."""
         return next((law for law in self.laws if isinstance(law, kind)), None)
 
-    def with_laws(self, *given: Law) -> Self:
-        """A copy with the given laws instead of its own of the same kinds."""
-        kinds = {type(law): law for law in (*self.laws, *given)}
+    def with_laws(self, *laws: Law) -> Self:
+        """A copy with these laws instead of its own of the same kinds."""
+        kinds = {type(law): law for law in (*self.laws, *laws)}
         return replace(self, laws=tuple(kinds.values()))
 
     def without_laws(self, *kinds: type[Law]) -> Self:
@@ -373,8 +373,8 @@ def _component(raw: Any) -> Component:
 def _items(raw: Any, read: Callable[[Any], Any]) -> Iterator[Any]:
     """The items of a list that is not empty, each read; QuantityError names the place."""
     if not isinstance(raw, list) or not raw:
-        found = "an empty list" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected a list of rows such as ["wx", "wy", "wz"], found {found}')
+        shown = "an empty list" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected a list of rows such as ["wx", "wy", "wz"], found {shown}')
     for i, item in enumerate(raw):
         try:
             yield read(item)

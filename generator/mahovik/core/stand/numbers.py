@@ -178,7 +178,7 @@ def _below(place: Any, way: Way, steps: list[str], path: str) -> Iterator[Way]:
         return
     if not isinstance(place, dict):
         raise UsageError(f"{path}: {show(place)} has no keys, so there is no {show(step)} in it")
-    for key in [each for each in place if fnmatchcase(each, step)] if "*" in step else [step]:
+    for key in [name for name in place if fnmatchcase(name, step)] if "*" in step else [step]:
         pairs = [rest]
         if rest and (rest[0].isdigit() or rest[0] == "*"):
             if key == "inertia" and key not in place:
@@ -211,15 +211,15 @@ def _write_out(place: dict[str, Any], key: str, inside: list[str]) -> None:
         value = _with_unit(value["value"], value["unit"])
     if not isinstance(value, list):
         return
-    if len(inside) > 1 and inside[1].isdigit() and not any(isinstance(each, dict | list) for each in value):
-        value = [[each if i == k else 0 for k in range(len(value))] for i, each in enumerate(value)]
+    if len(inside) > 1 and inside[1].isdigit() and not any(isinstance(entry, dict | list) for entry in value):
+        value = [[entry if i == k else 0 for k in range(len(value))] for i, entry in enumerate(value)]
     place[key] = value
 
 
 def _with_unit(value: Any, unit: str | list[str]) -> Any:
     if isinstance(unit, list):  # of a curve: one of each column
-        return [[_with_unit(each, of) for each, of in zip(row, unit, strict=True)] for row in value]
-    return [_with_unit(each, unit) for each in value] if isinstance(value, list) else f"{value} {unit}"
+        return [[_with_unit(number, of) for number, of in zip(row, unit, strict=True)] for row in value]
+    return [_with_unit(number, unit) for number in value] if isinstance(value, list) else f"{value} {unit}"
 
 
 def unbalance_of(wheel: Flywheel) -> dict[str, Any]:
@@ -327,7 +327,7 @@ class StandNumbers:
 
     def __iter__(self) -> Iterator[StandNumber]:
         """Every number once, those of zeros that the file leaves out too; in the order of the file's tables."""
-        once = {each.path: each for each in self._found.values() if isinstance(each, StandNumber)}
+        once = {number.path: number for number in self._found.values() if isinstance(number, StandNumber)}
         return iter(once.values())
 
     def find(self, pattern: str) -> list[StandNumber]:
@@ -337,11 +337,11 @@ class StandNumbers:
         are left out. Raises UsageError.
         """
         steps = steps_of(pattern)
-        matching = {at: each for at, each in self._found.items() if self._matches(steps, at)}
+        matching = {at: entry for at, entry in self._found.items() if self._matches(steps, at)}
         numbers = {
-            each.path: each
-            for at, each in matching.items()
-            if isinstance(each, StandNumber) and (len(at) == len(steps) or at[:-1] not in matching)
+            entry.path: entry
+            for at, entry in matching.items()
+            if isinstance(entry, StandNumber) and (len(at) == len(steps) or at[:-1] not in matching)
         }
         if not numbers:
             reasons = (reason for reason in matching.values() if isinstance(reason, str))
@@ -355,10 +355,10 @@ class StandNumbers:
             len(at) >= len(steps)
             and (not rest or (len(rest) == 1 and rest[0].isdigit()))
             and all(
-                fnmatchcase(own, step) and (own.isdigit() or at[: k + 1] in self._written)
+                fnmatchcase(name, step) and (name.isdigit() or at[: k + 1] in self._written)
                 if "*" in step
-                else own == step
-                for k, (own, step) in enumerate(zip(at, steps, strict=False))
+                else name == step
+                for k, (name, step) in enumerate(zip(at, steps, strict=False))
             )
         )
 
@@ -370,7 +370,7 @@ class StandNumbers:
             if at and not inside:
                 reason = self._found[at]
                 return reason if isinstance(reason, str) else f"{path_of(at)} is one number; expected no more after it"
-            matching = [each for each in inside if (fnmatchcase(each, step) if "*" in step else each == step)]
+            matching = [name for name in inside if (fnmatchcase(name, step) if "*" in step else name == step)]
             if matching:
                 at = (*at, matching[0])
             elif at and inside[0].isdigit():
@@ -385,7 +385,7 @@ class StandNumbers:
             return f"matches no number of {self._stand.name}"
         inside = self._inside(at)
         if inside[0].isdigit():
-            *_, example = (each.path for each, _ in zip(self._numbers_below(at), range(2), strict=False))
+            *_, example = (name.path for name, _ in zip(self._numbers_below(at), range(2), strict=False))
             return f"expected an element of the matrix, such as {example}"
         key = "mass" if "mass" in inside else inside[0]
         return f"is a table; expected the path of a number, such as {path_of((*at, key))}"
@@ -409,7 +409,7 @@ class StandNumbers:
     def with_values(self, values: Mapping[StandNumber, float]) -> dict[str, Any]:
         """A copy of the document with other numbers, SI. Raises UsageError, StandError."""
         document = self.written_out(values)
-        put(document, {each.path: value for each, value in values.items()})
+        put(document, {number.path: value for number, value in values.items()})
         return document
 
     def mass(self, name: str) -> float:
@@ -452,9 +452,9 @@ class StandNumbers:
         def add(places: tuple[int, ...], x: float, **more: Any) -> None:
             steps = (*at, *map(str, places))
             i, j = (*sorted(places), 0, 0)[:2] if key in _SYMMETRIC else (*places, *places, 0, 0)[:2]
-            own = dimension[i // 3][j // 3] if isinstance(dimension, tuple) else dimension
+            unit = dimension[i // 3][j // 3] if isinstance(dimension, tuple) else dimension
             more |= {"element": (i, j)} if key in _SYMMETRIC and len(places) == 2 else {}
-            self._found[steps] = StandNumber(path_of(steps), at[0], key, own, x, **more)
+            self._found[steps] = StandNumber(path_of(steps), at[0], key, unit, x, **more)
 
         if value is None:
             self._found[at] = f"the file of {self._stand.name} has no {path_of(at)} to vary"
@@ -480,8 +480,8 @@ class StandNumbers:
         if any(key in raw for key in _BY_TENSOR):
             wheel = next(flywheel for flywheel in self._stand.flywheels if flywheel.name == name)
             return {key: exact(value) for key, value in unbalance_of(wheel).items()}
-        given: Mapping[str, Any] = raw.get("unbalance", {})
-        return given
+        table: Mapping[str, Any] = raw.get("unbalance", {})
+        return table
 
 
 def _is_array(value: Any) -> bool:

@@ -35,14 +35,14 @@ UNITS = {"mass": "kg", "center_of_mass": "m", "inertia": INERTIA.si, "position":
 def check_size(body: Body, where: str, problems: Problems, moments: Moments | None = None) -> bool:
     """Note a number of a body that is beyond what the emitted C takes. Whether all are within."""
     shown = moments or Moments()
-    given: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
+    numbers: dict[str, object] = {"mass": body.mass, "center_of_mass": body.center_of_mass, "inertia": body.inertia}
     for kind in body_laws():
-        given |= {key: getattr(law, key) for key in kind.limited if (law := body.law(kind)) is not None}
+        numbers |= {key: getattr(law, key) for key in kind.limited if (law := body.law(kind)) is not None}
     if isinstance(body, Instrument | Flywheel):
-        given["position"] = body.position
+        numbers["position"] = body.position
     if isinstance(body, Carrier | Instrument) and body.added_mass is not None:
-        given["added_mass"] = body.added_mass
-    for key, value in given.items():
+        numbers["added_mass"] = body.added_mass
+    for key, value in numbers.items():
         largest = float(np.abs(np.array(value)).max())
         if largest > LARGEST:
             unit = UNITS.get(key, "in SI")
@@ -136,11 +136,11 @@ def check_stand(stand: Stand, problems: Problems) -> None:
         return
     if np.isfinite(least):
         at = ", ".join(f"{f.name} = {phi:.4g}" for f, phi in zip(stand.flywheels, phases, strict=True))
-        found = f"the eigenvalue {least:.3g}{' at phases ' + at if at else ''}"
+        defect = f"the eigenvalue {least:.3g}{' at phases ' + at if at else ''}"
     else:
-        found = "a zero on its diagonal, or overflows"
+        defect = "a zero on its diagonal, or overflows"
     problems.add(
-        f"mass matrix of the whole stand, scaled to unit diagonal, has {found}, "
+        f"mass matrix of the whole stand, scaled to unit diagonal, has {defect}, "
         f"expected eigenvalues of at least {LEAST_EIGENVALUE:g}: some motion has no inertia"
     )
 
@@ -152,11 +152,11 @@ def _check_basis(stand: Stand, problems: Problems) -> None:
     with np.errstate(all="ignore"):
         condition = condition_of_twists(stand, twists(stand.hold))
     if condition > MOST_CONDITION:
-        found = f"condition {condition:.2g}" if np.isfinite(condition) else "a condition that no double can tell"
+        shown = f"condition {condition:.2g}" if np.isfinite(condition) else "a condition that no double can tell"
         problems.add(
             "hold",
             "basis",
-            f"rows are nearly dependent, by masses and inertias as units they have {found}, expected at most "
+            f"rows are nearly dependent, by masses and inertias as units they have {shown}, expected at most "
             f"{MOST_CONDITION:g}: say the same motions by rows that differ more, such as by the difference of two rows "
             "in place of one of them",
         )

@@ -40,9 +40,9 @@ def _depths(raw: Any) -> tuple[float, ...]:
 
 def _velocities(raw: Any) -> tuple[Vec3, ...]:
     """A list of velocities (3)."""
-    if not isinstance(raw, list) or not all(isinstance(each, list | dict) for each in raw):
+    if not isinstance(raw, list) or not all(isinstance(row, list | dict) for row in raw):
         raise QuantityError(f"expected a list of velocities such as [[0.5, 0, 0], [0.1, 0, 0]], found {show(raw)}")
-    return tuple(vec3(each, units.VELOCITY) for each in raw)
+    return tuple(vec3(row, units.VELOCITY) for row in raw)
 
 
 class _OneVelocityADepth(Table):
@@ -84,8 +84,8 @@ class StreamProfile(Declared):
 def _check_ranges(note: Note, depth: Sequence[float], velocity: Sequence[Vec3], stream: Vec3) -> None:
     """Note velocities (m/s), alone and with `stream`, and shears (1/s) beyond the ranges of the C."""
     fastest, steepest = BOUNDS["MAX_VELOCITY"].value, BOUNDS["MAX_SPEED"].value
-    for k, each in enumerate(velocity):
-        alone, whole = (max(map(abs, v)) for v in (each, [a + b for a, b in zip(each, stream, strict=True)]))
+    for k, row in enumerate(velocity):
+        alone, whole = (max(map(abs, v)) for v in (row, [a + b for a, b in zip(row, stream, strict=True)]))
         if max(alone, whole) > fastest:
             what = f"{alone:g} m/s" if alone > fastest else f"{whole:g} m/s with `stream`"
             note(f"velocity[{k}]", f"expected components of at most {fastest:g} m/s, found {what}")
@@ -93,5 +93,5 @@ def _check_ranges(note: Note, depth: Sequence[float], velocity: Sequence[Vec3], 
     for k, ((top, bottom), (above, below)) in enumerate(stations):
         change = max(abs(b - a) for a, b in zip(above, below, strict=True))
         if change > steepest * (bottom - top):
-            found = f"found {change:g} m/s in {bottom - top:g} m"
-            note(f"velocity[{k + 1}]", f"expected at most {steepest:g} (m/s)/m, {found}")
+            shown = f"found {change:g} m/s in {bottom - top:g} m"
+            note(f"velocity[{k + 1}]", f"expected at most {steepest:g} (m/s)/m, {shown}")

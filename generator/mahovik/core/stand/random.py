@@ -97,12 +97,12 @@ def random_stand(
     )
     instruments = tuple(
         Instrument(
-            **draw.body(each, 2.0, 0.08, fluid, inputs),
+            **draw.body(flywheel, 2.0, 0.08, fluid, inputs),
             added_mass=draw.added_mass(0.8) if fluid and rng.random() < 0.5 else None,
             position=draw.vec3(0.25),
             angles=draw.vec3(1.0),
         )
-        for each in names
+        for flywheel in names
     )
     wheels = tuple(
         Flywheel(
@@ -166,13 +166,13 @@ def _tasks_generator(rng: np.random.Generator) -> np.random.Generator:
 
 
 def _tasks(
-    rng: np.random.Generator, given: int | None, instruments: tuple[Instrument, ...], points: tuple[Point, ...]
+    rng: np.random.Generator, count: int | None, instruments: tuple[Instrument, ...], points: tuple[Point, ...]
 ) -> tuple[Task, ...]:
     """Tasks of random independent rows, of O1 and of instruments and points."""
     places = places_of(instruments, points)
     frames = ["", *places]
     tasks = []
-    for k in range(Draw(rng).count(given, 1)):
+    for k in range(Draw(rng).count(count, 1)):
         task = Task(f"t{k + 1}", ())
         most = int(rng.integers(1, 7))
         while len(task.rows) < most:
@@ -199,14 +199,14 @@ class _Bodies(Draw):
         J = np.einsum("k,kij->ij", parts, np.einsum("ki,ki->k", arms, arms)[:, None, None] * np.eye(3))
         J = J - np.einsum("k,ki,kj->ij", parts, arms, arms)
         J = (J + J.T) / 2
-        own = Size(total, size, mass)
+        extent = Size(total, size, mass)
         return {
             "name": name,
             "mass": total,
             "center_of_mass": (float(center[0]), float(center[1]), float(center[2])),
             "inertia": cast(Mat3, rows(J)),
             "inertia_about": "center_of_mass" if about_center else "origin",
-            "laws": tuple(law for kind in body_laws() if fluid and (law := kind.random_with(self, own)) is not None),
+            "laws": tuple(law for kind in body_laws() if fluid and (law := kind.random_with(self, extent)) is not None),
             "wrench_input": inputs and bool(rng.random() < 0.6),
         }
 
@@ -276,7 +276,7 @@ def along_freedoms(stand: Stand, state: State, rng: np.random.Generator) -> Stat
     if stand.hold is None:
         return state
     S = twists(stand.hold).T.tolist()
-    given: dict[str, Any] = {}
+    changes: dict[str, Any] = {}
     for key, symbol in (("u", "V"), ("u_dot", "V_dot")):
         wanted = getattr(state, symbol)
         rates = [sum(map(mul, column, wanted)) / sum(map(mul, column, column)) for column in S]
@@ -284,8 +284,8 @@ def along_freedoms(stand: Stand, state: State, rng: np.random.Generator) -> Stat
         excess = max(abs(x) / most for x, most in zip(moved, cycle(limits_of(symbol)), strict=False))
         if excess > 1.0:
             rates = [x / excess * (1.0 - 1e-9) for x in rates]
-        given |= {key: tuple(rates), symbol: twist_of(stand.hold, rates)}
-    return replace(state, **given)
+        changes |= {key: tuple(rates), symbol: twist_of(stand.hold, rates)}
+    return replace(state, **changes)
 
 
 def within_profile(stand: Stand, state: State, rng: np.random.Generator) -> State:

@@ -121,19 +121,19 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if tasks and "hold" in document:
         problems.add("task", "tasks of a carrier with [hold] are not there yet: expected one without the other")
     if physics:
-        check_tasks(problems, tasks, tuple(each.body for each in instruments), points)
+        check_tasks(problems, tasks, tuple(entry.body for entry in instruments), points)
         bodies: list[_ReadBody[Any]] = [*carriers, *instruments, *flywheels]
-        for each in bodies:
-            advice = thin_disc(each.table, each.moments) if isinstance(each.table, FlywheelForm) else ""
-            physical.check_body(each.body, each.where, problems, each.moments, advice)
+        for entry in bodies:
+            advice = thin_disc(entry.table, entry.moments) if isinstance(entry.table, FlywheelForm) else ""
+            physical.check_body(entry.body, entry.where, problems, entry.moments, advice)
     if problems.lines or header is None:
         raise StandError(problems.lines)
     stream = ZERO3 if header.stream is None and profile is not None else header.stream
     stand = Stand(
         **vars(Header.of_table(header, stream=stream)),
         carrier=carriers[0].body,
-        instruments=tuple(each.body for each in instruments),
-        flywheels=tuple(each.body for each in flywheels),
+        instruments=tuple(entry.body for entry in instruments),
+        flywheels=tuple(entry.body for entry in flywheels),
         points=points,
         tasks=tasks,
         hold=hold,
@@ -201,9 +201,9 @@ def _bodies(
     bodies = []
     for where, raw, table in items:
         name, moments = getattr(table, "name", "carrier"), moments_of(raw)
-        given = {law: getattr(table, law.key) for law in body_laws() if not law.mounted}
-        laws: list[Law | None] = [law.read(own) for law, own in given.items() if own is not None]
-        laws += [law.read_mounted([each for each in own if each.mount == name]) for law, own in mounted.items()]
+        raw_laws = {law: getattr(table, law.key) for law in body_laws() if not law.mounted}
+        laws: list[Law | None] = [law.read(raw_law) for law, raw_law in raw_laws.items() if raw_law is not None]
+        laws += [law.read_mounted([item for item in items if item.mount == name]) for law, items in mounted.items()]
         acting = tuple(law for law in laws if law is not None)
         body = kind.read(table, partial(problems.add, where), moments, name=name, laws=acting)
         if body is not None:

@@ -56,7 +56,7 @@ def _places_of_tasks(stand: Stand) -> Iterator[Any]:
 def _samples(value: Any, n: int) -> Array:
     """Numbers of all samples (n), vectors (n, 3) or matrices (n, 3, 3)."""
     if isinstance(value, tuple | list):
-        return np.stack([_samples(each, n) for each in value], axis=1)
+        return np.stack([_samples(entry, n) for entry in value], axis=1)
     return values_of(value, n)
 
 
@@ -78,12 +78,12 @@ def _possible(body: Body, n: int) -> Flags:
 
 def _tensors(body: Body, n: int) -> tuple[Array, Array, Array]:
     """Inertia about the origin (n, 3, 3), about the centre of mass, and the size of both (n)."""
-    m, c, given = _samples(body.mass, n), _samples(body.center_of_mass, n), _samples(body.inertia, n)
+    m, c, typed = _samples(body.mass, n), _samples(body.center_of_mass, n), _samples(body.inertia, n)
     outer = c[:, :, None] * c[:, None, :]
     shift = m[:, None, None] * (np.trace(outer, axis1=1, axis2=2)[:, None, None] * np.eye(3) - outer)
     about_center = body.inertia_about == "center_of_mass"
-    J, central = (given + shift, given) if about_center else (given, given - shift)
-    return J, central, np.maximum(np.abs(given).max(axis=(1, 2)), np.abs(central).max(axis=(1, 2)))
+    J, central = (typed + shift, typed) if about_center else (typed, typed - shift)
+    return J, central, np.maximum(np.abs(typed).max(axis=(1, 2)), np.abs(central).max(axis=(1, 2)))
 
 
 def _definite(matrices: Array) -> Flags:
@@ -102,7 +102,7 @@ def _moved_everywhere(stand: Stand, n: int) -> Flags:
     for body in stand.bodies:
         m, (_, central, _) = _samples(body.mass, n), _tensors(body, n)
         mount = mount_of(stand, body) if isinstance(body, Flywheel) else None
-        places = (getattr(each, "position", (0.0,) * 3) for each in (body, mount))
+        places = (getattr(placed, "position", (0.0,) * 3) for placed in (body, mount))
         reach = sum(np.linalg.norm(_samples(place, n), axis=1) for place in (body.center_of_mass, *places))
         moment = np.abs(np.diagonal(central, axis1=1, axis2=2)).sum(axis=1) + m * reach**2
         diagonal += np.repeat(np.stack([m, moment], axis=1), 3, axis=1)

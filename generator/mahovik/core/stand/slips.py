@@ -65,14 +65,14 @@ def slips(
 def _unbalances(stand: Stand, speeds: Sequence[float], written: Mapping[str, str]) -> Iterator[str]:
     """Flywheels an order above G 40, unless all are: those of vibration motors and shakers are so on purpose."""
     velocities = [eccentric_velocity(s, speed) for s, speed in zip(stand.flywheels, speeds, strict=True)]
-    found = [k for k, velocity in enumerate(velocities) if 1e3 * velocity > ORDER * USUAL_GRADE]
-    if not found or len(found) == len(velocities):
+    unusual = [k for k, velocity in enumerate(velocities) if 1e3 * velocity > ORDER * USUAL_GRADE]
+    if not unusual or len(unusual) == len(velocities):
         return
-    worst = max(found, key=lambda k: velocities[k])
+    worst = max(unusual, key=lambda k: velocities[k])
     flywheel = stand.flywheels[worst]
     static = 1e6 * flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     words = written.get(flywheel.name) or (f"{static:.4g} g mm" if static < 1e4 else f"{static:.0f} g mm")
-    more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
+    more = f" (and {len(unusual) - 1} more)" if len(unusual) > 1 else ""
     yield (
         f"flywheel {flywheel.name}{more}: a static unbalance of {words} on {flywheel.mass:.4g} kg is "
         f"{grade(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
@@ -87,10 +87,8 @@ def _places(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterato
     for k, placed in enumerate(bodies):
         if not isinstance(placed.body, Carrier):
             kind = "instrument" if isinstance(placed.body, Instrument) else "flywheel"
-            others = np.arange(len(bodies)) != k
-            yield from _outlier(
-                f"{kind} {placed.body.name}", placed.position, mass[others], centers[others], radii[others]
-            )
+            rest = np.arange(len(bodies)) != k
+            yield from _outlier(f"{kind} {placed.body.name}", placed.position, mass[rest], centers[rest], radii[rest])
     mounts = {body.body.name: body for body in bodies}
     for point in stand.points:
         mount = mounts[point.mount]
@@ -135,7 +133,7 @@ def _sizes(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterator
     """
     for k, (placed, radius) in enumerate(zip(bodies, radii, strict=True)):
         body = placed.body
-        others = float(max(radii[:k].max(initial=0.0), radii[k + 1 :].max(initial=0.0)))
+        largest = float(max(radii[:k].max(initial=0.0), radii[k + 1 :].max(initial=0.0)))
         ball = 4.0 / 3.0 * math.pi * (math.sqrt(5.0 / 3.0) * radius) ** 3
         if isinstance(body, Carrier):
             reach = _reach(stand, bodies, placed.center_of_mass)
@@ -145,9 +143,9 @@ def _sizes(stand: Stand, bodies: Sequence[PlacedBody], radii: Array) -> Iterator
                     f"carrier: its radius of gyration is {radius:.3g} m{beside}; it would be lighter than any gas: "
                     "a slip in the unit of its inertia or mass?"
                 )
-        elif 0.0 < ORDER * others < radius:
+        elif 0.0 < ORDER * largest < radius:
             yield (
-                f"{body.name}: its radius of gyration is {radius:.3g} m, {radius / others:.3g} times the largest of "
+                f"{body.name}: its radius of gyration is {radius:.3g} m, {radius / largest:.3g} times the largest of "
                 "the other bodies: a slip in the unit of its inertia or mass?"
             )
         if 0.0 < DENSEST * ball < body.mass:
@@ -177,12 +175,12 @@ def _masses(stand: Stand) -> Iterator[str]:
 
 def _rims(stand: Stand, speeds: Sequence[float], known: Sequence[bool]) -> Iterator[str]:
     """Flywheels whose rim, that of the disc of their mass and spin inertia, is faster than wheels of metal bear."""
-    found = []
+    rims = []
     for flywheel, speed, is_known in zip(stand.flywheels, speeds, known, strict=True):
         if is_known and flywheel.mass:
             radius = math.sqrt(2.0 * float(inertia_about_origin(flywheel)[0, 0]) / flywheel.mass)
-            found.append((radius * abs(speed), radius, abs(speed), flywheel.name))
-    above = [each for each in found if each[0] > FASTEST_RIM]
+            rims.append((radius * abs(speed), radius, abs(speed), flywheel.name))
+    above = [entry for entry in rims if entry[0] > FASTEST_RIM]
     if above:
         rim, radius, speed, name = max(above)
         more = f" (and {len(above) - 1} more)" if len(above) > 1 else ""

@@ -63,12 +63,12 @@ def check_tasks(
         twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
         if twice is not None:
             problems.add(where, "rows", f"{twice} is given twice")
-        elif (found := dependent_rows(task, places)) is not None:
-            new, *others = found
+        elif (dependent := dependent_rows(task, places)) is not None:
+            new, *earlier = dependent
             problems.add(
                 where,
                 "rows",
-                f"{new} follows from {', '.join(others)} at every state: rows of a task must be independent; "
+                f"{new} follows from {', '.join(earlier)} at every state: rows of a task must be independent; "
                 f"leave one of them out",
             )
 
@@ -81,8 +81,8 @@ def places_of(instruments: tuple[Instrument, ...], points: tuple[Point, ...]) ->
         if point.mount in frames:
             origin, axes = frames[point.mount]
             psi, theta, phi = point.angles
-            own = turn(2, psi) @ turn(1, theta) @ turn(0, phi)
-            places[point.name] = (origin + axes @ np.array(point.position), axes @ own)
+            axes_of_point = turn(2, psi) @ turn(1, theta) @ turn(0, phi)
+            places[point.name] = (origin + axes @ np.array(point.position), axes @ axes_of_point)
     return places
 
 

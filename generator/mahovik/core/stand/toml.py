@@ -62,7 +62,7 @@ def text_of(document: Mapping[str, Any], comments: Mapping[str, Sequence[str]]) 
     for key, value in document.items():
         if _is_table(value):
             inner = value and all(map(_is_table, value.values()))
-            for title, table in ((f"{key}.{name}", each) for name, each in value.items()) if inner else [(key, value)]:
+            for title, table in ((f"{key}.{name}", part) for name, part in value.items()) if inner else [(key, value)]:
                 lines += _table(f"[{title}]", title, table, comments)
         else:
             lines += [line for item in _tables(value) for line in _table(f"[[{key}]]", key, item, comments)]

@@ -105,7 +105,7 @@ def readings(unit: str) -> list[str]:
         result = ["rpm", "1/min"]
     product = as_product(unit)
     result += [product, _WEIGHT.sub(r"\1f", product)]
-    return [each for k, each in enumerate(result) if each != unit and each not in result[:k]]
+    return [spelling for k, spelling in enumerate(result) if spelling != unit and spelling not in result[:k]]
 
 
 def as_product(unit: str) -> str:
@@ -117,7 +117,7 @@ def respellings(unit: str) -> list[str]:
     """Units that may be meant by one that does not fit: usual words and another case, of each factor."""
     words = _WORD.sub(lambda match: _WORDS.get(match.group().lower(), match.group().lower()), unit)
     result = [_WORDS.get(unit.lower(), words), words, unit.lower()]
-    return [each for k, each in enumerate(result) if each != unit and each not in result[:k]]
+    return [spelling for k, spelling in enumerate(result) if spelling != unit and spelling not in result[:k]]
 
 
 def hint(unit: str, dimension: str) -> str:

@@ -280,7 +280,7 @@ def _root_of_name(name: str) -> tuple[Fraction, dict[str, int]]:
     registry = _registry()
     try:
         parsed = registry.parse_units(name)
-        plain = all(registry._units[registry.get_name(each)].is_multiplicative for each in parsed._units)
+        plain = all(registry._units[registry.get_name(unit)].is_multiplicative for unit in parsed._units)
         scale, root = registry.get_root_units(parsed)
     except Exception as error:  # pint raises its own, and whatever its tokenizer and evaluator do
         raise QuantityError(f"{show(name)} is not a known unit") from error
@@ -289,7 +289,7 @@ def _root_of_name(name: str) -> tuple[Fraction, dict[str, int]]:
     powers = dict(root._units.items())
     if not all(float(power).is_integer() for power in powers.values()):  # pint's gauss has one by definition
         raise QuantityError(f"unit {show(name)} does not fit")
-    return Fraction(scale), {each: int(power) for each, power in powers.items()}
+    return Fraction(scale), {unit: int(power) for unit, power in powers.items()}
 
 
 @cache

@@ -69,13 +69,13 @@ def build(
     """
     require(target)
     level = optimisation or target.optimisation
-    own = board_files(target)
-    if clash := sorted(own.keys() & sources.keys()):
+    support = board_files(target)
+    if clash := sorted(support.keys() & sources.keys()):
         raise ValueError(f"{', '.join(clash)}: the board has a file of that name")
-    write_all(scratch, {**own, **sources})
+    write_all(scratch, {**support, **sources})
     objects = [
         *(compile_one(target, name, scratch, level, extra) for name in sources if name.endswith(".c")),
-        *(compile_one(target, name, scratch, "-O2", board=True) for name in own if name.endswith((".c", ".S"))),
+        *(compile_one(target, name, scratch, "-O2", board=True) for name in support if name.endswith((".c", ".S"))),
     ]
     program = scratch / "program.elf"
     _run([*target.link, *(o.name for o in objects), *link_flags(target), "-o", program.name], scratch, "linking")

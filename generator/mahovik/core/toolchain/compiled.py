@@ -106,19 +106,19 @@ class CompiledLibrary:
         return ELEMENT[self.source.real]
 
     def arrange(
-        self, function: str, n: int, given: Mapping[str, NDArray[Any]], results: Mapping[str, NDArray[Any]]
+        self, function: str, n: int, inputs: Mapping[str, NDArray[Any]], results: Mapping[str, NDArray[Any]]
     ) -> tuple[list[NDArray[Any]], list[tuple[ArgumentLayout, NDArray[Any]]]]:
         """Memory of all arguments of a function of n states in the order of the C, and that of each result.
 
-        given    memory of inputs, in the order of each; tables are those of the library where none are given, a carry
+        inputs   memory of inputs, in the order of each; tables are those of the library where none are given, a carry
                  that is not given is null
         results  memory of results that the caller has; for the others it is made
         """
         arrays: list[NDArray[Any]] = []
         made = []
         for a, layout in zip(self.functions[function].arguments, self._records[function], strict=True):
-            if a.name in given and a.direction != "out":
-                memory = given[a.name]
+            if a.name in inputs and a.direction != "out":
+                memory = inputs[a.name]
             elif a.name in self.tables:
                 memory = self.tables[a.name]
             elif a.direction == "inout":
@@ -145,7 +145,7 @@ class CompiledLibrary:
 
         Raises ToolchainError.
         """
-        return _found_or_made(self.source, "tables", lambda library, _: self._load_of_tables(library))
+        return _load_or_compile(self.source, "tables", lambda library, _: self._load_of_tables(library))
 
     def _load_of_tables(self, library: Path) -> ArrayLibrary:
         names = [f"{f.name}_of" for f in self.functions.values() if any(a.name in self.tables for a in f.arguments)]
@@ -186,17 +186,17 @@ def compile_library(
     def load(library: Path, facts: Mapping[str, Any]) -> CompiledLibrary:
         return _load(source, library, facts, _kept_numbers(stand, real))
 
-    return _found_or_made(source, kind, load)
+    return _load_or_compile(source, kind, load)
 
 
-def _found_or_made(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
+def _load_or_compile(source: Source, kind: LibraryKind, load: Callable[[Path, Mapping[str, Any]], Loaded]) -> Loaded:
     """Load a library of the store; where it is missing or damaged, compile it, and keep it for others."""
     of, only = structure(source.stand), source.only or ()
     key = store.library_key(of, source.real, source.command, source.parallel, kind, only)
-    found_or_made = store.find(key)
-    if found_or_made is not None:
+    kept = store.find(key)
+    if kept is not None:
         with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
-            return load(*found_or_made)
+            return load(*kept)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
         library, facts = _compile(source, kind, Path(scratch))
@@ -311,7 +311,7 @@ def build(parts: Iterable[Mapping[str, str]], name: str, folder: Path, compiler:
             for file, text in files.items():
                 (folder / file).write_text(text, encoding="ascii", newline="\n")
             under_way += [pool.submit(compile_file, file) for file in files if file.endswith(".c")]
-        objects = [each.result() for each in under_way]
+        objects = [compiling.result() for compiling in under_way]
     library = folder / f"{name}.so"
     try:
         run_compiler([*objects, *SHARED, *openmp, "-o", str(library)], "to link", compiler)
@@ -336,8 +336,8 @@ class ArrayLibrary:
             self._block_bytes = loaded[f"{name}_arrays_block_bytes"] if tables else None
         except (OSError, AttributeError) as error:
             raise ToolchainError(f"{library.name} cannot be loaded: {error}") from error
-        for each in self._calls.values():
-            each.argtypes, each.restype = (ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p), ctypes.c_int
+        for entry in self._calls.values():
+            entry.argtypes, entry.restype = (ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p), ctypes.c_int
         if self._threads is not None:
             self._threads.argtypes, self._threads.restype = (ctypes.c_int,), None
         if self._block_bytes is not None:

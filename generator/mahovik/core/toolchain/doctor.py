@@ -37,7 +37,7 @@ class Finding:
 
     what: str
     serves: str
-    found: str
+    installed: str
     install: str
 
 
@@ -84,8 +84,9 @@ def _extras() -> Iterator[Finding]:
             continue
         names = [line for line in required if re.search(rf"extra == ['\"]{extra}['\"]", line)]
         versions = {name: _distribution(name) for name in (re.split(r"[ ;<>=\[]", line)[0] for line in names)}
-        found = ", ".join(f"{name} {version}" for name, version in versions.items()) if all(versions.values()) else ""
-        yield Finding(f"extra {extra}", ", ".join(versions), found, f"pip install 'mahovik[{extra}]'")
+        complete = all(versions.values())
+        installed = ", ".join(f"{name} {version}" for name, version in versions.items()) if complete else ""
+        yield Finding(f"extra {extra}", ", ".join(versions), installed, f"pip install 'mahovik[{extra}]'")
 
 
 def _distribution(name: str) -> str:

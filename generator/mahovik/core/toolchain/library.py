@@ -222,8 +222,8 @@ class Library:
 def _by_member(value: Any) -> Any:
     """Plain data with the names that members of structs have in C."""
     if isinstance(value, dict):
-        return {member(name): _by_member(each) for name, each in value.items()}
-    return [_by_member(each) for each in value] if isinstance(value, list) else value
+        return {member(name): _by_member(content) for name, content in value.items()}
+    return [_by_member(content) for content in value] if isinstance(value, list) else value
 
 
 def uniform_data(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:

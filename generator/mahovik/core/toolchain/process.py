@@ -86,17 +86,17 @@ def side_by_side() -> Iterator[ThreadPoolExecutor]:
             pool.shutdown(wait=False, cancel_futures=True)
             for process, of in tuple(_running.items()):
                 if stop in of:
-                    _tell(process, signal.SIGTERM)
+                    _signal(process, signal.SIGTERM)
             raise
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
-    _tell(process, signal.SIGTERM)
+    _signal(process, signal.SIGTERM)
     with contextlib.suppress(subprocess.TimeoutExpired):
         process.wait(PATIENCE)
-    _tell(process, signal.SIGKILL)  # what is left of its session
+    _signal(process, signal.SIGKILL)  # what is left of its session
 
 
-def _tell(process: subprocess.Popen[bytes], what: signal.Signals) -> None:
+def _signal(process: subprocess.Popen[bytes], what: signal.Signals) -> None:
     with contextlib.suppress(OSError):
         os.killpg(process.pid, what)

@@ -142,7 +142,7 @@ def _finding(line: str) -> Finding:
 
 def count_by_rule(by_rule: Iterable[Finding]) -> Counter[str]:
     """Number of breaches of each rule."""
-    return Counter(each.rule for each in by_rule)
+    return Counter(breach.rule for breach in by_rule)
 
 
 # -- Frama-C Eva ------------------------------------------------------------------------------------------------------

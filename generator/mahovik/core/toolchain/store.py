@@ -175,5 +175,5 @@ def _forget(place: Path, which: str) -> None:
     """Removes the oldest of too many entries."""
     ages = sorted((path.stat().st_mtime, path) for path in place.glob(which))
     for _, path in ages[:-KEPT]:
-        for each in (path, path.with_suffix(".json")):
-            each.unlink(missing_ok=True)
+        for file in (path, path.with_suffix(".json")):
+            file.unlink(missing_ok=True)

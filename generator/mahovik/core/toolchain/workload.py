@@ -119,14 +119,14 @@ def _label(f: Function, order: int) -> str:
 
 def _log_step(f: Function, names: Names, order: int) -> str:
     """The call of a step with a log; the state and the log are those of the program."""
-    own = {
+    texts = {
         "log": "&log",
         "x": "&logged",
         "table": f"&{names.function('default')}",
         "order": str(order),
         "carry": "NULL",
     }
-    return call(names, f, lambda a: own.get(a.name) or argument_text(a, f"{a.name}[s]"))
+    return call(names, f, lambda a: texts.get(a.name) or argument_text(a, f"{a.name}[s]"))
 
 
 def _call(f: Function, names: Names, order: int) -> str:

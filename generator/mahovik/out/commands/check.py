@@ -210,8 +210,8 @@ def _tools() -> Result:
         "tools on this machine",
         (
             *columns_of(result, {"what": "", "serves": "", "found": ""}),
-            column("install", "", ["" if each.found else each.install for each in result]),
+            column("install", "", ["" if each.installed else each.install for each in result]),
         ),
         rows="tools",
-        ok=bool(result[0].found),
+        ok=bool(result[0].installed),
     )
