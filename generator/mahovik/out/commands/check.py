@@ -209,8 +209,9 @@ def _tools() -> Result:
     return Result(
         "tools on this machine",
         (
-            *columns_of(result, {"what": "", "serves": "", "found": ""}),
-            column("install", "", ["" if each.installed else each.install for each in result]),
+            *columns_of(result, {"what": "", "serves": ""}),
+            column("found", "", [finding.installed for finding in result]),
+            column("install", "", ["" if finding.installed else finding.install for finding in result]),
         ),
         rows="tools",
         ok=bool(result[0].installed),
