@@ -54,7 +54,7 @@ def plain(winding: Winding) -> Periodic:
     """A programme of bench8 that nothing has improved."""
     improver = setting()
     problem = replace(improver.problem, motion=replace(improver.problem.motion, winding=winding))
-    return search(problem, Plain(improver), preflight(problem).bias, 1, Budget(UNTIL)).found[0].motion
+    return search(problem, Plain(improver), preflight(problem).bias, 1, Budget(UNTIL)).programmes[0].motion
 
 
 def improved(improver: Improver, winding: Winding) -> Candidate:

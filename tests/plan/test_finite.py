@@ -43,7 +43,7 @@ def test_bench8_moves_from_rest_to_rest() -> None:
     stand, motion = move()
     model = Problem.of(stand, motion)
     problem = FiniteProblem.from_problem(model)
-    (solved,) = search_finite(problem, preflight(model).bias, 0, Budget(2000)).found
+    (solved,) = search_finite(problem, preflight(model).bias, 0, Budget(2000)).programmes
     assert solved.residual < 1e-7
     table = table_of(problem, solved)
     fine = problem.grid_between_nodes(solved.space, 17)
@@ -115,7 +115,7 @@ def turn(stand: Stand, samples: int, free: bool = True) -> RequiredMotion:
 def solve_finite(required: RequiredMotion, stand: Stand) -> tuple[FiniteProblem, FiniteSolution]:
     problem = Problem.of(stand, required)
     finite = FiniteProblem.from_problem(problem)
-    (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).found
+    (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).programmes
     return finite, solved
 
 

@@ -63,9 +63,9 @@ def write_chunk(campaign: Campaign, folder: Path, number: int) -> None:
         file.write_table(table)
         file.add_key_value_metadata(metadata)
     content = buffer.getvalue()
-    found = hashlib.sha256(content).hexdigest().encode()
+    digest = hashlib.sha256(content).hexdigest().encode()
     with write_synced(chunk_path(folder, number)) as draft:
-        draft.write_bytes(content.replace(_MARK + _ZEROS, _MARK + found))
+        draft.write_bytes(content.replace(_MARK + _ZEROS, _MARK + digest))
 
 
 def _schema(campaign: Campaign) -> Any:

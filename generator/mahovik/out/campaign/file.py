@@ -117,8 +117,8 @@ class Campaign:
     @cached_property
     def units(self) -> dict[str, str]:
         """Units of the columns between `sample` and `error`: the numbers that vary, by path, and the quantities."""
-        varied = {each.number.path: each.number.dimension.si for each in self.draw.varied}
-        return varied | {each.name: each.unit for each in self.quantities}
+        varied = {entry.number.path: entry.number.dimension.si for entry in self.draw.varied}
+        return varied | {entry.name: entry.unit for entry in self.quantities}
 
     @cached_property
     def identity(self) -> dict[str, str]:
@@ -182,7 +182,7 @@ def load_campaign(path: str | Path) -> Campaign:
         raise CampaignError(problems.lines)
     stand = _stand(table.stand, path.parent, problems)
     numbers = StandNumbers(stand, stand.to_dict())
-    draw = read_draw(table.vary, [(each.of, each.coefficient) for each in table.correlation], numbers, problems)
+    draw = read_draw(table.vary, [(entry.of, entry.coefficient) for entry in table.correlation], numbers, problems)
     if not draw.varied and not problems.lines:
         problems.add("vary", "nothing varies; expected a path such as carrier.mass")
     if table.correlation and table.design in IN_BLOCKS:
@@ -191,31 +191,31 @@ def load_campaign(path: str | Path) -> Campaign:
         most = MOST_HELD // len(draw.factors)
         problems.add("samples", f'at most {most} with design "{table.design}"; expected fewer, or another design')
     kind, over = read_over(table.over, problems)
-    taken = {"sample", "error", *(each.number.path for each in draw.varied)}
+    taken = {"sample", "error", *(entry.number.path for entry in draw.varied)}
     quantities = []
-    for each in table.quantity:
-        where = f"quantity {show(each.name)}"
-        if each.name in taken:
+    for entry in table.quantity:
+        where = f"quantity {show(entry.name)}"
+        if entry.name in taken:
             problems.add(where, "is the name of another column; expected another name")
-        taken.add(each.name)
+        taken.add(entry.name)
         try:
-            quantities.append(Quantity.of(each, stand, kind))
+            quantities.append(Quantity.of(entry, stand, kind))
         except (UsageError, QuantityError) as error:
             problems.add(where, str(error))
     if problems.lines:
         raise CampaignError(problems.lines)
-    varied = Stand.from_dict(numbers.written_out(each.number for each in draw.varied), stand.name)
+    varied = Stand.from_dict(numbers.written_out(entry.number for entry in draw.varied), stand.name)
     return Campaign(path, table, document, varied, draw, over, tuple(quantities))
 
 
-def _stand(given: str, folder: Path, problems: Problems) -> Stand:
+def _stand(name: str, folder: Path, problems: Problems) -> Stand:
     """The stand of a file beside the campaign file, or an example. Raises CampaignError, StandError."""
-    if is_file(folder / given):
-        return Stand.of(folder / given)
-    if given in stands.names():
-        return load(stands.path(given))
-    known = [*sorted(each.name for each in folder.glob("*.toml")), *stands.names()]
-    problems.add("stand", f"no stand file {show(given)} beside it, and no such example{suggestion(given, known)}")
+    if is_file(folder / name):
+        return Stand.of(folder / name)
+    if name in stands.names():
+        return load(stands.path(name))
+    known = [*sorted(path.name for path in folder.glob("*.toml")), *stands.names()]
+    problems.add("stand", f"no stand file {show(name)} beside it, and no such example{suggestion(name, known)}")
     raise CampaignError(problems.lines)
 
 

@@ -42,11 +42,11 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
         try:
             return PossibleTables(model.tables(part.given, part.n), kept, dict(sorted(reasons.items())))
         except StandError as error:  # what only the C refuses
-            found = {int(i): _refusal(model, samples.part(kept[k : k + 1])) for k, i in enumerate(kept)}
-            found = {number: reason for number, reason in found.items() if reason}
-            if not found:
+            refusals = {int(i): _refusal(model, samples.part(kept[k : k + 1])) for k, i in enumerate(kept)}
+            refusals = {number: reason for number, reason in refusals.items() if reason}
+            if not refusals:
                 raise error from None
-            reasons |= found
+            reasons |= refusals
 
 
 def _reasons(model: Model, samples: Samples) -> dict[int, str]:
@@ -54,8 +54,8 @@ def _reasons(model: Model, samples: Samples) -> dict[int, str]:
     stand, reasons = Stand.of(model.stand), dict[int, str]()
     with suppress(StandError):  # a path that leads nowhere is no matter of one sample
         change_values(stand, samples.values(0) if samples.n else {})
-    found = variants(stand, model.tables({}, 0).real, samples, reasons)
-    for number in np.flatnonzero(found.doubtful).tolist():
+    tables_of = variants(stand, model.tables({}, 0).real, samples, reasons)
+    for number in np.flatnonzero(tables_of.doubtful).tolist():
         try:
             check_sample(stand, samples, number)
         except (StandError, UsageError) as error:

@@ -76,9 +76,9 @@ class Scene:
         n = start.shape[1]
         self.places = {stand.carrier.name: np.zeros((3, n))}
         self.axes = {stand.carrier.name: np.repeat(np.eye(3)[:, :, None], n, axis=2)}
-        for name, own in zip(sensors(stand), readings.reshape(-1, 24, n), strict=True):
-            self.places[name] = turn(self.C, own[:3] - start[:3], back=True)
-            C = own[3:12].reshape(3, 3, n)
+        for name, numbers in zip(sensors(stand), readings.reshape(-1, 24, n), strict=True):
+            self.places[name] = turn(self.C, numbers[:3] - start[:3], back=True)
+            C = numbers[3:12].reshape(3, 3, n)
             self.axes[name] = np.stack([turn(self.C, C[:, j], back=True) for j in range(3)], axis=1)
 
 
@@ -311,9 +311,9 @@ def band_rms(t: Array, values: Array, band: tuple[float, float]) -> Array:
     """
     every = t[1] - t[0]
     even = int(np.count_nonzero(np.abs(np.diff(t) - every) <= 1e-6 * every)) + 1  # a last moment may be nearer
-    each = np.ascontiguousarray(values[:even].transpose(2, 1, 0))  # a sample by itself, whatever the others are
+    samples = np.ascontiguousarray(values[:even].transpose(2, 1, 0))  # a sample by itself, whatever the others are
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi * (np.arange(even) + 0.5) / even)
-    power = np.abs(np.fft.rfft((each - each.mean(axis=-1, keepdims=True)) * window)) ** 2
+    power = np.abs(np.fft.rfft((samples - samples.mean(axis=-1, keepdims=True)) * window)) ** 2
     power[..., 1 : (even + 1) // 2] *= 2.0
     inside = in_band(np.fft.rfftfreq(even, every), band)
     sums = np.ascontiguousarray(power[..., inside]).sum(axis=-1)
@@ -351,7 +351,7 @@ def cross(a: Array, b: Array) -> Array:
 
 def rotation_vector(start: Array, q: Array) -> Array:
     """Rotation vector (..., 3, n), of length at most pi, from quaternions `start` (4, n) to others (..., 4, n)."""
-    (a, b, c, d), (w, x, y, z) = ([each[..., i, :] for i in range(4)] for each in (start, q))
+    (a, b, c, d), (w, x, y, z) = ([quaternion[..., i, :] for i in range(4)] for quaternion in (start, q))
     real = a * w + b * x + c * y + d * z
     result = np.empty(q[..., 1:, :].shape)
     result[..., 0, :] = a * x - b * w - c * z + d * y

@@ -33,10 +33,10 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
     for reason in filter(None, rows["error"].to_pylist()):
         reasons.setdefault(re.sub(r"[-+.\d]+", "", reason), []).append(reason)  # the numbers of each sample differ
     values = {name: rows[name].to_numpy() for name in rows.column_names if name in campaign.units}
-    figures = [_figures(values[each.name], campaign.design.kind not in IN_BLOCKS) for each in campaign.quantities]
-    names = [each.name for each in campaign.quantities]
-    columns = [column("quantity", "", names), column("unit", "", [each.unit for each in campaign.quantities])]
-    columns += [column(key, "", [each[key] for each in figures]) for key in figures[0]]
+    figures = [_figures(values[q.name], campaign.design.kind not in IN_BLOCKS) for q in campaign.quantities]
+    names = [q.name for q in campaign.quantities]
+    columns = [column("quantity", "", names), column("unit", "", [q.unit for q in campaign.quantities])]
+    columns += [column(key, "", [q[key] for q in figures]) for key in figures[0]]
     meta: dict[str, Any] = {
         "samples": len(rows), "of_samples": campaign.design.samples, "chunks": chunks, "of_chunks": campaign.chunks,
         "without_quantities": sum(map(len, reasons.values())),
@@ -48,7 +48,7 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
             "why samples have no quantities", (column("reason", "", texts), column("samples", "", counts))
         )
     meta["sensitivity"] = _sensitivity(campaign, values)
-    panels = [_histogram(each.name, each.unit, values[each.name]) for each in campaign.quantities]
+    panels = [_histogram(q.name, q.unit, values[q.name]) for q in campaign.quantities]
     return Result(
         f"campaign {campaign.name}: {len(rows)} of {campaign.design.samples} samples", columns, rows="quantities",
         index="quantity", meta=meta, details=("of_samples", "chunks", "of_chunks"), drawings=panels,
@@ -89,7 +89,7 @@ def _sensitivity(campaign: Campaign, values: Mapping[str, Array]) -> Result:
         names: Sequence[str] = campaign.design.factors
         if campaign.design.kind not in IN_BLOCKS:
             known = ~np.isnan(y)
-            used, names = int(known.sum()), [each.number.path for each in campaign.draw.varied if each.factor]
+            used, names = int(known.sum()), [varied.number.path for varied in campaign.draw.varied if varied.factor]
             if used >= 4 * BINS:
                 figures = {"share": np.array([variance_share(values[path][known], y[known]) for path in names])}
         if figures:

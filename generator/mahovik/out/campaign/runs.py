@@ -126,10 +126,10 @@ def runner_of(stand: Stand, over: Any, quantities: Sequence[Quantity], folder: P
         return ByStand(stand, _steady(stand, over, quantities))
     if any(path.startswith(tuple(f"hold.{key}[" for key in PLACE_OF_HOLD)) for path in varied):
         # a state has other numbers where the carrier is held elsewhere: each sample is a run of its own stand
-        def numbers_of(own: Stand) -> Mapping[str, float]:
+        def numbers_of(variant: Stand) -> Mapping[str, float]:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", MahovikWarning)
-                runner = runner_of(own, over, quantities, folder, set())
+                runner = runner_of(variant, over, quantities, folder, set())
             numbers, (reason,) = runner.values(build(runner.stand).tables({}, 1))
             if reason:
                 raise StateError(reason)
@@ -318,24 +318,24 @@ class AtRest:
     def __call__(self, block: Block, tables: Tables) -> Mapping[int, str]:
         """See `Begin`."""
         reasons, stand = dict[int, str](), self._stand
-        own = Block(stand, self._made, block.n, tables.block, block.first)
-        own.x[:] = self._column
+        block_at_rest = Block(stand, self._made, block.n, tables.block, block.first)
+        block_at_rest.x[:] = self._column
         for _ in range(self.MOST):
-            own.call("forward")
-            V_dot = own.given["V_dot"]
+            block_at_rest.call("forward")
+            V_dot = block_at_rest.given["V_dot"]
             moving = np.any(np.abs(V_dot) > self._least, axis=0)
             if not moving.any():
                 break
-            moved = own.x.copy()
+            moved = block_at_rest.x.copy()
             self._displace(moved, sum(self._inverse[:, j, None] * V_dot[j] for j in range(6)))
-            own.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
+            block_at_rest.x[:, moving] = moved[:, moving]  # those that rest stay as they are, whatever the others need
         for j in np.flatnonzero(moving).tolist():
-            own.x[:, j] = self._column[:, 0]
+            block_at_rest.x[:, j] = self._column[:, 0]
             try:
-                own.x[:, j] = _column(stand, rest(tables.stand(block.first + j), self._phases).state)
+                block_at_rest.x[:, j] = _column(stand, rest(tables.stand(block.first + j), self._phases).state)
             except MahovikError as error:
                 reasons[j] = str(error)
-        block.x[:] = own.x
+        block.x[:] = block_at_rest.x
         return reasons
 
     @staticmethod
@@ -427,10 +427,10 @@ def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> 
     common_period(plan.speeds(0.0))
     phases = by_flywheel("phases", over.phases, stand)
 
-    def numbers_of(own: Stand) -> Mapping[str, float]:
-        motion, numbers = periodic_response(own, plan.speeds(0.0), phases), {}
+    def numbers_of(variant: Stand) -> Mapping[str, float]:
+        motion, numbers = periodic_response(variant, plan.speeds(0.0), phases), {}
         for q in quantities:
-            view = find_view(own, REACTION if q.at == HOLD else q.at, "angle" if q.what == "rotation" else q.what)
+            view = find_view(variant, REACTION if q.at == HOLD else q.at, "angle" if q.what == "rotation" else q.what)
             chosen = [AXES.index(q.axis)] if q.axis else [0, 1, 2]
             if q.statistic == "peak":
                 numbers[q.name] = np.linalg.norm(motion.values(view)[:, chosen], axis=1).max()

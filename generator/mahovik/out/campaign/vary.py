@@ -77,7 +77,7 @@ class Draw:
             unit[:, k] = ndtr(sum(weight * score for weight, score in zip(row, scores, strict=True)))
         unit = np.clip(unit, _LEAST, _MOST)
         columns = dict(zip((None, *self.factors), (np.empty(len(unit)), *unit.T), strict=True))
-        return {each.number.path: each.values(columns[each.factor]) for each in self.varied}
+        return {varied.number.path: varied.values(columns[varied.factor]) for varied in self.varied}
 
 
 def read_draw(
@@ -89,8 +89,8 @@ def read_draw(
     Problems are noted.
     """
     varied = _read_vary(vary, numbers, problems)
-    factors = tuple(dict.fromkeys(each.factor for each in varied if each.factor is not None))
-    by_path = {each.number.path: each.factor for each in varied}
+    factors = tuple(dict.fromkeys(entry.factor for entry in varied if entry.factor is not None))
+    by_path = {entry.number.path: entry.factor for entry in varied}
     matrix, pairs = np.eye(len(factors)), set[tuple[int, int]]()
     for i, (paths, coefficient) in enumerate(correlations):
         try:
@@ -114,7 +114,7 @@ def read_draw(
 
 
 def _factors_of(paths: Sequence[str], numbers: StandNumbers, by_path: Mapping[str, str | None]) -> Iterator[str]:
-    for path in (each.path for pattern in paths for each in numbers.find(pattern)):
+    for path in (leaf.path for pattern in paths for leaf in numbers.find(pattern)):
         factor = by_path.get(path)
         if factor is None:
             raise UsageError(f"{path} does not vary{suggestion(path, by_path)}")
@@ -132,10 +132,10 @@ def _read_vary(raw: Mapping[str, Any], numbers: StandNumbers, problems: Problems
         except (QuantityError, UsageError) as error:
             problems.add(where, str(error).removeprefix(f"{pattern}: "))
             continue
-        for each in entries:
-            path = each.number.path
+        for vary in entries:
+            path = vary.number.path
             if path not in kept:
-                patterns[path], kept[path] = pattern, each
+                patterns[path], kept[path] = pattern, vary
             elif "*" not in pattern or "*" in patterns[path]:
                 problems.add(where, f"{path} varies twice, also by {show(patterns[path])}")
     for path in kept:
@@ -144,7 +144,7 @@ def _read_vary(raw: Mapping[str, Any], numbers: StandNumbers, problems: Problems
                 words = f"{path} and {other} are the same unbalance; expected one of them"
                 problems.add(f"vary {show(patterns[path])}", words)
     order = list(raw)
-    return tuple(sorted(kept.values(), key=lambda each: order.index(patterns[each.number.path])))
+    return tuple(sorted(kept.values(), key=lambda vary: order.index(patterns[vary.number.path])))
 
 
 def _same_unbalance(path: str) -> tuple[str, ...]:
@@ -174,12 +174,12 @@ def _graded(pattern: str, raw: Mapping[str, Any], numbers: StandNumbers) -> Iter
     grade = _read("grade", grade_of, raw["grade"])
     if "speed" not in raw:
         raise QuantityError("speed: required with grade, but missing")
-    speed = _read("speed", lambda given: require_bounds(abs(number(given, SPEED)), "rad/s", above=0.0), raw["speed"])
+    speed = _read("speed", lambda value: require_bounds(abs(number(value, SPEED)), "rad/s", above=0.0), raw["speed"])
     share, low, high = 1.0, 0.0, math.inf
     if "share" in raw:
         of = StandNumber("share", "", "share", PLAIN, 1.0, least=0.0)
-        share = _read("share", lambda given: _distribution(given, of), raw["share"])
-        low, high = _read("share", lambda given: _ends(share, given, of), raw["share"])
+        share = _read("share", lambda value: _distribution(value, of), raw["share"])
+        low, high = _read("share", lambda value: _ends(share, value, of), raw["share"])
     statics, angles = numbers.find(f"{pattern}.static"), numbers.find(f"{pattern}.static_at")
     for static, angle in zip(statics, angles, strict=True):
         most = permissible_unbalance(grade, speed, numbers.mass(static.body))
@@ -218,34 +218,34 @@ def _kind(raw: Any) -> str:
 def _distribution(raw: Mapping[str, Any], about: StandNumber) -> Any:
     """A frozen distribution of scipy.stats, or the only value. Raises QuantityError, which begins with the kind."""
     kind = _kind(raw)
-    return _read(kind, lambda given: _read_distribution(kind, given, about), raw[kind])
+    return _read(kind, lambda raw_value: _read_distribution(kind, raw_value, about), raw[kind])
 
 
-def _read_distribution(kind: str, given: Any, about: StandNumber) -> Any:
+def _read_distribution(kind: str, raw_value: Any, about: StandNumber) -> Any:
     dimension, value = about.dimension, about.value
     if kind == "normal":
-        mean, sigma = vector(given, (2,), dimension)
+        mean, sigma = vector(raw_value, (2,), dimension)
         if mean < 0.0 and about.least == 0.0:
             raise QuantityError(f"[0]: {mean:g} {dimension.si} is negative")
         return stats.norm(mean, _spread(sigma, dimension)) if sigma else mean
     if kind == "relative":
-        share = _spread(number(given, PLAIN), PLAIN)
+        share = _spread(number(raw_value, PLAIN), PLAIN)
         if not value:
             raise QuantityError(f"{about.path} is zero in the stand file: expected tolerance or normal")
         return stats.norm(value, share * abs(value)) if share else value
     if kind == "tolerance":
-        if isinstance(given, list) or (isinstance(given, dict) and isinstance(given.get("value"), list)):
-            low, high = vector(given, (2,), dimension)
+        if isinstance(raw_value, list) or (isinstance(raw_value, dict) and isinstance(raw_value.get("value"), list)):
+            low, high = vector(raw_value, (2,), dimension)
         else:
-            high = _spread(number(given, dimension), dimension)
+            high = _spread(number(raw_value, dimension), dimension)
             low = -high
         return _bounded(value + low, value + high, None, dimension)
     if kind in ("uniform", "triangular"):
-        low, *mode, high = vector(given, (2 if kind == "uniform" else 3,), dimension)
+        low, *mode, high = vector(raw_value, (2 if kind == "uniform" else 3,), dimension)
         return _bounded(low, high, mode[0] if mode else None, dimension)
     if kind != "lognormal":
         raise QuantityError("not allowed here")
-    pair = any_list(given)
+    pair = any_list(raw_value)
     if len(pair) != 2:
         raise QuantityError(f"expected the median and the standard deviation of the logarithm, found {len(pair)}")
     median = _read("[0]", lambda raw: require_bounds(number(raw, dimension), dimension.si, above=0.0), pair[0])
@@ -273,7 +273,7 @@ def _ends(distribution: Any, raw: Mapping[str, Any], about: StandNumber) -> tupl
     unbounded = not isinstance(distribution, float) and distribution.support()[0] == -math.inf
     low = about.least if unbounded and about.least is not None else -math.inf
     low, high = (
-        _read(key, lambda given: number(given, about.dimension), raw[key]) if key in raw else end
+        _read(key, lambda raw_value: number(raw_value, about.dimension), raw[key]) if key in raw else end
         for key, end in (("least", low), ("most", math.inf))
     )
     if isinstance(distribution, float):

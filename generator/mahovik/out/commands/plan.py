@@ -113,7 +113,7 @@ def _planned(
 
         if method != "fourier" or keys:
             raise UsageError("method, free: not for a slew, whose course is found with its programme")
-        return plan_slew(stand, required, tell=say), stand, ()
+        return plan_slew(stand, required, say=say), stand, ()
     if keys:
         from mahovik.use.plan.free import plan_free
 

@@ -118,8 +118,10 @@ class Run:
         delays, size = self._free.delays(theta), self._free.size
         late = np.zeros((*self.measured.shape, len(self._free.delayed)))
         for i, name in enumerate(self._free.delayed):
-            own = [label.startswith(f"{name}.") for label in self.channels]
-            late[:, own, i] = -self._samples.at(course[:, :, None], delays, 1)[:, own, 0] * self._free.scale[size + i]
+            late_rows = [label.startswith(f"{name}.") for label in self.channels]
+            late[:, late_rows, i] = (
+                -self._samples.at(course[:, :, None], delays, 1)[:, late_rows, 0] * self._free.scale[size + i]
+            )
         at = self._samples.at(rates, delays)
         return np.concatenate([at[:, :, :size], late, at[:, :, size:]], axis=2)
 
@@ -333,16 +335,18 @@ def unobservable_lines(free: Free, runs: Sequence[Run], fit: Fit) -> list[str]:
 def _advice(free: Free, runs: Sequence[Run], fit: Fit, direction: Array, names: Sequence[str]) -> str:
     """Why data do not show a combination, and what would."""
     wheels = [wheel.name for wheel in free.stand.flywheels]
-    own = [i for i, name in enumerate(wheels) if any(path.startswith(f"{name}.") for path in names)]
+    varied = [i for i, name in enumerate(wheels) if any(path.startswith(f"{name}.") for path in names)]
     motions = [run.predictor.motion(np.linspace(0.0, run.duration, 200)) for run in runs]
-    still = [wheels[i] for i in own if all(np.abs(speeds[:, i]).max() < STILL for _, speeds, _ in motions)]
+    still = [wheels[i] for i in varied if all(np.abs(speeds[:, i]).max() < STILL for _, speeds, _ in motions)]
     if still:
         return f"not seen in the data: {', '.join(still)} stands still, let it turn"
-    if len(own) > 1 and all(
+    if len(varied) > 1 and all(
         min(np.ptp(phi[:, a] - phi[:, b]), np.ptp(phi[:, a] + phi[:, b])) < TOGETHER
-        for phi, _, _ in motions for a in own for b in own if a < b
+        for phi, _, _ in motions for a in varied for b in varied if a < b
     ):  # fmt: skip
-        return f"not seen: {' and '.join(wheels[i] for i in own)} turn at one speed in all data, let the speeds differ"
+        return (
+            f"not seen: {' and '.join(wheels[i] for i in varied)} turn at one speed in all data, let the speeds differ"
+        )
     if any(np.any(np.ptp(speeds, axis=0) > STEADY * np.abs(speeds).max(axis=0) + 1e-6) for _, speeds, _ in motions):
         return "not seen in this motion: add a run with other speeds, or a sensor at another place; or keep one fixed"
     if _shown_by_swing(free, runs[0], fit, motions[0][1].mean(axis=0), direction):

@@ -70,7 +70,7 @@ class Free:
         chosen: dict[str, StandNumber] = {}
         for path in (path for path in paths if not path.endswith(".delay")):
             whole = [f"{path}.{key}" for key in UNBALANCE] if path.endswith(".unbalance") else [path]
-            chosen |= {place.path: place for each in whole for place in of_file.find(each)}
+            chosen |= {place.path: place for pattern in whole for place in of_file.find(pattern)}
         if not chosen and not self.delayed:
             raise UsageError("free: expected at least one path, such as w*.unbalance")
         self.numbers = tuple(chosen.values())
@@ -131,7 +131,7 @@ class Free:
 
 def _scale(place: StandNumber, stand: Stand) -> float:
     """Natural size of a number of the stand."""
-    body = next((each for each in stand.bodies if each.name == place.body), None)
+    body = next((candidate for candidate in stand.bodies if candidate.name == place.body), None)
     least = SHARE
     if ".unbalance." in place.path and body is not None and not place.key.endswith("_at"):
         spin = float(inertia_about_origin(body)[0, 0])

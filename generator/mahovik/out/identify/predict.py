@@ -229,11 +229,11 @@ class Samples:
         """Channels (T, C, n) of their course (G, C, n) with delays of points (s); or derivatives by time."""
         seen = np.empty((len(self._times), *course.shape[1:]))
         for name in np.unique(self._names):
-            own, t = self._names == name, self._times - delays.get(name, 0.0)
+            columns, t = self._names == name, self._times - delays.get(name, 0.0)
             places = (t - self._grid[0]) / (self._grid[1] - self._grid[0])
             whole = np.round(places).astype(int)
             if order == 0 and np.abs(places - whole).max() < ON_GRID:
-                seen[:, own] = course[whole][:, own]
+                seen[:, columns] = course[whole][:, columns]
             else:
-                seen[:, own] = make_interp_spline(self._grid, course[:, own], k=DEGREE)(t, order)
+                seen[:, columns] = make_interp_spline(self._grid, course[:, columns], k=DEGREE)(t, order)
         return seen

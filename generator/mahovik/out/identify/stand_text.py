@@ -41,9 +41,9 @@ def _put(place: Any, key: Any, value: Any, rest: list[Any], dimension: Dimension
     if isinstance(old, dict) and old.keys() == {"value", "unit"}:
         _put(old, "value", value, rest, dimension, str(old["unit"]))
     elif not rest and old is not None and not isinstance(old, list):
-        own = _NUMBER.sub("", str(old), count=1) if isinstance(old, str) else ""
-        shown = float(value) / (float(factor(own, dimension)) if own else scale)
-        place[key] = f"{shown:.15g} {own}" if own else float(f"{shown:.15g}") if unit else float(value)
+        suffix = _NUMBER.sub("", str(old), count=1) if isinstance(old, str) else ""
+        shown = float(value) / (float(factor(suffix, dimension)) if suffix else scale)
+        place[key] = f"{shown:.15g} {suffix}" if suffix else float(f"{shown:.15g}") if unit else float(value)
     elif isinstance(old, dict) or (isinstance(old, list) and _shape(old) == _shape(value)):
         _put(old, rest[0], value[rest[0]], rest[1:], dimension, unit)
     elif isinstance(old, list) and len(rest) == 2 and _is_diagonal(value):
@@ -62,7 +62,7 @@ def _shape(value: Any) -> tuple[int, ...]:
 
 def _plain(value: Any, scale: float = 1.0) -> Any:
     if isinstance(value, list):
-        return [_plain(each, scale) for each in value]
+        return [_plain(element, scale) for element in value]
     if isinstance(value, dict):
-        return {key: _plain(each) for key, each in value.items()}
+        return {key: _plain(element) for key, element in value.items()}
     return value if isinstance(value, str) else float(value) / scale

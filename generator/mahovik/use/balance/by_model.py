@@ -136,11 +136,11 @@ def _require_apart(recording: Recording, names: Sequence[str], speeds: Array) ->
     for s in turning:
         for r in turning:
             if s < r and abs(size[s] - size[r]) < beat:
-                found = f"{names[s]} and {names[r]}: speeds differ by less than {advice}"
-                raise BalanceError([f"{recording.source}: {found}"])
+                reason = f"{names[s]} and {names[r]}: speeds differ by less than {advice}"
+                raise BalanceError([f"{recording.source}: {reason}"])
             if abs(2.0 * size[r] - size[s]) < beat:
-                found = f"{names[s]} turns at twice the speed of {names[r]} within {advice}"
-                raise BalanceError([f"{recording.source}: {found}"])
+                reason = f"{names[s]} turns at twice the speed of {names[r]} within {advice}"
+                raise BalanceError([f"{recording.source}: {reason}"])
 
 
 @dataclass(frozen=True)
@@ -218,19 +218,19 @@ def balance_wheels(
 
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
-    measured = [first_orders(each, stand) for each in recordings]
+    measured = [first_orders(recording, stand) for recording in recordings]
     scene = Scene.of(stand)
     plant = Plant.of(scene)
-    turning = np.flatnonzero(np.any([each.speeds != 0.0 for each in measured], axis=0)).tolist()
+    turning = np.flatnonzero(np.any([recording.speeds != 0.0 for recording in measured], axis=0)).tolist()
     return tuple(_wheel(scene, plant, s, planes.get(stand.flywheels[s].name, Planes()), measured) for s in turning)
 
 
 def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, measured: Sequence[FirstOrders]) -> WheelBalance:
     flywheel, positions, P = scene.stand.flywheels[s], planes.positions, len(planes.positions)
-    seen = sorted((each for each in measured if each.speeds[s]), key=lambda each: -abs(each.speeds[s]))
-    alpha = np.vstack([influences(scene, plant, s, positions, each) for each in seen])
-    X, error = (np.concatenate([getattr(each, key)[:, s] for each in seen]) for key in ("X", "error"))
-    labels = np.array([quantity_of(label) for each in seen for label in each.channels])
+    seen = sorted((orders for orders in measured if orders.speeds[s]), key=lambda orders: -abs(orders.speeds[s]))
+    alpha = np.vstack([influences(scene, plant, s, positions, orders) for orders in seen])
+    X, error = (np.concatenate([getattr(orders, key)[:, s] for orders in seen]) for key in ("X", "error"))
+    labels = np.array([quantity_of(label) for orders in seen for label in orders.channels])
     weighted, M = alpha / error[:, None], len(X)
     size = np.linalg.norm(weighted, axis=0)
     sigma = np.linalg.svd(weighted / np.where(size, size, 1.0), compute_uv=False)
@@ -249,8 +249,8 @@ def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, measured: Sequenc
     after = (X + alpha @ wheel.applied)[fastest]
     vibration = {}
     for kind in dict.fromkeys(labels[fastest].tolist()):
-        own = labels[fastest] == kind
-        vibration[kind] = float(np.linalg.norm(X[fastest][own])), float(np.linalg.norm(after[own]))
+        rows = labels[fastest] == kind
+        vibration[kind] = float(np.linalg.norm(X[fastest][rows])), float(np.linalg.norm(after[rows]))
     return replace(wheel, vibration=vibration)
 
 

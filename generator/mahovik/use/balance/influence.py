@@ -109,13 +109,13 @@ def write_polar(value: complex, zero: float = 0.0) -> str:
 # -- reading ---------------------------------------------------------------------------------------------------------
 
 
-def read_influence(given: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float]:
+def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float]:
     """Influences of a JSON file or of an object like it, and how far amplitudes without phase are off them, at most.
 
     Two influences: of amplitudes without phase that fit both. Raises BalanceError.
     """
-    where = "influence" if isinstance(given, Mapping) else str(given)
-    raw = given if isinstance(given, Mapping) else _load(Path(given))
+    where = "influence" if isinstance(source, Mapping) else str(source)
+    raw = source if isinstance(source, Mapping) else _load(Path(source))
     problems = Problems(where)
     table = problems.valid(InfluenceFile, dict(raw))
     if table is None:

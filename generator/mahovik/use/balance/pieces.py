@@ -57,12 +57,12 @@ class Choice:
     """Pieces of a plane.
 
     positions  groups of pieces at one angle
-    each       most pieces at one angle; most: in the plane, None: any number
+    per_place  most pieces at one angle; most: in the plane, None: any number
     split      whether the amounts are any numbers up to the largest, as of two screws that are filed
     """
 
     positions: tuple[tuple[Piece, ...], ...]
-    each: int
+    per_place: int
     most: int | None
     split: bool
 
@@ -229,7 +229,9 @@ def _columns(alpha: Complex, choices: Sequence[Choice | None], scale: float) -> 
         for pieces in choice.positions:
             for piece in (max(pieces, key=lambda piece: abs(piece.value)),) if choice.split else pieces:
                 effect = piece.value * complex(np.exp(1j * np.radians(piece.degrees)))
-                columns.append(_Column(plane, effect, piece, not choice.split, 1.0 if choice.split else choice.each))
+                columns.append(
+                    _Column(plane, effect, piece, not choice.split, 1.0 if choice.split else choice.per_place)
+                )
     return columns
 
 
@@ -239,13 +241,13 @@ def _counts(choices: Sequence[Choice | None], columns: Sequence[_Column]) -> lis
     for plane, choice in enumerate(choices):
         if choice is None or choice.split:
             continue
-        own = [column.plane == plane for column in columns]
+        in_plane = [column.plane == plane for column in columns]
         for pieces in choice.positions:
-            at = [there and column.piece in pieces for there, column in zip(own, columns, strict=True)]
+            at = [there and column.piece in pieces for there, column in zip(in_plane, columns, strict=True)]
             rows.append([*at, False])
-            limits.append(choice.each)
+            limits.append(choice.per_place)
         if choice.most is not None:
-            rows.append([*own, False])
+            rows.append([*in_plane, False])
             limits.append(choice.most)
     return [LinearConstraint(np.array(rows, dtype=float), ub=np.array(limits, dtype=float))] if rows else []
 

@@ -178,12 +178,12 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
         )
     names = [task.name for task in stand.tasks]
     if name is None and len(names) != 1:
-        found = "no task: add [task.pointing] to its file"
+        reason = "no task: add [task.pointing] to its file"
         if names:
-            found = f"tasks {', '.join(names)}: give --attitude NAME"
-        raise UsageError(f'stand "{stand.name}": {found}, with rows = ["wx", "wy", "wz"]')
+            reason = f"tasks {', '.join(names)}: give --attitude NAME"
+        raise UsageError(f'stand "{stand.name}": {reason}, with rows = ["wx", "wy", "wz"]')
     wanted = name if name is not None else names[0]
-    task = next((each for each in stand.tasks if each.name == wanted), None)
+    task = next((item for item in stand.tasks if item.name == wanted), None)
     if task is None:
         raise UsageError(f'attitude task {wanted}: stand "{stand.name}" has no such task{suggestion(wanted, names)}')
     rows = [f"{row.of}.{row.component}" if row.of else row.component for row in task.rows]

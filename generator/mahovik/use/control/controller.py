@@ -28,11 +28,11 @@ class Encoders:
     """
 
     def __init__(self, stand: Stand, ideal: bool = False) -> None:
-        own = [None if ideal else s.encoder for s in stand.flywheels]
-        self.latency = np.array([0.0 if e is None else e.latency for e in own])
-        self._exact = np.array([e is None for e in own])
-        self._counts = np.array([1 if e is None else e.counts for e in own]) / (2.0 * np.pi)
-        self._zero = np.array([0.0 if e is None else e.zero for e in own])
+        encoders = [None if ideal else s.encoder for s in stand.flywheels]
+        self.latency = np.array([0.0 if e is None else e.latency for e in encoders])
+        self._exact = np.array([e is None for e in encoders])
+        self._counts = np.array([1 if e is None else e.counts for e in encoders]) / (2.0 * np.pi)
+        self._zero = np.array([0.0 if e is None else e.zero for e in encoders])
 
     def read(self, phi: Array) -> Array:
         """Angles (N, rad) as measured; true angles are not wrapped."""

@@ -244,8 +244,8 @@ def starting_state(case: Case) -> State:
 class _Loop:
     """Servo, encoders and plant, with the signals between them."""
 
-    def __init__(self, case: Case, own: Plant) -> None:
-        self._case, self._plant = case, own
+    def __init__(self, case: Case, plant: Plant) -> None:
+        self._case, self._plant = case, plant
         self._servo, self._wanted = case.servo, case.reference
         self.controller = Controller(case.reference, case.servo, case.design)
         self._ideal = case.servo.encoder == "ideal"
@@ -253,14 +253,16 @@ class _Loop:
         self._whole, self._part = case.delay
         self._waiting: deque[Array] = deque()
         self._history = _History(
-            own, case.first * case.servo.period, max(float(self._encoders.latency.max(initial=0.0)), case.servo.period)
+            plant,
+            case.first * case.servo.period,
+            max(float(self._encoders.latency.max(initial=0.0)), case.servo.period),
         )
         self._before: Array | None = None
         self._chunk: int | None = None
 
     def sample(self, n: int) -> dict[str, Any]:
         """Measure and command; return the row of sample n by the names of a record."""
-        case, own, T = self._case, self._plant, self._servo.period
+        case, plant, T = self._case, self._plant, self._servo.period
         t = n * T
         i = self._prepare(n)
         phi, phi_dot = self._measure(t)
@@ -268,16 +270,16 @@ class _Loop:
         phase = math.fmod(t / self._wanted.motion.span, 1.0) if t >= 0.0 else 0.0
         measured = None
         if self.controller.trims and n >= 0:
-            measured = coordinates(case.real, own.position[None], own.attitude[None], required[None])[0]
+            measured = coordinates(case.real, plant.position[None], plant.attitude[None], required[None])[0]
         command = self.controller.step(phase, measured, self._phi[i], self._phi_dot[i], self._tau[i], phi, phi_dot)
         corrections = self.controller.corrections
-        apart = self._distances(i, own.phi, phase, corrections)
+        apart = self._distances(i, plant.phi, phase, corrections)
         worst = int(np.argmax(np.abs(apart)))
         if not abs(apart[worst]) < LOST_ANGLE:
             name = case.real.flywheels[worst].name
             raise StateError(f"at t = {t:.6g} s the loop is lost: {name} is half a turn from its programme")
         self._command = command
-        true = {name: np.copy(getattr(own, name)) for name in ("position", "attitude", "V", "phi", "phi_dot", "tau")}
+        true = {name: np.copy(getattr(plant, name)) for name in ("position", "attitude", "V", "phi", "phi_dot", "tau")}
         row = {"t": t, **true, "required": required, "apart": apart, "command": command}
         return {**row, "corrections": corrections.copy()}
 
@@ -307,10 +309,10 @@ class _Loop:
             t: Array = T * np.arange(chunk * _CHUNK, (chunk + 1) * _CHUNK, dtype=np.float64)
             late, half = self._encoders.latency, 0.0 if self._ideal else T / 2.0
             phi, phi_dot = np.empty((len(t), len(late))), np.empty((len(t), len(late)))
-            for each in np.unique(late):
-                own = late == each
-                phi[:, own] = wanted.angles(t - each).phi[:, own]
-                phi_dot[:, own] = wanted.angles(t - each - half).phi_dot[:, own]
+            for delay in np.unique(late):
+                delayed = late == delay
+                phi[:, delayed] = wanted.angles(t - delay).phi[:, delayed]
+                phi_dot[:, delayed] = wanted.angles(t - delay - half).phi_dot[:, delayed]
             self._phi, self._phi_dot, self._true = phi, phi_dot, wanted.angles(t).phi
             self._tau = wanted.torques(t + self._servo.latency + T / 2.0)
             self._required = wanted.required_course(t)
@@ -338,8 +340,8 @@ class _Loop:
 class _History:
     """Recent angles by cubic Hermite interpolation; before the first, speeds are taken as constant."""
 
-    def __init__(self, own: Plant, begin: float, span: float) -> None:
-        self._plant, self._span = own, span
+    def __init__(self, plant: Plant, begin: float, span: float) -> None:
+        self._plant, self._span = plant, span
         self._rows: deque[tuple[float, Array, Array]] = deque()
         self.add(begin)
 

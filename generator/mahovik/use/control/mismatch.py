@@ -80,14 +80,14 @@ class _Bodies(Errors):
         )
         return replace(changed, laws=tuple(law.with_errors(self) for law in body.laws if isinstance(law, Law)))
 
-    def instrument(self, own: Instrument) -> Instrument:
-        angles = cast(Vec3, tuple((np.array(own.angles) + self.direction()).tolist()))
-        placed = replace(self.body(own), position=self.vector(own.position), angles=angles)
-        return replace(placed, added_mass=self.matrix(own.added_mass))
+    def instrument(self, instrument: Instrument) -> Instrument:
+        angles = cast(Vec3, tuple((np.array(instrument.angles) + self.direction()).tolist()))
+        placed = replace(self.body(instrument), position=self.vector(instrument.position), angles=angles)
+        return replace(placed, added_mass=self.matrix(instrument.added_mass))
 
-    def flywheel(self, own: Flywheel) -> Flywheel:
+    def flywheel(self, flywheel: Flywheel) -> Flywheel:
         from scipy.spatial.transform import Rotation
 
-        axes = Rotation.from_rotvec(self.direction()).as_matrix() @ placement(own)[1]
+        axes = Rotation.from_rotvec(self.direction()).as_matrix() @ placement(flywheel)[1]
         mounting = MountingAxes(*(cast(Vec3, tuple(axes[:, i].tolist())) for i in (0, 1)))
-        return replace(self.body(own), position=self.vector(own.position), mounting=mounting)
+        return replace(self.body(flywheel), position=self.vector(flywheel.position), mounting=mounting)

@@ -74,8 +74,8 @@ class ReferenceMotion:
         if table is None or not up.any():
             return result
         early = table.at(t[up] + table.duration)
-        for all_, own in zip(result, early, strict=True):
-            all_[up] = own
+        for all_, before in zip(result, early, strict=True):
+            all_[up] = before
         for derivative in result[1:]:
             derivative[t < -table.duration] = 0.0
         return result
@@ -115,10 +115,10 @@ class ReferenceMotion:
         t = np.linspace(0.0, table.duration, count + 1)
         chart = Chart.at(mechanics, self.motion.mean + self.programme.bias)
         angles = table.at(t)
-        given = drive(mechanics, *angles)
+        driven = drive(mechanics, *angles)
         start = equilibrium(chart, angles.phi[0]).y
-        y = course(chart, given, t[1], start, np.tile(start, (len(t), 1)), None).y
-        spline = CubicSpline(t - table.duration, linearise_along(chart, given, y, angles.phi_ddot).tau)
+        y = course(chart, driven, t[1], start, np.tile(start, (len(t), 1)), None).y
+        spline = CubicSpline(t - table.duration, linearise_along(chart, driven, y, angles.phi_ddot).tau)
         return lambda times: spline(np.maximum(times, -table.duration))
 
     @cached_property

@@ -110,16 +110,16 @@ def samples(servo: Servo, span: float, source: str = "servo") -> tuple[int, int]
 
 def gains(stand: Stand, servo: Servo, span: float | None = None) -> dict[str, Any]:
     """Members of `servo_gains` in SI; `span` is the programme's period, s; without it feedforward has no lead."""
-    J, each = rotor_inertia(stand), loop_gains(servo)
+    J, loop = rotor_inertia(stand), loop_gains(servo)
     motors = [s.motor if servo.friction else None for s in stand.flywheels]
     back = 0.0 if servo.integral is None else -math.expm1(-servo.bandwidth * servo.period)
     lead = 0.0 if span is None else (servo.latency + servo.period / 2) / span % 1.0
     return {
-        "angle": (J * each.angle).tolist(),
-        "speed": (J * each.speed).tolist(),
-        "integral": (J * each.integral * servo.period).tolist(),
+        "angle": (J * loop.angle).tolist(),
+        "speed": (J * loop.speed).tolist(),
+        "integral": (J * loop.integral * servo.period).tolist(),
         "back": [back] * len(J),
-        "filter": each.filter,
+        "filter": loop.filter,
         "limit": [min(limit, NONE) for limit in servo.torque_limit],
         "change": [min(rate * servo.period, NONE) for rate in servo.torque_rate],
         "viscous": [0.0 if m is None else m.viscous for m in motors],
@@ -232,15 +232,15 @@ def margins(stand: Stand, servo: Servo, bandwidth: float | None = None, light: f
     """Margins of a stand's servos, the worst over lightness 1 to that of the stand; with another bandwidth (rad/s)."""
     most = lightness(stand) if light is None else light
     loops = _loops(stand, servo, bandwidth, most)
-    found = [(_gain_limit(one, 1.0), _gain_limit(one, -1.0), *_phase_margin(one)) for one in (loops[0], loops[-1])]
-    gain, less, phase, more = (min(values) for values in zip(*found, strict=True))
+    limits = [(_gain_limit(one, 1.0), _gain_limit(one, -1.0), *_phase_margin(one)) for one in (loops[0], loops[-1])]
+    gain, less, phase, more = (min(values) for values in zip(*limits, strict=True))
     return Margins(max(one.radius() for one in loops), gain, less, phase, more, most)
 
 
 def _loops(stand: Stand, servo: Servo, bandwidth: float | None, most: float) -> list[Loop]:
     """Loops from lightness 1 to the largest."""
-    each, late, encoders = loop_gains(servo, bandwidth), delay(stand, servo), servo.encoder == "stand"
-    return [rotor_loop(each, servo.period, late, float(light), encoders) for light in np.geomspace(1.0, most, _GAINS)]
+    gain, late, encoders = loop_gains(servo, bandwidth), delay(stand, servo), servo.encoder == "stand"
+    return [rotor_loop(gain, servo.period, late, float(light), encoders) for light in np.geomspace(1.0, most, _GAINS)]
 
 
 def check_margins(stand: Stand, servo: Servo, source: str) -> Margins:

@@ -160,7 +160,7 @@ def _basis(orbit: Orbit, H: int) -> Array:
     """(3, M + 1, T): 1, cos, sin, cos 2, ... of the programme's phase, with two derivatives by time."""
     k = np.arange(1, H + 1)
     alternating = [0, *np.stack([k, H + k], axis=1).ravel()]
-    return np.stack(Basis.of(orbit.span, H, orbit.t).of_each)[:, :, alternating]
+    return np.stack(Basis.of(orbit.span, H, orbit.t).matrices)[:, :, alternating]
 
 
 def _averages(H: int, M: int) -> Array:

@@ -51,7 +51,7 @@ def join(recordings: Sequence[tuple[str, Recording]]) -> tuple[Recording, ...]:
     donors = [pair for pair in recordings if pair[1].of_flywheels]
     joined, used = [], list[Recording]()
     for place, (file, recording) in enumerate(sensors):
-        runs = [run for own, run in sensors if own == file and set(run.frame) == set(recording.frame)]
+        runs = [run for source, run in sensors if source == file and set(run.frame) == set(recording.frame)]
         groups: dict[tuple[Any, ...], list[Recording]] = defaultdict(list)
         for other, donor in donors:
             if other == file or _covers(donor, recording):
@@ -106,7 +106,7 @@ def _shift(recording: Recording, donor: Recording) -> tuple[Array, list[str]]:
     """Times of the donor by the clock of the recording, and notes."""
     where = f"{recording.source}: clock of {donor.source}"
     for label in (label for label in recording.frame if label in donor.frame):
-        x, other = (_signal(each.t, each.frame[label].to_numpy(), label) for each in (recording, donor))
+        x, other = (_signal(side.t, side.frame[label].to_numpy(), label) for side in (recording, donor))
         offset = clock_offset(recording.t, x, donor.t, other)
         if offset is None:
             continue

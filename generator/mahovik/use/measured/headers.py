@@ -108,7 +108,7 @@ def read_names(path: Path, raw: bytes) -> Names:
 
 def sensors(stand: Stand) -> tuple[str, ...]:
     """Names of what `points` of the C reads, in its order: instruments, then points."""
-    return (*(each.name for each in stand.instruments), *(each.name for each in stand.points))
+    return (*(place.name for place in stand.instruments), *(place.name for place in stand.points))
 
 
 def split_header(header: str) -> tuple[str, str]:

@@ -52,8 +52,8 @@ def read_recordings(paths: Iterable[Path], stand: Stand) -> tuple[Recording, ...
     files = [Path(path) for path in paths]
     named = [read_names(path, file_content(path)) for path in files if path.suffix.lower() == ".toml"]
     names = Names(
-        names={key: header for each in named for key, header in each.names.items()},
-        counts={key: turn for each in named for key, turn in each.counts.items()},
+        names={key: header for header_names in named for key, header in header_names.names.items()},
+        counts={key: turn for header_names in named for key, turn in header_names.counts.items()},
     )
     wheels = [wheel.name for wheel in stand.flywheels]
     for name in names.counts:

@@ -105,7 +105,7 @@ def _groups(stand: Stand) -> Iterator[tuple[str, Columns]]:
     """Columns, with their dimensions, of each key of `eval` that a stand has."""
 
     def twist(linear: str, angular: str, of: tuple[Dimension, Dimension]) -> Columns:
-        return [(f"{name}_{a}", each) for name, each in zip((linear, angular), of, strict=True) for a in "xyz"]
+        return [(f"{name}_{a}", columns) for name, columns in zip((linear, angular), of, strict=True) for a in "xyz"]
 
     yield "position", [(a, LENGTH) for a in "xyz"]
     yield "quaternion", [(f"q{a}", PLAIN) for a in "wxyz"]
@@ -113,7 +113,7 @@ def _groups(stand: Stand) -> Iterator[tuple[str, Columns]]:
     yield "V", twist("v", "omega", (VELOCITY, SPEED))
     yield "V_dot", twist("v_dot", "omega_dot", (ACCELERATION, ANGULAR_ACCELERATION))
     if stand.hold is not None:
-        names, kinds = freedom_names(stand.hold), [each.kind for each in stand.hold.freedoms]
+        names, kinds = freedom_names(stand.hold), [columns.kind for columns in stand.hold.freedoms]
         numbered = numbered_freedoms(stand.hold) if has_coordinates(stand.hold) else range(len(names))
         if names:
             for k, key in enumerate(("u", "u_dot")):
@@ -142,7 +142,7 @@ class _Log:
     groups: Mapping[str, Columns]
     notes: list[str]
     values: dict[str, Array] = field(default_factory=dict)
-    others: list[str] = field(default_factory=list)
+    ignored: list[str] = field(default_factory=list)
     rows: int = 0
     error: float = 0.0
 
@@ -156,13 +156,13 @@ class _Log:
                 if name in dimensions:
                     columns[name] = frame[header].to_numpy() * (float(factor(unit, dimensions[name])) if unit else 1.0)
                 elif not is_time(header):
-                    self.others.append(name)
+                    self.ignored.append(name)
             except HeaderError:
-                self.others.append(header)
+                self.ignored.append(header)
             except QuantityError as error:
                 raise DataError([f'{self.path}: "{header}": {error}']) from None
-        if self.others:
-            self.notes.append(f"{len(self.others)} other columns are not compared")
+        if self.ignored:
+            self.notes.append(f"{len(self.ignored)} other columns are not compared")
         problems = []
         for key, group in self.groups.items():
             lacking = [name for name, _ in group if name not in columns]
@@ -177,7 +177,7 @@ class _Log:
         self.rows = max((len(values) for values in self.values.values()), default=0)
 
     def _quote(self, name: str) -> str:
-        return f'"{name}"{suggestion(name, self.others) if self.others else ""}'
+        return f'"{name}"{suggestion(name, self.ignored) if self.ignored else ""}'
 
     @property
     def has_coordinates(self) -> bool:

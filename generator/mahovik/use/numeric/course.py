@@ -179,9 +179,11 @@ class BlockElimination:
         """Eliminate A (4 B + 1, n, n; 1/s) at nodes `spacing` (s) apart."""
         at = split_blocks(A)
         B, n = len(at), A.shape[1]
-        own = -spacing * np.einsum("jk,bkmn->bjmkn", WEIGHTS[:, 1:], at[:, 1:]).reshape(B, INTERVALS * n, INTERVALS * n)
-        own[:, range(INTERVALS * n), range(INTERVALS * n)] += 1.0
-        inverse = np.linalg.inv(own)
+        block = -spacing * np.einsum("jk,bkmn->bjmkn", WEIGHTS[:, 1:], at[:, 1:]).reshape(
+            B, INTERVALS * n, INTERVALS * n
+        )
+        block[:, range(INTERVALS * n), range(INTERVALS * n)] += 1.0
+        inverse = np.linalg.inv(block)
         first = spacing * np.einsum("j,bmn->bjmn", WEIGHTS[:, 0], at[:, 0]) + np.eye(n)
         return BlockElimination(spacing, inverse, inverse @ first.reshape(B, INTERVALS * n, n))
 
@@ -190,8 +192,8 @@ class BlockElimination:
         B, n, P = len(self.inverse), *start.shape
         particular = self.inverse @ defects.reshape(B, INTERVALS * n, P)
         result = [start[None]]
-        for carried, own in zip(self.transition, particular, strict=True):
-            result.append((carried @ result[-1][-1] + own).reshape(INTERVALS, n, P))
+        for carried, inner in zip(self.transition, particular, strict=True):
+            result.append((carried @ result[-1][-1] + inner).reshape(INTERVALS, n, P))
         return np.concatenate(result)
 
 
@@ -280,22 +282,22 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
     Steps are smallest in the inertia's norm, zero in free directions. Raises CheckError: there is no equilibrium.
     """
     still, m = np.zeros((1, len(phi))), chart.count
-    given, S = drive(chart.mechanics, phi[None], still, still), chart.frame.S
-    root = np.linalg.cholesky(S.T @ (given.Theta[0] + chart.mechanics.base.K) @ S).T  # x^T K x = |root x|^2
+    driven, S = drive(chart.mechanics, phi[None], still, still), chart.frame.S
+    root = np.linalg.cholesky(S.T @ (driven.Theta[0] + chart.mechanics.base.K) @ S).T  # x^T K x = |root x|^2
     inverse = np.linalg.inv(root)
     y = np.zeros((1, 2 * m))
     if near is not None:
         y[0, :m] = near[:m]
     for _ in range(_ITERATIONS):
-        U, sigma, Vt = np.linalg.svd(-root @ chart.jacobian(given, y)[0, m:, :m] @ inverse)
+        U, sigma, Vt = np.linalg.svd(-root @ chart.jacobian(driven, y)[0, m:, :m] @ inverse)
         kept = sigma > FREE_AT_REST * max(float(sigma[0]), 1e-9)
         back = inverse @ (Vt[kept].T / sigma[kept]) @ U[:, kept].T @ root  # displacement by acceleration
-        step = back @ chart.speed_rates(given, y)[0]
+        step = back @ chart.speed_rates(driven, y)[0]
         y[0, :m] += step * min(1.0, _LONGEST / max(float(np.abs(step).max()), 1e-300))
         if np.abs(step).max() < _LAST:
             break
     stand, free = chart.mechanics.stand, inverse @ Vt[~kept].T
-    size = float(np.linalg.norm(root @ chart.speed_rates(given, y)[0])) / float(root[0, 0])
+    size = float(np.linalg.norm(root @ chart.speed_rates(driven, y)[0])) / float(root[0, 0])
     if not size <= _REST_ACCELERATION * max(1.0, float(np.linalg.norm(stand.gravity))):
         why = "nothing holds it there" if free.size else "there is no equilibrium near the mean pose"
         unit = "m/s2" if np.any(S[:3, 0]) and not np.any(S[3:, 0]) else "rad/s2"
@@ -303,7 +305,7 @@ def equilibrium(chart: Chart, phi: Array, near: Array | None = None) -> Equilibr
             f"{stand.name}: no rest to run up from: with the flywheels stopped the carrier accelerates by {size:.3g} "
             f"{unit}; {why}"
         )
-    by_phi = back @ given.mobility[0] @ linearise_along(chart, given, y, still).by_phi[0]
+    by_phi = back @ driven.mobility[0] @ linearise_along(chart, driven, y, still).by_phi[0]
     held = np.eye(2 * m)
     held[:m, :m] -= free @ free.T @ root.T @ root
     return Equilibrium(y[0], np.vstack([by_phi, np.zeros_like(by_phi)]), held)

@@ -258,8 +258,8 @@ def slopes_of_torques(mechanics: Mechanics, at: Twists, phi: Array, phi_dot: Arr
     for s in range(mechanics.N):
         by_V_r, by_rate, by_g = _by_motion(at, Theta[:, s], Theta_dot[:, s], spun[:, s], weight[:, s])
         by_V_r += _damping_slopes(mechanics, s, at, phi, phi_dot)
-        own = _through_stream(mechanics, at, by_V_r, by_rate, by_g)
-        result.append([-tables.spin[s] @ x for x in (own.by_pose, own.by_twist, own.by_twist_dot)])
+        by = _through_stream(mechanics, at, by_V_r, by_rate, by_g)
+        result.append([-tables.spin[s] @ x for x in (by.by_pose, by.by_twist, by.by_twist_dot)])
     shape = (mechanics.N, 3, len(at.V), 6)
     return Slopes(*np.moveaxis(np.array(result).reshape(shape), (0, 1), (2, 0)))
 

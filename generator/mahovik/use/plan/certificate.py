@@ -31,11 +31,11 @@ def make_programme(
     report: Mapping[str, Any],
 ) -> Programme:  # fmt: skip
     """The programme of a stand for a motion of this name; `winding`: of a periodic one, None: it is finite."""
-    whose = identities(stand)
+    hashes = identities(stand)
     return Programme(
         stand=stand.name,
-        structure=whose.structure,
-        physics=whose.physics,
+        structure=hashes.structure,
+        physics=hashes.physics,
         motion=motion,
         flywheels=tuple(s.name for s in stand.flywheels),
         periodic=winding is not None,
@@ -54,7 +54,7 @@ def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Progr
 
     checks = verify_programme(stand, motion, programme)
     items = [as_item(item) for item in checks]
-    values = {each["name"]: each["value"] for each in items}
+    values = {finding["name"]: finding["value"] for finding in items}
     words = {
         "verified": not any(item.failed for item in checks),
         "simulation_error": values.get("simulation"),
@@ -68,12 +68,12 @@ def failed_items(programme: Programme, of: str = "") -> str:
 
     `of`: only items whose names begin with this.
     """
-    found = [each for each in programme.report.get("verification", ()) if each["name"].startswith(of)]
-    wrong = [each for each in found if not each["passed"] and "bound" not in each["name"].split()]
-    values = [f"{each['value']:.3g}, at most" if each["value"] is not None else "not finite, at most" for each in wrong]
+    items = [item for item in programme.report.get("verification", ()) if item["name"].startswith(of)]
+    wrong = [item for item in items if not item["passed"] and "bound" not in item["name"].split()]
+    values = [f"{item['value']:.3g}, at most" if item["value"] is not None else "not finite, at most" for item in wrong]
     lines = [
-        f"{each['name']} {value} {each['limit']:.3g}, {each['words']}"
-        for each, value in zip(wrong, values, strict=True)
+        f"{item['name']} {value} {item['limit']:.3g}, {item['words']}"
+        for item, value in zip(wrong, values, strict=True)
     ]
     return "; ".join(lines)
 
@@ -88,8 +88,8 @@ def drop_refused_tables(programme: Programme) -> Programme:
         wrong = failed_items(programme, f"{name} ")
         if not wrong:
             continue
-        left = [each for each in report["verification"] if not each["name"].startswith(f"{name} ")]
-        report["verification"], report["verified"] = left, all(each["passed"] for each in left)
+        left = [item for item in report["verification"] if not item["name"].startswith(f"{name} ")]
+        report["verification"], report["verified"] = left, all(item["passed"] for item in left)
         report[key] = {"reason": f"{name}: found, but refused by the verification: {wrong}"}
         programme = replace(programme, runup=None) if key == "runup" else replace(programme, rundown=None)
     return replace(programme, report=report)

@@ -68,11 +68,11 @@ class SplineSpace:
         knots = np.concatenate([np.full(p + 1, 0.0), inner, np.full(p + 1, self.span)])
         return BSpline(knots, np.eye(len(knots) - p - 1), p)
 
-    def nodes(self, each: int, at_ends: int = 0) -> tuple[Array, Array]:
+    def nodes(self, count: int, at_ends: int = 0) -> tuple[Array, Array]:
         """`each` Gauss points in every interval, `at_ends` more in the first and the last; and their weights (s)."""
         t, weights = [], []
         for k, (a, b) in enumerate(zip(self.breaks[:-1], self.breaks[1:], strict=True)):
-            x, w = np.polynomial.legendre.leggauss(each + (at_ends if k in (0, len(self.breaks) - 2) else 0))
+            x, w = np.polynomial.legendre.leggauss(count + (at_ends if k in (0, len(self.breaks) - 2) else 0))
             t.append(a + (b - a) / 2.0 * (1.0 + x))
             weights.append((b - a) / 2.0 * w)
         return np.concatenate(t), np.concatenate(weights)
@@ -197,9 +197,9 @@ class FiniteProblem(Problem):
         """All modes of a space at given times."""
         return Grid(t, self.motion.at(t), space.modes(t))
 
-    def grid_between_nodes(self, space: SplineSpace, each: int) -> Grid:
+    def grid_between_nodes(self, space: SplineSpace, count: int) -> Grid:
         """Grid with `each` times in every interval of the space, none of them a node of the collocation."""
-        inside = (np.arange(each) + 0.381966) / each
+        inside = (np.arange(count) + 0.381966) / count
         return self.grid_of(space, (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel())
 
     def collocation(self, space: SplineSpace) -> Grid:
@@ -257,7 +257,7 @@ def search_finite(
         for number in range(ROUNDS):
             if number == followed_in:
                 _follow(problem, bias, seed, budget, enough, state, on_progress)
-            if state.found or budget.exhausted:
+            if state.programmes or budget.exhausted:
                 break
             state.doing = "searching"
             on_progress(state)
@@ -276,12 +276,12 @@ def search_finite(
             state.doing = "improving"
             for k in np.argsort(residuals, kind="stable")[:REFINED]:
                 on_progress(state)
-                if budget.exhausted or len(state.found) >= enough:
+                if budget.exhausted or len(state.programmes) >= enough:
                     break
                 solved = collocate(problem, batch.motion(int(k)), budget)
                 state.remember(solved.residual)
                 if solved.residual < problem.tolerance:
-                    state.found.append(solved)
+                    state.programmes.append(solved)
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
@@ -310,14 +310,14 @@ def _follow(
     state.doing = "improving"
     for table in tables[:REFINED]:
         on_progress(state)
-        if budget.exhausted or len(state.found) >= enough:
+        if budget.exhausted or len(state.programmes) >= enough:
             break
         fine = resolve(problem, bias, table, budget)
         solved = None if fine is None else fit(problem, bias, fine, budget)
         if solved is not None:
             state.remember(solved.residual)
             if solved.residual < problem.tolerance:
-                state.found.append(solved)
+                state.programmes.append(solved)
 
 
 def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> FiniteSolution | None:
@@ -327,7 +327,7 @@ def fit(problem: FiniteProblem, bias: Array, table: Samples, budget: Budget) -> 
     """
     winding = table.phi_dot[0] * problem.motion.span / (2.0 * np.pi)
     solution: FiniteSolution | None = None
-    for degree, parts in (*((each, 1) for each in DEGREES), (DEGREES[-1], 2), (DEGREES[-1], 4)):
+    for degree, parts in (*((d, 1) for d in DEGREES), (DEGREES[-1], 2), (DEGREES[-1], 4)):
         space = problem.space(degree, parts)
         if (space.size * problem.N > _MOST_UNKNOWNS and degree > DEGREES[0]) or budget.exhausted:
             break
@@ -375,17 +375,17 @@ def table_of(problem: FiniteProblem, solved: FiniteSolution) -> Samples:
 
     Rows stand at the samples and evenly between them: kinks of the fifth derivative fall on rows.
     """
-    space, each = solved.space, 4
+    space, count = solved.space, 4
     between = problem.grid_between_nodes(space, 61)
     while True:
-        inside = np.arange(each) / each
+        inside = np.arange(count) / count
         t = (space.breaks[:-1, None] + np.diff(space.breaks)[:, None] * inside).ravel()
         t = np.append(t, space.span)
         table = Samples(t, *solved.motion.at(space.modes(t)))
         R = problem.scaled_residual(between, solved.motion.bias, Angles(*table.at(between.t)))
         if float(np.linalg.norm(R, axis=1).max()) < 0.8 * problem.tolerance or 2 * len(t) > _TABLE:
             return table
-        each *= 2
+        count *= 2
 
 
 LEAST_STEPS = 512
@@ -406,7 +406,7 @@ def follow(problem: Problem, bias: Array, phi: Array, phi_dot: Array, budget: Bu
     budget ends.
     """
     tables = _tables(problem, bias, phi, phi_dot, LEAST_STEPS, budget)
-    tables.sort(key=lambda each: float(np.mean(each.phi_ddot**2)))
+    tables.sort(key=lambda table: float(np.mean(table.phi_ddot**2)))
     return tuple(tables)
 
 
@@ -448,12 +448,12 @@ def _tables(problem: Problem, bias: Array, phi: Array, phi_dot: Array, steps: in
 
 def _rate(problem: Problem, along: PrescribedMotion, k: int, y: Array) -> Array:
     """(phi', phi'') (2, K, N) at time k of the prescribed motion: the smallest phi'' that solves (12)."""
-    found = linear(along[k : k + 1], y[0], y[1], np.zeros_like(y[0]))
+    equations = linear(along[k : k + 1], y[0], y[1], np.zeros_like(y[0]))
     root = problem.norm.root
     coupling = np.nan_to_num(
-        root @ found.by_phi_ddot, posinf=0.0, neginf=0.0
+        root @ equations.by_phi_ddot, posinf=0.0, neginf=0.0
     )  # a motion that is lost is left out above
-    phi_ddot = -(np.linalg.pinv(coupling) @ (found.R @ root.T)[:, :, None])[:, :, 0]
+    phi_ddot = -(np.linalg.pinv(coupling) @ (equations.R @ root.T)[:, :, None])[:, :, 0]
     return np.stack([y[1], phi_ddot])
 
 

@@ -96,34 +96,36 @@ def free_numbers(
         UsageError: a path leads to no number.
         MotionError: bounds are missing where the value is 0, are no interval, or contradict each other.
     """
-    given = {each.path: interval for path, pair in bounds.items() for each, interval in _intervals(numbers, path, pair)}
-    moving = {each.path: each for key in keys for each in numbers.find(key)}
-    groups = {path: [each] for path, each in moving.items()}
+    limits = {
+        leaf.path: interval for path, pair in bounds.items() for leaf, interval in _intervals(numbers, path, pair)
+    }
+    moving = {leaf.path: leaf for key in keys for leaf in numbers.find(key)}
+    groups = {path: [leaf] for path, leaf in moving.items()}
     for paths in same:
         for tied in _tied(numbers, paths):
-            joined = {each.path: each for one in tied for each in groups.get(one.path, [one])}
+            joined = {leaf.path: leaf for one in tied for leaf in groups.get(one.path, [one])}
             if joined.keys() & moving.keys():
                 group = list(joined.values())
                 groups |= dict.fromkeys(joined, group)
     once = {id(group): group for group in groups.values()}
-    return [_unknown(group, [x.path for x in group if x.path in moving], given) for group in once.values()]
+    return [_unknown(group, [x.path for x in group if x.path in moving], limits) for group in once.values()]
 
 
 def _intervals(
     numbers: StandNumbers, path: str, pair: Sequence[Any]
 ) -> Iterator[tuple[StandNumber, tuple[float, float]]]:
     """The bounds of all numbers under a path."""
-    for each in numbers.find(path):
+    for leaf in numbers.find(path):
         try:
-            low, high = (number(x, each.dimension) for x in exact(list(pair)))
+            low, high = (number(x, leaf.dimension) for x in exact(list(pair)))
         except QuantityError as error:
             raise MotionError([f"free: {path}: {error}"]) from None
-        least, most = each.least if each.above is None else each.above, each.most
+        least, most = leaf.least if leaf.above is None else leaf.above, leaf.most
         if low > high or (least is not None and low < least) or (most is not None and high > most):
             accepted = f"{least if least is not None else '-inf'} to {most if most is not None else 'inf'}"
-            found = f"found [{low:g}, {high:g}] {each.dimension.si}".rstrip()
-            raise MotionError([f"free: {path}: {found}, expected [low, high] within {accepted}"])
-        yield each, (low, high)
+            interval = f"found [{low:g}, {high:g}] {leaf.dimension.si}".rstrip()
+            raise MotionError([f"free: {path}: {interval}, expected [low, high] within {accepted}"])
+        yield leaf, (low, high)
 
 
 def _tied(numbers: StandNumbers, paths: Sequence[str]) -> list[tuple[StandNumber, ...]]:
@@ -139,11 +141,11 @@ def _tied(numbers: StandNumbers, paths: Sequence[str]) -> list[tuple[StandNumber
     return list(zip(*owners.values(), strict=True))
 
 
-def _unknown(group: list[StandNumber], free: list[str], given: Mapping[str, tuple[float, float]]) -> FreeNumber:
+def _unknown(group: list[StandNumber], free: list[str], intervals: Mapping[str, tuple[float, float]]) -> FreeNumber:
     low, high = -np.inf, np.inf
     for leaf in group:
-        if leaf.path in given:
-            pair = given[leaf.path]
+        if leaf.path in intervals:
+            pair = intervals[leaf.path]
         elif leaf.path not in free:
             continue
         elif leaf.value == 0.0:
@@ -236,16 +238,16 @@ class FreeProblem:
 
     def slopes(self, y: Array, motion: Periodic, grid: Grid) -> Array:
         """Derivatives of the rows by free numbers, waves, free bias; not scaled."""
-        problem, here = self.problem(y), self.rows(y, motion, grid)
+        problem, rows = self.problem(y), self.rows(y, motion, grid)
         J = jacobian(problem, grid, motion, problem.by_bias(grid, motion))
         beyond = self._excess(problem, motion, grid)[1]
         J = np.vstack([J, np.pad(beyond, ((0, 0), (0, J.shape[1] - beyond.shape[1])))])
-        columns = np.zeros((len(here), len(y)))
+        columns = np.zeros((len(rows), len(y)))
         for k, size in enumerate(self.size * STEP):
             moved = y.copy()
             moved[k] += size if y[k] + size <= self.box[1][k] else -size
             with contextlib.suppress(StandError, StateError):
-                columns[:, k] = (self.rows(moved, motion, grid) - here) / (moved[k] - y[k])
+                columns[:, k] = (self.rows(moved, motion, grid) - rows) / (moved[k] - y[k])
         return np.hstack([columns, J])
 
     def _excess(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
@@ -268,8 +270,8 @@ class FreeProblem:
         waves = np.tile(1.0 / np.sqrt(1.0 + grid.basis.orders**2), motion.N)
         scale = np.concatenate([self.size, waves, np.full(int(free.sum()), BIAS)])
         low, high = (
-            np.pad(each, (0, len(scale) - P), constant_values=end) / scale
-            for each, end in zip(self.box, (-np.inf, np.inf), strict=True)
+            np.pad(ends, (0, len(scale) - P), constant_values=end) / scale
+            for ends, end in zip(self.box, (-np.inf, np.inf), strict=True)
         )
         still = replace(motion, waves=np.zeros_like(motion.waves), bias=np.where(free, 0.0, motion.bias))
 
@@ -342,24 +344,24 @@ def plan_free(
     numbers = StandNumbers(stand, document)
     unknowns = free_numbers(numbers, keys, motion.free, motion.same)
     short = with_shortest_period(motion)
-    own = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
+    problem = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
     budget, state, beyond = Budget(_NO_LIMIT, options.seconds), FreeSearch(), None
-    spare = own.start.rows_count < own.start.N
+    spare = problem.start.rows_count < problem.start.N
     try:
         for k in range(STARTS):
             on_progress(state)
             if budget.is_spent():
                 break
             state.starts += 1
-            y, course = _start(own, options.seed, k)
+            y, course = _start(problem, options.seed, k)
             more: dict[str, Any] = {"seed": options.seed + k, "steps": min(options.steps, SEARCH_STEPS)}
             residual = 0.0
             if not spare:
-                y, course, residual = own.solve(y, course, budget)
+                y, course, residual = problem.solve(y, course, budget)
                 more = {"start": course}
             if residual < NEAR:
                 limited = replace(options, seconds=budget.seconds_left(), **more)
-                made = _planned(own, motion, y, limited, on_progress)
+                made = _planned(problem, motion, y, limited, on_progress)
                 residual = float(made.plan.effort.get("best_residual", residual or np.inf))
                 if made.plan.status == "OK" or made.plan.interrupted:
                     return made
@@ -368,47 +370,47 @@ def plan_free(
             state.best = min(state.best, residual)
     except KeyboardInterrupt:
         state.interrupted = True
-    return beyond or _nothing(own, state, budget, options.seed)
+    return beyond or _nothing(problem, state, budget, options.seed)
 
 
-def _start(own: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
+def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
     """Start k of a seed: free numbers and constant speed."""
-    rng, problem, motion = np.random.default_rng([seed, k]), own.start, own.start.motion
-    low, high = own.box
-    y = rng.uniform(low, high) if k else np.clip([unknown.value for unknown in own.unknowns], low, high)
+    rng, problem, motion = np.random.default_rng([seed, k]), free.start, free.start.motion
+    low, high = free.box
+    y = rng.uniform(low, high) if k else np.clip([unknown.value for unknown in free.unknowns], low, high)
     winding = motion.winding
     kind: Kind = "given" if isinstance(winding, tuple) else KINDS[k % len(KINDS)] if winding == "any" else winding
     turns, means = draw_windings(kind, motion, problem.N, DRAWN, rng), rng.uniform(-np.pi, np.pi, (DRAWN, problem.N, 1))
-    bias, built = mean_pose(problem).bias, own.problem(y)
+    bias, built = mean_pose(problem).bias, free.problem(y)
     starts = [Periodic(motion.span, n, waves, bias) for n, waves in zip(turns, means, strict=True)]
     return y, min(starts, key=lambda unknown: built.relative(unknown, 4))
 
 
 def _planned(
-    own: FreeProblem, motion: RequiredMotion, y: Array, options: PlanOptions, on_progress: OnProgress
+    problem: FreeProblem, motion: RequiredMotion, y: Array, options: PlanOptions, on_progress: OnProgress
 ) -> FreePlan:
     """The plan of the stand with y; without a programme where its file is refused."""
-    document = own.document(y)
+    document = problem.document(y)
     try:
-        stand = read(document, own.stand.name)
+        stand = read(document, problem.stand.name)
     except StandError as error:
         return FreePlan(Plan("NO_PROGRAM", "SEARCH", (str(error).splitlines()[0],), (), ()))
     plan = plan_motion(stand, motion, options, on_progress)
     if not plan.programmes:
         return FreePlan(plan)
-    pairs = zip(own.unknowns, np.clip(y, *own.box).tolist(), strict=True)
-    changes = [(x.path, x.dimension.si, x.value, after) for each, after in pairs for x in each.numbers]
+    pairs = zip(problem.unknowns, np.clip(y, *problem.box).tolist(), strict=True)
+    changes = [(x.path, x.dimension.si, x.value, after) for unknown, after in pairs for x in unknown.numbers]
     return FreePlan(plan, document, tuple(changes))
 
 
-def _nothing(own: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> FreePlan:
+def _nothing(problem: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> FreePlan:
     """The outcome without a stand: how near the search came, and what the stand as it is lacks."""
     ended = "cut by time" if budget.cut else "interrupted" if state.interrupted else "out of budget"
     words = [
         f"no stand was found (this does not prove that there is none): {state.starts} starts, {ended}, least relative "
         f"residual {state.best:.3g}; free more numbers, widen their bounds, or make the motion smaller"
     ]
-    first = preflight(own.start)
+    first = preflight(problem.start)
     if state.refused:
         words.append(f"the last stand: {state.refused[0]}")
     elif first.refusal is not None:

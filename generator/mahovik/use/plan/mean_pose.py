@@ -126,7 +126,7 @@ def mean_along_freedoms(stand: Stand, at: Twists, F: Array) -> Array:
     hold = stand.hold
     assert hold is not None
     S = freedom_twists(hold)
-    C0, O0 = (each[0] for each in Frame.of(stand).pose(np.zeros((1, S.shape[1]))))
+    C0, O0 = (part[0] for part in Frame.of(stand).pose(np.zeros((1, S.shape[1]))))
     result = np.zeros(6)
     for C, O1, wrench in zip(at.C, at.O1, F, strict=True):
         result += transfer(C0.T @ (O1 - O0), C0.T @ C) @ wrench
@@ -145,5 +145,5 @@ def slide_directions(stand: Stand) -> Array | None:
     if hold is None:
         return None
     C0 = Frame.of(stand).pose(np.zeros((1, len(hold.freedoms))))[0][0]
-    slides = [np.array(each.direction) for each in hold.freedoms if each.kind == "slide"]
-    return np.asarray(C0 @ np.array([each / np.linalg.norm(each) for each in slides]).reshape(-1, 3).T)
+    slides = [np.array(freedom.direction) for freedom in hold.freedoms if freedom.kind == "slide"]
+    return np.asarray(C0 @ np.array([direction / np.linalg.norm(direction) for direction in slides]).reshape(-1, 3).T)

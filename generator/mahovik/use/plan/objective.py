@@ -112,9 +112,9 @@ def gauss_newton_sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) 
             G[n:, n:] += flat.T @ flat
             g[n:] += flat.T @ rows.value.ravel()
     for s in range(N):
-        own = slice(s * W, (s + 1) * W)
-        G[own, own] = blocks[s]
-        G[own, n:], G[n:, own] = border[s], border[s].T
+        block = slice(s * W, (s + 1) * W)
+        G[block, block] = blocks[s]
+        G[block, n:], G[n:, block] = border[s], border[s].T
     g[:n] = gradient.ravel()
     M = len(basis.t)
     return Sums(sum(rows.mean_square for rows in kinds) / 2.0, g / M, G / M)
@@ -197,12 +197,12 @@ class Cost:
     def _power(self, angles: Angles, mean_speed: Array, torque: Rows) -> Rows:
         rows, drives, speed = torque, self.drives, angles.phi_dot
         lost, slope = drives.friction(speed)
-        given = rows.value + lost
-        by_torque = 2.0 * drives.resistance * given / drives.constant**2 + speed
+        driving = rows.value + lost
+        by_torque = 2.0 * drives.resistance * driving / drives.constant**2 + speed
         power = Rows.of(
-            drives.resistance * (given / drives.constant) ** 2 + given * speed,
+            drives.resistance * (driving / drives.constant) ** 2 + driving * speed,
             by_torque * rows.by_phi,
-            by_torque * (rows.by_phi_dot + slope) + given,
+            by_torque * (rows.by_phi_dot + slope) + driving,
             by_torque * rows.by_phi_ddot,
             None if rows.by_bias is None else by_torque[..., None] * rows.by_bias,
         )
@@ -334,7 +334,7 @@ def exceeded_bounds(
         if value > most * (1.0 + ROUNDING):
             name, unit = coordinates.in_words[i], coordinates.unit_names[i]
             result.append(ExceededBound("bias", name, value, most, value / most if most else np.inf, unit, None))
-    return tuple(sorted(result, key=lambda each: -each.ratio))
+    return tuple(sorted(result, key=lambda bound: -bound.ratio))
 
 
 def utilisation(bounds: Bounds, uses: dict[str, Rows], bias: Array) -> float:

@@ -88,8 +88,8 @@ class Mesh:
         knots, k = np.concatenate([[0.0], self.gauss[0]]), np.clip((x * self.K).astype(int), 0, self.K - 1)
         result = np.zeros((self.K * (self.d + 1) + 1, len(x)))
         for j, knot in enumerate(knots):
-            others = np.delete(knots, j)
-            polynomial = np.polynomial.Polynomial.fromroots(others) / np.prod(knot - others)
+            rest = np.delete(knots, j)
+            polynomial = np.polynomial.Polynomial.fromroots(rest) / np.prod(knot - rest)
             values = polynomial.deriv(order)(x * self.K - k) if order else polynomial(x * self.K - k)
             result[k * (self.d + 1) + j, np.arange(len(x))] = values * self.K**order
         return result
@@ -140,10 +140,10 @@ def node_function(stand: Stand, problem: Problem, cost: Cost) -> Any:
     applied, of_wrenches = system.applied_force()
     forces = second.as_function("forces", {"R": applied - carrier, "drive": drive - of_wrenches}).expand()
     phi, v, a, mean = (ca.SX.sym(name, N) for name in ("phi", "v", "a", "mean"))
-    given = {name: ca.SX.sym(name, *of.shape) for name, of in system.inputs.items() if not name.startswith("phi")}
-    found = forces(**given, phi=phi, phi_dot=v * Omega, phi_ddot=a * Omega**2)
+    inputs = {name: ca.SX.sym(name, *of.shape) for name, of in system.inputs.items() if not name.startswith("phi")}
+    wrenches = forces(**inputs, phi=phi, phi_dot=v * Omega, phi_ddot=a * Omega**2)
     unit, drives = cost.spin_inertia * Omega**2, cost.drives
-    tau, speed = found["drive"], v * Omega
+    tau, speed = wrenches["drive"], v * Omega
     motor = tau + drives.viscous * speed + drives.coulomb * ca.tanh(speed / drives.coulomb_speed)
     rows = {
         "acceleration": a,
@@ -152,8 +152,8 @@ def node_function(stand: Stand, problem: Problem, cost: Cost) -> Any:
         "power": (drives.resistance * (motor / drives.constant) ** 2 + motor * speed) / (unit * Omega),
     }
     J = sum(ca.dot(cost.weights[kind], row**2) for kind, row in rows.items())
-    R = ca.DM(problem.norm.root / problem.norm.demand) @ found["R"]
-    return ca.Function("node", [phi, v, a, mean, ca.veccat(*given.values())], [R, tau / unit, J])
+    R = ca.DM(problem.norm.root / problem.norm.demand) @ wrenches["R"]
+    return ca.Function("node", [phi, v, a, mean, ca.veccat(*inputs.values())], [R, tau / unit, J])
 
 
 def carrier_inputs(stand: Stand, motion: RequiredMotion, bias: Array, t: Array) -> Array:
@@ -186,11 +186,11 @@ def solve(
     cost = Cost.of(problem.mechanics, motion.objective, 2.0 * np.pi / motion.span * lowest)
     Omega, bias, turn = cost.Omega, np.array(start.bias), 2.0 * np.pi * np.array(start.winding, dtype=np.float64)
     node, M = node_function(stand, problem, cost), len(mesh.nodes)
-    given = carrier_inputs(stand, motion, bias, mesh.nodes * motion.span)
+    inputs = carrier_inputs(stand, motion, bias, mesh.nodes * motion.span)
     X, U, mean = ca.MX.sym("X", 2 * N, len(mesh.times)), ca.MX.sym("U", N, M), ca.MX.sym("mean", N)
     at_nodes, span = X[:, mesh.at_nodes], motion.span * Omega
     speeds = np.tile((turn / span)[:, None], M)
-    R, tau, J = node.map(M)(at_nodes[:N, :], at_nodes[N:, :], U, speeds, given)
+    R, tau, J = node.map(M)(at_nodes[:N, :], at_nodes[N:, :], U, speeds, inputs)
     derive, jumps = (ca.sparsify(ca.DM(x)) for x in (mesh.interpolate(mesh.nodes, 1), mesh.jumps))
     zero = [(X @ derive - span * ca.vertcat(at_nodes[N:, :], U)) / M, X @ jumps, R]
     limits, angle = _limits(problem, cost), motion.bounds.angle is not None
@@ -235,10 +235,10 @@ def solve(
 def _limits(problem: Problem, cost: Cost) -> dict[str, Array]:
     """Magnitudes (N) of every bound of the flywheels in the scales of a node; infinite without a bound."""
     units = {"speed": cost.Omega, "acceleration": cost.Omega**2, "torque": cost.spin_inertia * cost.Omega**2}
-    given = {kind: getattr(problem.motion.bounds, kind) for kind in (*units, "angle")}
+    bounds = {kind: getattr(problem.motion.bounds, kind) for kind in (*units, "angle")}
     return {
         kind: np.full(problem.N, np.inf) if most is None else np.array(most) / units.get(kind, 1.0) * INSIDE
-        for kind, most in given.items()
+        for kind, most in bounds.items()
     }
 
 

@@ -65,10 +65,10 @@ def plan_motion(
         return Plan("SINGULAR_ATTITUDE", None, (str(error),), (), ())
     if first.refusal is not None:
         return Plan("NO_PROGRAM", first.refusal.reason, (first.refusal.words,), tuple(first.warnings), ())
-    tell = on_progress or (lambda _: None)
+    say = on_progress or (lambda _: None)
     if motion.periodic:
-        return _plan_periodic(problem, motion, first, options, budget, whole, tell)
-    return _plan_finite(problem, first, options, budget, tell)
+        return _plan_periodic(problem, motion, first, options, budget, whole, say)
+    return _plan_finite(problem, first, options, budget, say)
 
 
 def _plan_periodic(
@@ -78,7 +78,7 @@ def _plan_periodic(
     options: PlanOptions,
     budget: Budget,
     whole: Budget,
-    tell: OnProgress,
+    progress: OnProgress,
 ) -> Plan:
     """A programme of a periodic motion; the problem may be one repeating part of it. `whole`: time with the run-ups.
 
@@ -88,13 +88,13 @@ def _plan_periodic(
     if isinstance(options.start, Periodic):
         result = single(improver, options.start, budget)
     else:
-        result = search(problem, improver, first.bias, options.seed, budget, options.enough, on_progress=tell)
+        result = search(problem, improver, first.bias, options.seed, budget, options.enough, on_progress=progress)
 
     def say(doing: str) -> None:
         result.doing = doing
-        tell(result)
+        progress(result)
 
-    chosen = improver.choose(result.found, result.beyond, RESERVE)
+    chosen = improver.choose(result.programmes, result.beyond, RESERVE)
     effort = _effort(result, options, budget) | {"objective_spread": [candidate.objective for candidate in chosen]}
 
     def programmes() -> Iterator[Programme]:
@@ -108,43 +108,43 @@ def _plan_periodic(
                     programme = drop_refused_tables(certify(problem.stand, motion, programme))
             yield programme
 
-    words = () if chosen else (not_found_message(result),)
+    words = () if chosen else (no_programme_message(result),)
     return _verified_plan(problem.stand, first, result, words, effort, programmes(), whole)
 
 
 def _plan_finite(
-    own: Problem,
+    whole: Problem,
     first: Preflight,
     options: PlanOptions,
     budget: Budget,
-    tell: OnProgress,
+    say: OnProgress,
 ) -> Plan:
     """A programme of a finite motion. The objective chooses among those found."""
-    problem = FiniteProblem.from_problem(own)
-    cost = Cost.of(own.mechanics, own.motion.objective, 2.0 * np.pi / own.motion.span)
+    problem = FiniteProblem.from_problem(whole)
+    cost = Cost.of(whole.mechanics, whole.motion.objective, 2.0 * np.pi / whole.motion.span)
     if isinstance(options.start, Samples):
         made = fit(problem, first.bias, options.start, budget)
         search = Search[FiniteSolution]([made] if made and made.residual < problem.tolerance else [], starts=1)
     else:
-        search = search_finite(problem, first.bias, options.seed, budget, options.enough, tell)
-    reports = [_finite_report(problem, cost, each) for each in search.found]
+        search = search_finite(problem, first.bias, options.seed, budget, options.enough, say)
+    reports = [_finite_report(problem, cost, solution) for solution in search.programmes]
     order = sorted(range(len(reports)), key=lambda k: (len(reports[k]["exceeded"]) > 0, reports[k]["objective"]))
     effort = _effort(search, options, budget) | {"objective_spread": [reports[k]["objective"] for k in order]}
     search.doing = "verifying"
-    tell(search)
+    say(search)
 
     def programmes() -> Iterator[Programme]:
         for k in order:
-            solved, report = search.found[k], {**reports[k], "search": effort}
+            solved, report = search.programmes[k], {**reports[k], "search": effort}
             table, bias = table_of(problem, solved), solved.motion.bias
-            programme = make_programme(own.stand, own.motion.name, own.motion.span, bias, None, table, report)
+            programme = make_programme(whole.stand, whole.motion.name, whole.motion.span, bias, None, table, report)
             if options.verify:
                 with defer_interrupt(budget.interrupt, again=True):
-                    programme = certify(own.stand, own.motion, programme)
+                    programme = certify(whole.stand, whole.motion, programme)
             yield programme
 
-    words = () if search.found else (_finite_not_found_message(search, own.stand),)
-    return _verified_plan(own.stand, first, search, words, effort, programmes(), budget)
+    words = () if search.programmes else (_no_finite_programme_message(search, whole.stand),)
+    return _verified_plan(whole.stand, first, search, words, effort, programmes(), budget)
 
 
 def _effort(search: Search[Any], options: PlanOptions, budget: Budget) -> dict[str, Any]:
@@ -154,7 +154,7 @@ def _effort(search: Search[Any], options: PlanOptions, budget: Budget) -> dict[s
         "starts": search.starts,
         "steps": budget.steps_taken,
         "windings_tried": dict(search.tried),
-        "found": len(search.found),
+        "found": len(search.programmes),
         "best_residual": float(search.best),
         "cut_by_time": search.cut,
     }
@@ -184,11 +184,11 @@ def _verified_plan(
     return Plan("NO_PROGRAM", "SEARCH", tuple(refused), warnings, (), effort, interrupted)
 
 
-def not_found_message(search: Search[Candidate]) -> str:
+def no_programme_message(search: Search[Candidate]) -> str:
     """Message of a search without success; it proves nothing."""
     tried = ", ".join(f"{kind} {number}" for kind, number in search.tried.items()) or "none"
     near = search.beyond[0].exceeded_bounds[:1] if search.beyond else ()
-    bound = "".join(f"; the nearest attempt exceeds a bound, {each.words}" for each in near)
+    bound = "".join(f"; the nearest attempt exceeds a bound, {exceeded.words}" for exceeded in near)
     return (
         f"no programme was found (this does not prove that there is none): {search.starts} starts tried ({tried}), "
         f"best relative residual {search.best:.3g}, {search.end_reason}{bound}; try {'wider bounds, ' if bound else ''}"
@@ -196,7 +196,7 @@ def not_found_message(search: Search[Candidate]) -> str:
     )
 
 
-def _finite_not_found_message(search: Search[FiniteSolution], stand: Stand) -> str:
+def _no_finite_programme_message(search: Search[FiniteSolution], stand: Stand) -> str:
     """Message that no programme was found for a finite motion. Two flywheels more than its rows keep I regular."""
     few = stand.hold is None and len(stand.flywheels) < 8
     return (
@@ -241,7 +241,7 @@ def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -
         "kind": "finite",
         "objective": float(sum(parts.values())),
         "objective_parts": parts,
-        "exceeded": [each.words for each in over],
+        "exceeded": [bound.words for bound in over],
         "residual": solved.residual,
         "degree": solved.degree,
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),

@@ -259,8 +259,8 @@ class InHarmonics:
         stage = self.stage
         speed = stage.Omega * self.motion.winding
         wanted = stage.cost.rows(self.angles, speed, torque) if stage.objective > 0.0 else {}
-        own = (rows.scale(stage.objective) for rows in wanted.values())
-        return [*own, *hinge_rows(self._uses(torque, stage.wider))]
+        weighted = (rows.scale(stage.objective) for rows in wanted.values())
+        return [*weighted, *hinge_rows(self._uses(torque, stage.wider))]
 
     @cached_property
     def value(self) -> float:
@@ -283,8 +283,8 @@ class InHarmonics:
         a, b, c = (root @ x for x in (linear.by_phi, linear.by_phi_dot, linear.by_phi_ddot))
         spectrum = harmonic_derivatives(a, b, c, stage.Omega, H, 2 * H)
         R_by_bias, tau_by_bias = self.around(self.motion).rates(self.angles)
-        own = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.relative_residual)
-        whole = np.concatenate([spectrum, own[..., free]], axis=2)
+        by_bias = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.relative_residual)
+        whole = np.concatenate([spectrum, by_bias[..., free]], axis=2)
         A, T = harmonic_rows(whole[: H + 1], 0), stage.tail * harmonic_rows(whole[H + 1 :], H + 1)
         total = gauss_newton_sums(self._kinds(Rows.torque(linear, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)

@@ -121,9 +121,9 @@ def _advice(problem: Problem) -> str:
     everywhere = replace(problem, free=np.ones(len(problem.free), dtype=bool))
     if problem.free.all() or _uncarried(everywhere, mean_pose(everywhere)) is not None:
         return "a suspension, legs or buoyancy that balance it would help"
-    given, names = np.array(problem.motion.free_mean, dtype=bool), coordinates_of(problem.stand).in_words
+    may_move, names = np.array(problem.motion.free_mean, dtype=bool), coordinates_of(problem.stand).in_words
     said = []
-    for key, held in (("`free_mean`", np.logical_not(given)), ("a bound 0 of `bias`", given > problem.free)):
+    for key, held in (("`free_mean`", np.logical_not(may_move)), ("a bound 0 of `bias`", may_move > problem.free)):
         which = ", ".join(name for name, is_held in zip(names, held, strict=True) if is_held)
         said += [f"{key} holds the mean of {which}"] if which else []
     return f"{' and '.join(said)}: free it, so that the mean pose may shift to where the surroundings carry the wrench"

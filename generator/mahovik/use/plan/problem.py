@@ -66,7 +66,7 @@ class Periodic:
     def at(self, basis: Basis) -> Angles:
         """Angles at the times of the basis."""
         rate = 2.0 * np.pi / self.period * self.winding
-        phi, phi_dot, phi_ddot = ((B @ self.waves.T) for B in basis.of_each)
+        phi, phi_dot, phi_ddot = ((B @ self.waves.T) for B in basis.matrices)
         return Angles(phi + basis.t[:, None] * rate, phi_dot + rate, phi_ddot)
 
     @property
@@ -96,7 +96,7 @@ class Basis:
     second: Array
 
     @property
-    def of_each(self) -> tuple[Array, Array, Array]:
+    def matrices(self) -> tuple[Array, Array, Array]:
         """Matrices from the waves of one flywheel to its phi, phi', phi''."""
         return self.value, self.first, self.second
 

@@ -145,7 +145,7 @@ def _keep_bounds(problem: Problems, flight: Flight, bounds: Bounds, budget: Budg
         if inside.size <= _COARSE and inside.largest(bounds) < flight.largest(bounds):
             flight = inside
         tried.append(flight)
-    return min(tried, key=lambda each: each.largest(bounds))
+    return min(tried, key=lambda candidate: candidate.largest(bounds))
 
 
 def _refine_nodes(problem: Problems, coarse: Flight) -> tuple[Flight, float]:
@@ -196,11 +196,11 @@ def with_runup(
     report: dict[str, Any] = dict(programme.report)
     whole = budget or Budget(0)
     for key, up in (("runup", True), ("rundown", False)):
-        own = Budget(_NO_LIMIT, whole.seconds_left(0.5 if up else 1.0), interrupted=whole.interrupted)
+        limited = Budget(_NO_LIMIT, whole.seconds_left(0.5 if up else 1.0), interrupted=whole.interrupted)
         if say is not None:
             say("run-up" if up else "run-down")
         try:
-            solution = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=own)
+            solution = solve(mechanics, motion, programme, motion.runup, up=up, seed=seed, budget=limited)
         except KeyboardInterrupt:
             whole.interrupted = True
             tables[key], report[key] = None, {"reason": f"{'run-up' if up else 'run-down'}: interrupted"}
@@ -234,9 +234,9 @@ def runup_figures(solution: RunUpSolution, motion: RequiredMotion, stand: Stand)
         if share[i, k] > 1.0:
             value = abs(float(values[bound][i, k]))
             unit = ("m", "rad")[k] if bound == "deviation" else UNITS[bound]
-            whose = "" if bound == "deviation" else f" of {stand.flywheels[k].name}"
+            of = "" if bound == "deviation" else f" of {stand.flywheels[k].name}"
             exceeded.append(
-                f"{name}: {bound}{whose} {value:.4g} {unit} at t = {t[i]:.4g} s exceeds its bound, "
+                f"{name}: {bound}{of} {value:.4g} {unit} at t = {t[i]:.4g} s exceeds its bound, "
                 f"{value / share[i, k]:.4g} {unit}"
             )
     return {

@@ -50,11 +50,11 @@ Solution = TypeVar("Solution")
 class Search(Generic[Solution]):
     """State of a search. `best`: least relative residual seen, found or not.
 
-    found   programmes inside the bounds; `beyond`: those that exceed the bounds least, smallest excess first
+    programmes  those inside the bounds; `beyond`: those that exceed the bounds least, smallest excess first
     tried   number of starts by kind of winding
     """
 
-    found: list[Solution] = field(default_factory=list)
+    programmes: list[Solution] = field(default_factory=list)
     beyond: list[Candidate] = field(default_factory=list)
     starts: int = 0
     best: float = np.inf
@@ -66,7 +66,7 @@ class Search(Generic[Solution]):
     @property
     def words(self) -> str:
         """One line of progress."""
-        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.found)} found"
+        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}, {len(self.programmes)} found"
 
     def remember(self, residual: float) -> None:
         """Remember the least residual."""
@@ -78,9 +78,9 @@ class Search(Generic[Solution]):
             return False
         self.remember(made.residual)
         if made.is_programme:
-            self.found.append(made)
+            self.programmes.append(made)
         else:
-            self.beyond = sorted([*self.beyond, made], key=lambda each: each.utilisation)[:SPARE]
+            self.beyond = sorted([*self.beyond, made], key=lambda candidate: candidate.utilisation)[:SPARE]
         return made.is_programme
 
     @property
@@ -112,7 +112,7 @@ def search(
         most = ROUNDS_IN_BOUNDS if has_bounds(problem.motion.bounds) else ROUNDS
     try:
         for number, kind in enumerate(cycle(kinds)):
-            if number >= most or budget.exhausted or (state.found and number >= min(2, len(kinds))):
+            if number >= most or budget.exhausted or (state.programmes and number >= min(2, len(kinds))):
                 break
             _round(problem, improver, bias, kind, rng, budget, enough, state, on_progress)
     except KeyboardInterrupt:
@@ -149,15 +149,15 @@ def _round(
     state.starts += K
     state.tried[kind] = state.tried.get(kind, 0) + K
     state.remember(float(residuals.min()))
-    here = 0
+    kept = 0
     order = rank(improver, chosen)
     state.doing = "improving"
     most = REFINED_IN_BOUNDS if has_bounds(problem.motion.bounds) else REFINED
     for k in order[residuals[order] <= _PROMISING][:most]:
         on_progress(state)
-        if budget.exhausted or here >= enough:
+        if budget.exhausted or kept >= enough:
             break
-        here += state.add(improver.polish(chosen.motion(int(k)), kind, budget))
+        kept += state.add(improver.polish(chosen.motion(int(k)), kind, budget))
     on_progress(state)
 
 

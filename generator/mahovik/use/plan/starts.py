@@ -50,7 +50,7 @@ class StartBatch:
         """Angles of all motions (K M, N)."""
         rate = 2.0 * np.pi / self.problem.motion.span * self.windings[:, None, :]
         turned = self.grid.t[None, :, None] * rate
-        phi, phi_dot, phi_ddot = (B @ np.swapaxes(waves, 1, 2) for B in self.grid.basis.of_each)
+        phi, phi_dot, phi_ddot = (B @ np.swapaxes(waves, 1, 2) for B in self.grid.basis.matrices)
         return Angles(*(x.reshape(-1, self.N) for x in (phi + turned, phi_dot + rate, phi_ddot)))
 
     def linear(self, waves: Array) -> Linear:
@@ -66,7 +66,7 @@ class StartBatch:
         root = self.problem.norm.root / (self.problem.norm.demand * np.sqrt(self.M))
         local = np.stack([root @ getattr(linear, name) for name in _PARTS], axis=-1)
         rows = self.problem.rows_count
-        J = local.reshape(self.K, self.M, rows * self.N, 3) @ np.stack(self.grid.basis.of_each, axis=1)
+        J = local.reshape(self.K, self.M, rows * self.N, 3) @ np.stack(self.grid.basis.matrices, axis=1)
         return np.asarray(J.reshape(self.K, rows * self.M, -1))
 
     def improve(self, steps: int, budget: Budget) -> None:

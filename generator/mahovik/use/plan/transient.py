@@ -177,7 +177,7 @@ class Boundary:
 
     def follow(self, angles: Angles, added: Array, before: Flight | None = None, guess: Array | None = None) -> Flight:
         """Flight under any angles at the nodes (M, N each)."""
-        given = drive(self.chart.mechanics, *angles)
+        driven = drive(self.chart.mechanics, *angles)
         rest = equilibrium(self.chart, angles.phi[0 if self.up else -1])
         start, end = (rest.y, self.joint) if self.up else (self.joint, rest.y)
         near, bounds = None, Bounds()
@@ -185,9 +185,9 @@ class Boundary:
             near, guess, bounds = before.course.near, before.course.y, before.bounds
         if guess is None:
             guess = np.tile(start, (len(self.family.t), 1))
-        carrier_course = course(self.chart, given, self.spacing, start, guess, near)
+        carrier_course = course(self.chart, driven, self.spacing, start, guess, near)
         error = self.amplitude.shares(rest.projection @ (carrier_course.y[-1] - end))
-        return Flight(self, added, angles, given, rest, carrier_course, error, bounds)
+        return Flight(self, added, angles, driven, rest, carrier_course, error, bounds)
 
     def table_error(self, table: Samples, guess: Array) -> float:
         """Terminal error (see `Flight.size`) of a table as it is read, at these nodes; `guess`: states (M, 2 m)."""
@@ -245,8 +245,8 @@ class Flight:
     def shares(self, bounds: Bounds) -> dict[str, Array]:
         """Values over bound (M, 2 or N) at the nodes, by name, for each bound given."""
         limits = {name: getattr(bounds, name) for name in ("deviation", "speed", "acceleration", "torque")}
-        given = {name: limit for name, limit in limits.items() if limit is not None}
-        return {name: np.abs(self.values[name]) / np.array(limit) for name, limit in given.items()}
+        bounded = {name: limit for name, limit in limits.items() if limit is not None}
+        return {name: np.abs(self.values[name]) / np.array(limit) for name, limit in bounded.items()}
 
     def largest(self, bounds: Bounds) -> float:
         """Largest part of a bound that is used; 0 without bounds."""

@@ -62,8 +62,8 @@ class UnbalanceEffect:
 
 def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
     """Twist V (6) of the carrier of a stand that has the momentum of the mean stand with the twist V; phi, phi' (N)."""
-    own, mean = (Mechanics.of(each).mass_and_coupling(phi[None]) for each in (stand, mean_stand(stand)))
-    (K, I), (K0, I0) = ((a[0], b[0]) for a, b in (own, mean))
+    exact, mean = (Mechanics.of(variant).mass_and_coupling(phi[None]) for variant in (stand, mean_stand(stand)))
+    (K, I), (K0, I0) = ((a[0], b[0]) for a, b in (exact, mean))
     return np.asarray(V + np.linalg.solve(K, (K0 - K) @ V + (I0 - I) @ phi_dot))
 
 
@@ -89,11 +89,11 @@ def unbalance_effect(stand: Stand, motion: RequiredMotion, programme: Programme)
     for k in range(blocks):
         times = t[k * size : (k + 1) * size + 1]
         chart = Chart(mechanics, Frame.at_pose(stand, C, O1))
-        given, begin = drive(mechanics, *programme.at(times)), np.concatenate([np.zeros(6), V])
+        driven, begin = drive(mechanics, *programme.at(times)), np.concatenate([np.zeros(6), V])
         guess = begin + np.outer(times - times[0], np.concatenate([V, np.zeros(6)]))
-        y = course(chart, given, h, begin, guess, None).y
-        here, wanted = chart.twists(y[1:]), mechanics.frame.twists(motion.at(times[1:], programme.bias))
-        turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ here.C).as_rotvec())
-        shifts.append(here.O1 - wanted.O1)
-        O1, C, V = here.O1[-1], here.C[-1], y[-1, 6:]
+        y = course(chart, driven, h, begin, guess, None).y
+        moved, wanted = chart.twists(y[1:]), mechanics.frame.twists(motion.at(times[1:], programme.bias))
+        turns.append(Rotation.from_matrix(np.swapaxes(wanted.C, 1, 2) @ moved.C).as_rotvec())
+        shifts.append(moved.O1 - wanted.O1)
+        O1, C, V = moved.O1[-1], moved.C[-1], y[-1, 6:]
     return UnbalanceEffect(t, np.vstack(turns), np.vstack(shifts))

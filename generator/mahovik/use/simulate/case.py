@@ -78,16 +78,16 @@ class Case:
     @cached_property
     def phi0(self) -> Array:
         """Phases at t = 0."""
-        given = zip(self.regime.flywheels, self.start.phi, strict=True)
-        return np.array([phi if each.phase is None else each.phase for each, phi in given], dtype=np.float64)
+        pairs = zip(self.regime.flywheels, self.start.phi, strict=True)
+        return np.array([phi if wheel.phase is None else wheel.phase for wheel, phi in pairs], dtype=np.float64)
 
     @cached_property
     def phi_dot0(self) -> Array:
         """Speeds at t = 0: by the speed law, or the given ones for a torque law."""
         _, by_law, _ = self.regime.motion(np.zeros(1))
-        given = zip(self.regime.flywheels, self.start.phi_dot, by_law[0], strict=True)
+        triples = zip(self.regime.flywheels, self.start.phi_dot, by_law[0], strict=True)
         result = [
-            (open_ if each.speed is None else each.speed) if each.by_torque else law for each, open_, law in given
+            (open_ if wheel.speed is None else wheel.speed) if wheel.by_torque else law for wheel, open_, law in triples
         ]
         return np.array(result, dtype=np.float64)
 
@@ -183,8 +183,8 @@ def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint
         raise UsageError(str(error)) from None
 
 
-def _refuse_unknown(found: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
-    for key in found:
+def _refuse_unknown(document: dict[str, Any], keys: tuple[str, ...], hint: str) -> None:
+    for key in document:
         if key not in keys:
             if key in STATE:
                 raise StateError(f'"{key}" is not part of a start, expected some of {", ".join(keys)}{hint}')

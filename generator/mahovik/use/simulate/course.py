@@ -144,7 +144,7 @@ class Course:
     def __init__(
         self,
         block: Block,
-        given: Sequence[bool],
+        has_speed_law: Sequence[bool],
         drives: Sequence[tuple[TorqueLaw | None, Motor | None]],
         by_torque: bool,
         reacts: bool = False,
@@ -157,11 +157,11 @@ class Course:
         self.rate, self.turned = np.zeros((N, n)), np.zeros((N, n))
         self.status, self.where, now = (np.zeros(n, dtype=np.int32) for _ in range(3))
         self.when = np.zeros(n)
-        memory["locked"][:] = np.array(given, dtype=np.int32)
+        memory["locked"][:] = np.array(has_speed_law, dtype=np.int32)
         self._functions = ["a step", "coupled" if by_torque and N else "forward", "torque", "matrices"]
         answers = self._answers(needs)
         matrices = self._call("matrices") if reacts else _Call()
-        own: tuple[Array, ...] = (
+        shared: tuple[Array, ...] = (
             block.x[13 : 13 + N],
             block.x[13 + N :],
             *(memory[k] for k in ("phi_ddot", "tau", "wrench", "dt")),
@@ -169,7 +169,7 @@ class Course:
         self._c = _Course(
             *(n, n, N, memory["wrench"].shape[0], by_torque and N > 0, bool(self.needs - {"phi"})),
             *(6 * block.inputs.index(stand.carrier.name) if reacts else -1, stand.hold is not None),
-            *map(self._at, own),
+            *map(self._at, shared),
             self._at(memory.get("carry", np.zeros(0))),
             self._at(block.member("matrices", "I") if reacts else np.zeros(0)),
             self._at(memory["locked"]),
@@ -314,7 +314,7 @@ def motion(case: Case, block: Block, needs: Collection[str] = NEEDS, parts: int 
     counts = np.maximum(1, np.ceil(np.diff(case.times, prepend=0.0) / case.dt * (1 - 1e-9))).astype(np.int32)
     counts *= parts if regime.by_torque else 1
     counts[0] = 0
-    at_once = max(1, NUMBERS // sum(each.nbytes // 8 for each in course.memory(1).values()))
+    at_once = max(1, NUMBERS // sum(buffer.nbytes // 8 for buffer in course.memory(1).values()))
     first, total = 0, len(counts)
     while first < total:
         steps = np.cumsum(counts[first : first + at_once])
@@ -416,12 +416,12 @@ def parts_of(case: Case, block: Block) -> int:
 
 def _mobility(block: Block) -> Array:
     """d phi_ddot / d tau (N x N, magnitudes, 1/(kg m2)) at the one state of a block: phi'' is linear in the torques."""
-    given, rates = block.given, []
-    for tau in (np.zeros(len(given["tau"])), *np.eye(len(given["tau"]))):
-        given["tau"][:, 0] = tau
+    memory, rates = block.given, []
+    for tau in (np.zeros(len(memory["tau"])), *np.eye(len(memory["tau"]))):
+        memory["tau"][:, 0] = tau
         block.run("coupled")
-        rates.append(given["phi_ddot"][:, 0].astype(np.float64))
-    given["tau"][:] = 0.0
+        rates.append(memory["phi_ddot"][:, 0].astype(np.float64))
+    memory["tau"][:] = 0.0
     return np.abs(np.array(rates[1:]) - rates[0]).T
 
 

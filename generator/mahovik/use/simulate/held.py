@@ -57,11 +57,11 @@ def displacement(start: State, C: Array, state: State) -> Array:
     return np.concatenate([np.linalg.solve(_left_jacobian(turned), moved), turned])
 
 
-def complete_start(stand: Stand, state: State, given: Collection[str]) -> State:
+def complete_start(stand: Stand, state: State, keys: Collection[str]) -> State:
     """The start of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
     position the one where the hold has the carrier. Raises UsageError where the hold does not allow the rest.
     """
-    return allowed_start(stand, with_pose(stand, state, given))
+    return allowed_start(stand, with_pose(stand, state, keys))
 
 
 def allowed_start(stand: Stand, state: State) -> State:
@@ -152,15 +152,15 @@ class LongStep:
         )
 
 
-def long_steps(stand: Stand, dt: float, given: Sequence[bool] = ()) -> list[LongStep]:
+def long_steps(stand: Stand, dt: float, has_speed_law: Sequence[bool] = ()) -> list[LongStep]:
     """Freedoms whose friction steps of `dt` (s) do not resolve.
 
-    given  flywheels whose speed is given, so that they do not give way; default: none
+    has_speed_law  flywheels whose speed is given, so that they do not give way; default: none
     """
     laws = [law for law in stand.laws if isinstance(law, CarrierLaw)]
     if stand.hold is None or not any(law.longest_steps([1.0] * len(stand.hold.freedoms)) for law in laws):
         return []
-    loose = [k for k in range(len(stand.flywheels)) if not (given and given[k])]
+    loose = [k for k in range(len(stand.flywheels)) if not (has_speed_law and has_speed_law[k])]
     inertias = _smallest_inertias(stand, loose)
     bounds = [step for law in laws for step in law.longest_steps(inertias)]
     return [LongStep(name, dt, bound) for name, bound in bounds if dt >= bound]
@@ -175,6 +175,6 @@ def _smallest_inertias(stand: Stand, loose: Sequence[int]) -> list[float]:
     """
     assert stand.hold is not None
     at, S = pieces(stand, home(stand)), twists(stand.hold)
-    across, own = S.T @ at.I[:, loose], at.Theta_ff[np.ix_(loose, loose)]
-    mobility = np.linalg.pinv(np.block([[S.T @ at.K @ S, across], [across.T, own]]), hermitian=True)
+    across, inertias = S.T @ at.I[:, loose], at.Theta_ff[np.ix_(loose, loose)]
+    mobility = np.linalg.pinv(np.block([[S.T @ at.K @ S, across], [across.T, inertias]]), hermitian=True)
     return [1.0 / float(x) for x in np.diag(mobility)[: S.shape[1]]]

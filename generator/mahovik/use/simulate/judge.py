@@ -83,13 +83,13 @@ def motion(case: Case, y: Array, needs: Collection[str] = NEEDS) -> Iterator[Mom
             piece, rest = inside[:many], inside[many:]
             stop = piece[-1] if rest else end
             try:
-                y, found = integrate(slope, y, now, stop, piece)
+                y, rates = integrate(slope, y, now, stop, piece)
             except StateError:
                 if len(piece) < 2:
                     raise
                 many = len(piece) // 2  # the moments before it are kept
                 continue
-            rows += zip(piece, found, strict=True)
+            rows += zip(piece, rates, strict=True)
             now, inside = stop, rest
             yield _moments(case, [(t, at(t, y)) for t, y in rows], [y[13 : 13 + N] for _, y in rows], held, needs)
             rows = []
@@ -100,28 +100,28 @@ def _moments(
 ) -> Moments:
     """Moments (K, components, 1) of rows of accelerations, by the reference."""
     stand, t = case.stand, np.array([t for t, _ in rows])
-    found: dict[str, list[Array]] = {name: [] for name in ("state", *NEEDS)}
+    columns: dict[str, list[Array]] = {name: [] for name in ("state", *NEEDS)}
     want = ["torque", "points", *(["mounts"] if "loads" in needs else [])]
     for _, (state, V_dot, phi_ddot, tau) in rows:
         moving = case.moving(state, V_dot, phi_ddot)
         answers = reference.evaluate(stand, moving, want)
         numbers = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
-        found["state"].append(np.array(numbers))
-        found["V_dot"].append(V_dot)
-        found["phi_ddot"].append(phi_ddot)
-        found["tau"].append(np.where(held, answers["torque" if "torque" in answers else "tau"], tau))
+        columns["state"].append(np.array(numbers))
+        columns["V_dot"].append(V_dot)
+        columns["phi_ddot"].append(phi_ddot)
+        columns["tau"].append(np.where(held, answers["torque" if "torque" in answers else "tau"], tau))
         parts = ("position", "C", "twist", "specific_force", "angular_acceleration")
         sensors = [np.ravel(reading[part]) for reading in answers["points"].values() for part in parts]
-        found["readings"].append(np.concatenate([np.zeros(0), *sensors]))
-        found["loads"].append(np.ravel(answers.get("mount_wrench", ())))
+        columns["readings"].append(np.concatenate([np.zeros(0), *sensors]))
+        columns["loads"].append(np.ravel(answers.get("mount_wrench", ())))
         hold = stand.hold
         if hold is not None:
-            found["reaction"].append(np.asarray(reference.evaluate(stand, moving, ["forward"])["reaction"]))
+            columns["reaction"].append(np.asarray(reference.evaluate(stand, moving, ["forward"])["reaction"]))
             if has_coordinates(hold):
-                here, u = coordinates_at(stand, state), np.array(state.u)
-                q_dot, _ = rates_at(hold, here.R, u, np.zeros(len(u)))
-                orientation = () if here.orientation is None else here.orientation
-                found["coordinates"].append(np.concatenate([here.q, orientation, q_dot]))
-    arrays = {name: np.array(values).reshape(len(t), -1, 1) for name, values in found.items()}
+                at, u = coordinates_at(stand, state), np.array(state.u)
+                q_dot, _ = rates_at(hold, at.R, u, np.zeros(len(u)))
+                orientation = () if at.orientation is None else at.orientation
+                columns["coordinates"].append(np.concatenate([at.q, orientation, q_dot]))
+    arrays = {name: np.array(values).reshape(len(t), -1, 1) for name, values in columns.items()}
     arrays["phi"] = np.where(held, case.motion(t)[0], np.array(phases).reshape(len(t), -1))[:, :, None]
     return Moments(t, **arrays)

@@ -49,8 +49,8 @@ class Outcome:
         """How the step differs from the log."""
         if self.status != self.step.status:
             return f"status {status_words(self.step.status)} in the log, {status_words(self.status)} here"
-        here = _hash(self.after, self.carry_after, self.step)
-        return f"the state after it has hash {self.step.hash:08x} in the log, {here:08x} here"
+        computed = _hash(self.after, self.carry_after, self.step)
+        return f"the state after it has hash {self.step.hash:08x} in the log, {computed:08x} here"
 
 
 class Machine:
@@ -77,8 +77,8 @@ class Machine:
 
     def step(self, step: Step) -> int:
         """Run one step; return its status. A refused one leaves the state."""
-        name, given = step_inputs(self.generated, step)
-        inputs = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in given.items()}
+        name, arrays = step_inputs(self.generated, step)
+        inputs = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in arrays.items()}
         inputs["table"], inputs["dt"] = self._table, self._dtype.type(step.dt).item()
         inputs["x"] = {name: values.tolist() for name, values in self.state.items()}
         if step.carried:
@@ -119,9 +119,9 @@ def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
     """The function that made the step, and its inputs by argument name."""
     drive = "phi_ddot" if step.driven else "tau"
     locked = np.array(step.locked, dtype=np.intc)
-    given = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
+    inputs = {drive: step.drive, "locked": locked, "wrench": step.wrench, "dt": step.dt, "order": step.order}
     taken = {a.name for a in generated.program.function(step.function).arguments}
-    return step.function, {key: value for key, value in given.items() if key in taken}
+    return step.function, {key: value for key, value in inputs.items() if key in taken}
 
 
 def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterator[Outcome | Damage]:
@@ -163,10 +163,10 @@ def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
         if len(start.table) != len(packed):
             raise CheckError(f"the log's table has {len(start.table)} bytes, that of the stand {len(packed)}")
         return table_from_bytes(layout, start.table, default)
-    here = fnv1a(packed)
-    if start.table_hash != here:
+    computed = fnv1a(packed)
+    if start.table_hash != computed:
         raise CheckError(
-            f"the log's default table has hash {start.table_hash:08x}, that of the C here {here:08x}: "
+            f"the log's default table has hash {start.table_hash:08x}, that of the C here {computed:08x}: "
             "that C comes from another version of mahovik; give its folder with --against DIR"
         )
     return None
@@ -177,12 +177,12 @@ def check_stand(stand: Stand, start: Start, source: str) -> None:
     hashes = identities(stand)
     if start.stand != stand.name:
         raise CheckError(f'{source}: stand "{stand.name}", but the log is from "{start.stand}"')
-    for kind, log, here in (
+    for kind, log, expected in (
         ("structure", start.structure, hashes.structure),
         ("physics", start.physics, hashes.physics),
     ):
-        if log != here:
-            raise CheckError(f"{source}: {kind} {here}, but the log is from {log}: give the stand file that flew")
+        if log != expected:
+            raise CheckError(f"{source}: {kind} {expected}, but the log is from {log}: give the stand file that flew")
 
 
 def explain(machine: Machine, stand: Stand, start: Start) -> str:
@@ -218,8 +218,8 @@ def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
     step, before = outcome.step, outcome.before
     result: dict[str, Any] = {"id": f"step {step.count}", "quaternion": _plain(before["attitude"])}
     drive = "phi_ddot" if step.driven else "tau"
-    given = {name: before[name] for name in before if name != "attitude"} | {drive: step.drive}
-    result |= {name: _plain(values) for name, values in given.items() if np.any(values)}
+    members = {name: before[name] for name in before if name != "attitude"} | {drive: step.drive}
+    result |= {name: _plain(values) for name, values in members.items() if np.any(values)}
     pushed = {body: _plain(step.wrench[6 * i : 6 * i + 6]) for i, body in enumerate(wrenches)}
     if any(any(six) for six in pushed.values()):
         result["wrench"] = {body: six for body, six in pushed.items() if any(six)}

@@ -80,8 +80,8 @@ def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | 
     y = np.array([*start.position, *(start.quaternion or quaternion_of(C)), *start.V])
     if backend == "scipy":
         if case.real == "float" or case.carried:
-            given = "real float" if case.real == "float" else "carried"
-            raise UsageError(f"backend scipy: not allowed with {given}")
+            option = "real float" if case.real == "float" else "carried"
+            raise UsageError(f"backend scipy: not allowed with {option}")
         from mahovik.use.simulate import judge
 
         return None, judge.motion(case, y, needs)

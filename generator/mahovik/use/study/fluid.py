@@ -118,9 +118,9 @@ def fluid(stand: Stand, velocity: float) -> Fluid:
     """The report for a velocity ahead (m/s)."""
     laws = law_arrays(_without_engines(stand)).bodies
     powers = tuple(
-        power_of(body, own, ahead)
-        for body, own in zip(stand.bodies, laws, strict=True)
-        if own is not None
+        power_of(body, laws_of_body, ahead)
+        for body, laws_of_body in zip(stand.bodies, laws, strict=True)
+        if laws_of_body is not None
         for ahead in (False, True)
     )
     engines = tuple(body.name for body in stand.bodies if any(law.drives for law in body.laws))

@@ -79,7 +79,7 @@ def lost_increments_line(lost: Sequence[LostIncrement]) -> str:
     """One line on all flywheels that lose increments in steps of one length; empty without any."""
     if not lost:
         return ""
-    worst = max(lost, key=lambda each: each.part)
+    worst = max(lost, key=lambda increment: increment.part)
     more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
     return (
         f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.2g} % of what they add to the speed of "

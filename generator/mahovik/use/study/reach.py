@@ -68,16 +68,16 @@ def excess(stand: Stand) -> Excess | None:
     bodies = bodies_of(stand)
     rng = np.random.default_rng(_SEED)
     still = rest_state(stand)
-    found = np.zeros((POSITIONS, 6, len(stand.flywheels), 2))
+    needs = np.zeros((POSITIONS, 6, len(stand.flywheels), 2))
     for k in range(POSITIONS):
         at = pieces(stand, replace(still, phi=tuple(rng.uniform(-np.pi, np.pi, len(stand.flywheels)))), bodies)
         shares, by_demand = shares_by(stand, at), _inverse_matrix(at)
         for i in range(6):
             # what gravity alone asks is no part of the demand
             phi_ddot = -SMALL * by_demand @ at.K[:, i]
-            found[k, i, :, 0] = shares(phi_ddot)
-            found[k, i, :, 1] = np.abs(phi_ddot)
-    needed = np.sort(found, axis=0)[POSITIONS // 2]  # np.median would import numpy.ma
+            needs[k, i, :, 0] = shares(phi_ddot)
+            needs[k, i, :, 1] = np.abs(phi_ddot)
+    needed = np.sort(needs, axis=0)[POSITIONS // 2]  # np.median would import numpy.ma
     i, s = divmod(int(np.argmax(needed[:, :, 0])), len(stand.flywheels))
     share, phi_ddot = needed[i, s]
     if not share > 1.0:
@@ -147,7 +147,7 @@ def task_shortfalls(stand: Stand) -> list[Shortfall]:
     still, n = rest_state(stand), len(stand.flywheels)
     states = [replace(still, phi=tuple(rng.uniform(-np.pi, np.pi, n))) for _ in range(POSITIONS)]
     result = (_shortfall(stand, task, states, bodies) for task in stand.tasks)
-    return [each for each in result if each is not None]
+    return [shortfall for shortfall in result if shortfall is not None]
 
 
 def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) -> Shortfall | None:
@@ -155,7 +155,7 @@ def _shortfall(stand: Stand, task: Task, states: list[State], bodies: Bodies) ->
     rows = [task_rows(at, stand, task) for at in places]
     missing = [_missing(at, row) for at, row in zip(places, rows, strict=True)]
     names = tuple(map(row_name, task.rows))
-    if all(each is not None for each in missing):
+    if all(vector is not None for vector in missing):
         assert missing[0] is not None
         return Shortfall(task.name, names, tuple(map(float, missing[0])), "", np.inf)
     needed = np.median([_needed_share(stand, at, row) for at, row in zip(places, rows, strict=True)], axis=0)

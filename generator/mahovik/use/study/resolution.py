@@ -133,10 +133,10 @@ def _effects(scales: Scales, state: State) -> dict[str, Array]:
             continue  # a law is undefined: not a state of the stand
         value, size = np.array(measured.values[key]), np.array(measured.scales[key])
         if want == "mounts":  # each by the accelerations given and its own flywheel
-            others = np.array(reference.evaluate(balanced, state, [want], balanced_pieces)[key])
+            balanced_values = np.array(reference.evaluate(balanced, state, [want], balanced_pieces)[key])
         else:
-            others = np.array([WITHOUT_ONE[want](at, stand, state) for at in swapped])
-        change = np.abs(others - value)
+            balanced_values = np.array([WITHOUT_ONE[want](at, stand, state) for at in swapped])
+        change = np.abs(balanced_values - value)
         sizes = np.broadcast_to(size, change.shape)
         at = np.argmax(change / np.maximum(sizes, 1e-300), axis=1)
         effect, size = (np.take_along_axis(x, at[:, None], axis=1)[:, 0] for x in (change, sizes))

@@ -103,9 +103,9 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     if phi is not None:
         state = replace(state, phi=tuple(float(x) for x in phi))
     if stand.hold is not None and not is_closed(stand.hold):
-        found = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
+        reason = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
         raise CheckError(
-            f"{stand.name}: no static equilibrium: {found}; expected a closed set, as `mahovik check` says"
+            f"{stand.name}: no static equilibrium: {reason}; expected a closed set, as `mahovik check` says"
         )
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(with_least_turn(state), (0.0,) * 6, (), False)
@@ -181,7 +181,7 @@ class _Search:
             off = self.shares(displacement(self.home, C, self.state), free)
             if np.abs(off).max() <= _AT_HOME:
                 break
-            slope = np.column_stack([self.shares(self.home_slope(C, each), free) for each in free.T])
+            slope = np.column_stack([self.shares(self.home_slope(C, direction), free) for direction in free.T])
             least = 1e-8 * np.eye(len(off))  # turned by 180 degrees, all of them are as near
             self.state = self.displace(C, limit_step(-free @ np.linalg.solve(slope.T @ slope + least, slope.T @ off)))
             try:
@@ -382,8 +382,8 @@ def reduced_basis(rows: Array, digits: int = 6) -> Array:
             continue
         rows[[done, pivot]] = rows[[pivot, done]]
         rows[done] /= rows[done, column]
-        others = [i for i in range(len(rows)) if i != done]
-        rows[others] -= rows[others, column][:, None] * rows[done]
+        left = [i for i in range(len(rows)) if i != done]
+        rows[left] -= rows[left, column][:, None] * rows[done]
         done += 1
     return np.asarray(np.round(rows, digits) + 0.0)
 

@@ -170,10 +170,10 @@ class _Search:
     def _by_momentum(self, order: int, torus: Torus, w: Array, slow: Whole) -> Balance:
         """The motion of a stand that keeps its momentum. Raises CheckError."""
         conserved = Conserved.of(torus, self._drive(torus.nodes))
-        found = solve(conserved, w, slow, self._start(torus)[:, 3:6])
-        if found is None:
+        motion = solve(conserved, w, slow, self._start(torus)[:, 3:6])
+        if motion is None:
             raise self._failure(order)
-        x, c = conserved.state(found.r, found.L, slow)
+        x, c = conserved.state(motion.r, motion.L, slow)
         self.before = torus, c
         result = self._result(order, torus, c, np.zeros((len(w), 6), dtype=np.complex128))
         larger = self._larger(order)
@@ -181,7 +181,7 @@ class _Search:
             return result
         w, slow = self._frequencies(larger)
         beyond = Conserved.of(larger, self._drive(larger.nodes))
-        missing = beyond.remainder(found.r, found.L, x, w, slow, found.near)
+        missing = beyond.remainder(motion.r, motion.L, x, w, slow, motion.near)
         velocities = 1j * w[:, None] * missing
         return _with(result, np.concatenate([missing, velocities], axis=1), w, slow, order + MORE)
 

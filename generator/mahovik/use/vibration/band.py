@@ -36,7 +36,7 @@ def check_band(name: str, band: Sequence[float]) -> tuple[float, float]:
 def read_band(name: str, value: Sequence[float | str] | str) -> tuple[float, float]:
     """An argument that is a band, in Hz: two frequencies, or a text as "20..200Hz". Raises UsageError."""
     if not isinstance(value, str):
-        return check_band(name, [read_frequency(name, each) if isinstance(each, str) else each for each in value])
+        return check_band(name, [read_frequency(name, edge) if isinstance(edge, str) else edge for edge in value])
     low, dots, high = value.partition("..")
     unit = re.sub(r"^[-+\d.eE\s]+", "", high)
     if not (dots and low.strip() and unit):

@@ -100,7 +100,7 @@ def mean_equations(scene: Scene, plan: SpeedPlan, values: Array) -> Array:
 
     If no flywheel has a law that is not linear in its twist, A is linear in the speeds, and two values suffice.
     """
-    low, high = (float(each) for each in plan.sweep or (0.0, 0.0))
+    low, high = (float(end) for end in plan.sweep or (0.0, 0.0))
     if len(values) <= 2 or low == high or any(law.nonlinear for s in scene.stand.flywheels for law in s.laws):
         return average_matrices(scene, plan.rows(values))
     first, last = average_matrices(scene, plan.rows(np.array([low, high])))

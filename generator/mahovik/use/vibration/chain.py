@@ -39,7 +39,7 @@ class Makers:
 class Chain:
     """Linear chain of a stand.
 
-    own          (N, 6, 6): transfer of a wheel's mount, axes at phase 0, to E1 about O1
+    mount_transfer  (N, 6, 6): transfer of a wheel's mount, axes at phase 0, to E1 about O1
     Theta, gyro  (N, 6, 6): mean inertia of each wheel in E1 about O1; wrench on the carrier by V, at a speed of 1
     tilting      (N, 6, 3): wrench of each wheel's mean weight on the carrier by a turning of it, in E1 about O1
     seen_modes   (3, m): what is seen of each structural mode
@@ -51,7 +51,7 @@ class Chain:
     seen: Observable
     makers: Makers
     names: tuple[str, ...]
-    own: Array
+    mount_transfer: Array
     Theta: Array
     gyro: Array
     tilting: Array
@@ -107,10 +107,10 @@ class Chain:
         speeds (S, N; rad/s), omega (S, L; rad/s, above 0).
         """
         passed = self._transmit(speeds, omega, mounts)
-        each = (passed - mounts)[..., None]
+        relative = (passed - mounts)[..., None]
         a = self.bent(omega, passed)
-        if each.any():
-            a += self.seen.linear(self.motion(speeds, omega, each.sum(axis=2), lambda s: each[:, :, s]))[..., 0]
+        if relative.any():
+            a += self.seen.linear(self.motion(speeds, omega, relative.sum(axis=2), lambda s: relative[:, :, s]))[..., 0]
         return a
 
     def bent(self, omega: Array, mounts: Complex) -> Complex:
@@ -131,16 +131,16 @@ class Chain:
 
         def mount(s: int) -> Complex:
             on_carrier = self.mount_reply(s, speeds, omega, pose) + by_wheel(s)
-            return np.asarray(-np.linalg.inv(self.own[s]) @ on_carrier)
+            return np.asarray(-np.linalg.inv(self.mount_transfer[s]) @ on_carrier)
 
         return LinearMotion(omega, pose, reaction, mount)
 
     def by_unbalance(self, speeds: Array, omega: Array, wrench: Complex) -> LinearMotion:
         """Motion by the first order of each flywheel: line l is of wheel l, wrench (S, N, 6)."""
-        each = np.arange(wrench.shape[1])
+        wheels = np.arange(wrench.shape[1])
 
         def by_wheel(s: int) -> Complex:
-            return np.where(each == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
+            return np.where(wheels == s, 1.0, 0.0)[:, None, None] * wrench[..., None]
 
         return self.motion(speeds, omega, wrench[..., None], by_wheel)
 
@@ -156,8 +156,8 @@ class Chain:
         a = self.seen.linear(motion)[..., 0]
         if self.one_way:
             mounts = self.mounts(speeds, positive, motion.pose[..., 0])
-            each = np.arange(wrench.shape[1])
-            mounts[:, each, each] += wrench
+            wheels = np.arange(wrench.shape[1])
+            mounts[:, wheels, wheels] += wrench
             a += self.driven_amplitudes(speeds, positive, mounts)
         a[still] = 0.0
         return omega, np.asarray(a, dtype=np.complex128)
@@ -168,8 +168,8 @@ class Chain:
         for s, name in enumerate(self.names):
             inner = self.makers.inner.get(name)
             if inner is not None:
-                own = mounts[:, :, s] @ np.linalg.inv(self.own[s]).T
-                transmit[:, :, s] = inner.transmit(own, omega, speeds[:, s, None]) @ self.own[s].T
+                on_wheel = mounts[:, :, s] @ np.linalg.inv(self.mount_transfer[s]).T
+                transmit[:, :, s] = inner.transmit(on_wheel, omega, speeds[:, s, None]) @ self.mount_transfer[s].T
         return transmit
 
     def mounts(self, speeds: Array, omega: Array, pose: Complex) -> Complex:
@@ -223,7 +223,7 @@ class Chain:
         """
         S, L = omega.shape
         used = np.flatnonzero(PATTERNS[parts].any(axis=0))  # axes of the mount: what is seen is linear in them
-        wrench, basis = self.own[s][:, used].astype(np.complex128), PATTERNS[parts][:, used].T + 0.0
+        wrench, basis = self.mount_transfer[s][:, used].astype(np.complex128), PATTERNS[parts][:, used].T + 0.0
         sense = np.where(speeds[:, s] < 0.0, -1.0, 1.0)[:, None]
         a = np.empty((2, S, L, 3, len(parts)), dtype=np.complex128)
         step = max(1, CHUNK // max(L * len(self.names) * max(len(self.seen_modes.T), 6), 1))
@@ -267,8 +267,8 @@ class Chain:
     def _part_gains(self, s: int, parts: Whole, signed: Array, speed: Array) -> Complex:
         inner = self.makers.inner[self.names[s]]
         kinds = {"radial force": "radial", "axial force": "axial", "radial moment": "rocking", "axial moment": ""}
-        found = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
-        gains = np.stack(found, axis=-1)
+        gains_of_parts = [inner.gain(kinds[list(PARTS)[i]], signed, speed) for i in parts]
+        gains = np.stack(gains_of_parts, axis=-1)
         return np.where(signed[..., None] < 0.0, gains.conj(), gains)
 
 

@@ -66,7 +66,7 @@ class Conserved:
     """
 
     torus: Torus
-    given: Drive
+    driven: Drive
     inertia: Array
     spinning: Array
     centre: Array
@@ -89,7 +89,7 @@ class Conserved:
 
     def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
         """r' (M, 3) and omega (M, 3)."""
-        omega = (self.given.mobility @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
+        omega = (self.driven.mobility @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
         return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
 
     def carrier_momentum(self, r: Array, L: Array) -> Array:
@@ -97,7 +97,7 @@ class Conserved:
         angle = np.linalg.norm(r, axis=1)[:, None]
         across = np.cross(r, L)
         a, b = np.sinc(angle / np.pi), np.sinc(angle / (2.0 * np.pi)) ** 2 / 2.0
-        result = -self.given.h
+        result = -self.driven.h
         result[:, 3:] += L
         result[:, 3:] += b * np.cross(r, across) - a * across
         return result
@@ -115,15 +115,15 @@ class Conserved:
         at = self.torus.values(r)
         x = -self.torus.coefficients(Rotation.from_rotvec(at).apply(self.centre))
         x[slow] = 0.0
-        V = (self.given.mobility @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
+        V = (self.driven.mobility @ self.carrier_momentum(at, self.torus.values(L))[:, :, None])[:, :, 0]
         angles = Rotation.from_rotvec(at).as_euler("ZYX")[:, ::-1]
         return x, np.concatenate([x, self.torus.coefficients(np.hstack([angles, V]))], axis=1)
 
     def remainder(self, r: Complex, L: Complex, x: Complex, w: Array, slow: Whole, near: Linearised) -> Complex:
         """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""
-        own = self.torus.pad(r)
-        values, momentum = self.torus.values(own), self.torus.values(self.torus.pad(L))
-        left = self.torus.coefficients(self.rate(values, momentum)[0]) - 1j * w[:, None] * own
+        padded = self.torus.pad(r)
+        values, momentum = self.torus.values(padded), self.torus.values(self.torus.pad(L))
+        left = self.torus.coefficients(self.rate(values, momentum)[0]) - 1j * w[:, None] * padded
         inverse = near.inverse(w, slow)
         if inverse is None:
             return np.full((len(w), 6), np.nan, dtype=np.complex128)
@@ -135,7 +135,7 @@ class Conserved:
         return np.concatenate([dx, dr], axis=1)
 
 
-class Found(NamedTuple):
+class AttitudeMotion(NamedTuple):
     """Attitude r (n, 3), angular momentum L (n, 3), and the last linear equations."""
 
     r: Complex
@@ -143,7 +143,7 @@ class Found(NamedTuple):
     near: Linearised
 
 
-def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> Found | None:
+def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> AttitudeMotion | None:
     """The motion at frequencies w (n; rad/s), constant at `slow`, from a guess of r (n, 3). None: not found."""
     torus = equations.torus
     r, L, ones = start.copy(), equations.rest(slow), np.ones(3)
@@ -161,5 +161,5 @@ def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> Found 
             return None
         r, L = r + step[0], L + step[1]
         if np.all(np.abs(step[0]).max(axis=1) <= SETTLED * np.abs(r).max() + floor):
-            return Found(r, L, near)
+            return AttitudeMotion(r, L, near)
     return None

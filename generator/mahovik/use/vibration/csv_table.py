@@ -56,16 +56,16 @@ def read_columns(
     """
     head, *rows = _lines(path)
     columns = [_head(path, cell, known, names, texts) for cell in head]
-    found = [name for name, _ in columns]
-    for name in found:
-        if found.count(name) > 1:
+    names_in_file = [name for name, _ in columns]
+    for name in names_in_file:
+        if names_in_file.count(name) > 1:
             raise JitterFileError([f'{path}: column "{name}" appears twice'])
     for name in required:
-        if name not in found:
+        if name not in names_in_file:
             raise JitterFileError([f'{path}: no column "{name}"'])
     for i, cells in enumerate(rows):
-        if len(cells) != len(found):
-            raise refuse(path, i, f"{len(cells)} cells, but the header has {len(found)}")
+        if len(cells) != len(names_in_file):
+            raise refuse(path, i, f"{len(cells)} cells, but the header has {len(names_in_file)}")
     numbers, words = dict[str, Array](), dict[str, list[str]]()
     for (name, scale), column in zip(columns, zip(*rows, strict=True), strict=True):
         if name in texts:

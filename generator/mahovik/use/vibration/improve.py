@@ -193,17 +193,17 @@ def improve(
         raise CheckError("avoid: no speeds that hold the momentum keep out of these frequencies within the limits")
     bounds = search.bound(tried)
     before = max(float(search.unheld(freedom.start[None])[0]), 1e-300)
-    found: list[tuple[float, float, Array]] = []
+    evaluated: list[tuple[float, float, Array]] = []
     for i in np.argsort(bounds, kind="stable")[:TRIED]:
-        enough = max(ALIKE**2 * min((each[0] for each in found), default=np.inf), QUIET_ENOUGH**2 * before)
-        if found and (bounds[i] > enough or not go_on()):
+        enough = max(ALIKE**2 * min((one[0] for one in evaluated), default=np.inf), QUIET_ENOUGH**2 * before)
+        if evaluated and (bounds[i] > enough or not go_on()):
             break
-        found.append(search.evaluate(tried[i]))
-    for each in sorted(found, key=lambda each: each[0])[:4]:
-        if each[0] > QUIET_ENOUGH**2 * before and go_on():
-            found.append(search.descend(each, go_on))
-    enough = max(ALIKE**2 * min(each[0] for each in found), QUIET_ENOUGH**2 * before)
-    _, _, speeds = min((each for each in found if each[0] <= enough), key=lambda each: each[1])
+        evaluated.append(search.evaluate(tried[i]))
+    for one in sorted(evaluated, key=lambda one: one[0])[:4]:
+        if one[0] > QUIET_ENOUGH**2 * before and go_on():
+            evaluated.append(search.descend(one, go_on))
+    enough = max(ALIKE**2 * min(one[0] for one in evaluated), QUIET_ENOUGH**2 * before)
+    _, _, speeds = min((one for one in evaluated if one[0] <= enough), key=lambda one: one[1])
     return speeds, np.mod(search.phases(speeds, 4 * STARTS)[0], 2.0 * np.pi)
 
 
@@ -217,7 +217,7 @@ class Improved(NamedTuple):
 
 
 def improve_vibration(
-    found: Vibration, freedom: Freedom, band: Band, *, seed: int = 0, go_on: Callable[[], bool] = lambda: True
+    start: Vibration, freedom: Freedom, band: Band, *, seed: int = 0, go_on: Callable[[], bool] = lambda: True
 ) -> Improved:
     """Quieter speeds and phases than those of a study at one set of speeds, judged by the whole equations.
 
@@ -225,11 +225,11 @@ def improve_vibration(
 
     Raises CheckError: no speeds are allowed.
     """
-    speeds, phases = improve(found.chain, freedom, band, seed=seed, go_on=go_on)
-    stand, within = found.scene.stand, None if band == (0.0, np.inf) else band
-    plan, makers = SpeedPlan.constants(stand, speeds.tolist()), found.chain.makers
-    after = vibration(found.scene, plan, found.seen, phases=phases.tolist(), makers=makers, bands=[within])
-    before, now = (float(np.linalg.norm(each.sums(within).rms[0])) for each in (found, after))
+    speeds, phases = improve(start.chain, freedom, band, seed=seed, go_on=go_on)
+    stand, within = start.scene.stand, None if band == (0.0, np.inf) else band
+    plan, makers = SpeedPlan.constants(stand, speeds.tolist()), start.chain.makers
+    after = vibration(start.scene, plan, start.seen, phases=phases.tolist(), makers=makers, bands=[within])
+    before, now = (float(np.linalg.norm(spectra.sums(within).rms[0])) for spectra in (start, after))
     return Improved(speeds, phases, before, now)
 
 
@@ -266,8 +266,8 @@ class _Search:
     def bound(self, speeds: Array) -> Array:
         """Lower bound (S) of the mean square, of wheels that turn alone: of others the lines may cancel."""
         a = self.amplitudes(speeds)
-        for row, each in zip(a, speeds, strict=True):
-            for group in groups(each):
+        for row, omega in zip(a, speeds, strict=True):
+            for group in groups(omega):
                 row[group if len(group) > 1 else []] = 0.0
         return np.asarray((np.abs(a) ** 2).sum(axis=(1, 2)) / 2.0 * (1.0 - 1e-3))
 
@@ -293,7 +293,7 @@ class _Search:
             near = best[2] + step * np.vstack([basis, -basis])
             better = min(
                 map(self.evaluate, near[self.freedom.allows(near)]),
-                key=lambda each: each[0],
+                key=lambda candidate: candidate[0],
                 default=(math.inf, 0.0, near),
             )
             if better[0] < best[0] * (1.0 - 1e-9):
@@ -329,8 +329,8 @@ def cancel(a: Complex, rng: np.random.Generator, starts: int) -> tuple[Array, fl
     before = np.full(starts, np.inf)
     for sweep in range(SWEEPS):
         for k in range(m):
-            others = z @ R[k] - z[:, k] * R[k, k]
-            z[:, k] = np.where(others == 0.0, z[:, k], -others / np.where(others == 0.0, 1.0, np.abs(others)))
+            rest = z @ R[k] - z[:, k] * R[k, k]
+            z[:, k] = np.where(rest == 0.0, z[:, k], -rest / np.where(rest == 0.0, 1.0, np.abs(rest)))
         if sweep % 10 == 9:
             now = np.sum(np.abs(z @ a.T) ** 2, axis=1)
             if np.all(before - now <= 1e-9 * now):

@@ -69,10 +69,10 @@ def read_harmonics(path: Path) -> Harmonics:
         if order[i] in order[:i]:
             raise refuse(path, i, f"order {order[i]:g} appears twice")
     sense = columns.texts.get("sense", [""] * columns.rows)
-    sense = [each or ("forward" if h == 1.0 else "unknown") for each, h in zip(sense, order, strict=True)]
-    for i, each in enumerate(sense):
-        if each not in SENSES:
-            raise refuse(path, i, f'sense "{each}", expected one of {", ".join(SENSES)}')
+    sense = [word or ("forward" if h == 1.0 else "unknown") for word, h in zip(sense, order, strict=True)]
+    for i, word in enumerate(sense):
+        if word not in SENSES:
+            raise refuse(path, i, f'sense "{word}", expected one of {", ".join(SENSES)}')
     return Harmonics(order, amplitude, tolerance, tuple(sense))
 
 
@@ -122,11 +122,11 @@ class InnerModes:
         """
         if kind not in self.modes:
             return np.ones(np.broadcast(omega, speed).shape, dtype=np.complex128)
-        own, damping = self.modes[kind]
-        through = own**2 + 2j * damping * own * omega
+        natural, damping = self.modes[kind]
+        through = natural**2 + 2j * damping * natural * omega
         whirl = self.polar * speed * omega if kind == "rocking" else 0.0
         left = through - omega**2 + whirl
-        met = np.abs(left) <= 2.0 * SAME * own * np.abs(omega)
+        met = np.abs(left) <= 2.0 * SAME * natural * np.abs(omega)
         return np.where(met, np.nan, through / np.where(met, 1.0, left))
 
     def transmit(self, wrench: Complex, omega: Array, speed: Array) -> Complex:

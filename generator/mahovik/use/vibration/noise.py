@@ -67,11 +67,11 @@ def _grid(chain: Chain) -> Array:
     tables = list(chain.makers.noise.values())
     low = min(float(table.frequency[0]) for table in tables)
     high = max(float(table.frequency[-1]) for table in tables)
-    found = [np.geomspace(low, high, GRID), *(table.frequency for table in tables)]
+    grids = [np.geomspace(low, high, GRID), *(table.frequency for table in tables)]
     for omega, damping in chain.modes:
         hertz = omega / (2.0 * np.pi)
         if damping == 0.0 and low <= hertz <= high:
             raise CheckError(f"noise drives a mode of {hertz:.6g} Hz without damping: expected a damping above 0")
-        found.append(hertz * (1.0 + max(damping, 1e-4) * AROUND))
-    f = np.unique(np.concatenate(found))
+        grids.append(hertz * (1.0 + max(damping, 1e-4) * AROUND))
+    f = np.unique(np.concatenate(grids))
     return f[(f >= low) & (f <= high)]

@@ -83,7 +83,7 @@ def resonances(
     for s, (c, k) in enumerate(zip(plan.constant, plan.factor, strict=True)):
         for order in orders[s] if c or k else ():
             met = crossings(scene, plan, values, natural, order * c, order * k)
-            near = [(each.speed, each.damping * each.frequency * TURN) for each in met]
+            near = [(mode.speed, mode.damping * mode.frequency * TURN) for mode in met]
             if k:
                 near += [((way * omega / order - c) / k, zeta * omega) for omega, zeta in modes for way in (-1.0, 1.0)]
             rows += [(x, abs(width / (order * k or np.inf)), s, order) for x, width in near if low <= x <= high]

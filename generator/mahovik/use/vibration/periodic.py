@@ -113,14 +113,14 @@ def periodic_response(
     start = np.zeros(len(turning.turns)) if phases is None else np.array(phases, dtype=np.float64)
     if not turning.base:
         return _at_rest(scene, turning, start)
-    own, enough, before = np.array(turning.speeds), KINKED_TAIL if scene.stand.has_kinks else TAIL, np.inf
-    rounding, fastest, why = rounding_rates(scene, own), float(np.abs(own).max()), ""
+    constant, enough, before = np.array(turning.speeds), KINKED_TAIL if scene.stand.has_kinks else TAIL, np.inf
+    rounding, fastest, why = rounding_rates(scene, constant), float(np.abs(constant).max()), ""
     H, c = max(8, PER_TURN * max(map(abs, turning.turns))), np.zeros((1, 2 * scene.count), dtype=np.complex128)
     while H <= MOST and not why:
         torus = Torus.of(1, H)
         turned = np.outer(np.arange(torus.M) / torus.M, np.array(turning.turns, dtype=np.float64))
         phi = np.asarray(start + 2.0 * np.pi * np.remainder(turned, 1.0))
-        drive = scene.drive(phi, np.broadcast_to(own, phi.shape))
+        drive = scene.drive(phi, np.broadcast_to(constant, phi.shape))
         w, slow = np.asarray(turning.base * torus.k[:, 0], dtype=np.float64), np.zeros(1, dtype=np.int64)
         solved = newton(scene, torus, drive, w, slow, torus.pad(c), rounding, fastest)
         if solved is None:
@@ -136,7 +136,10 @@ def periodic_response(
             hold = scene.wrench @ h
             return Periodic(scene, turning, scene.whole(y), V_dot, phi, hold, multiplier, natural(J))
         before, H = tail, 2 * H
-    at, why = ", ".join(f"{x:.6g}" for x in own), why or f"its harmonics do not fall off within {MOST} of the period"
+    at, why = (
+        ", ".join(f"{x:.6g}" for x in constant),
+        why or f"its harmonics do not fall off within {MOST} of the period",
+    )
     raise CheckError(f"{scene.stand.name} at speeds {at} rad/s: no periodic steady state found: {why}")
 
 
@@ -154,9 +157,9 @@ def _at_rest(scene: Scene, turning: Turning, phases: Array) -> Periodic:
 def _tail(scene: Scene, V_dot: Array, count: int) -> float:
     """Part of the largest harmonic of V* (M, 6), of so many, that the highest third holds; 0 if it is rounding."""
     sizes = np.abs(np.fft.rfft(V_dot, axis=0)) / len(V_dot)
-    each = (sizes * np.repeat([1.0, gyration_radius(scene)], 3)).max(axis=1)[:count]
-    last = float(each[2 * len(each) // 3 :].max())
-    return 0.0 if last <= ROUNDING else last / float(each.max())
+    harmonic = (sizes * np.repeat([1.0, gyration_radius(scene)], 3)).max(axis=1)[:count]
+    last = float(harmonic[2 * len(harmonic) // 3 :].max())
+    return 0.0 if last <= ROUNDING else last / float(harmonic.max())
 
 
 def largest_multiplier(J: Array, period: float) -> float:
@@ -164,8 +167,8 @@ def largest_multiplier(J: Array, period: float) -> float:
     monodromy = np.eye(J.shape[1])
     if not J.size:
         return 1.0
-    for each in expm(J * (period / len(J))):
-        monodromy = each @ monodromy
+    for factor in expm(J * (period / len(J))):
+        monodromy = factor @ monodromy
     return float(np.abs(np.linalg.eigvals(monodromy)).max())
 
 

@@ -75,11 +75,11 @@ class Plant:
         phi = np.tile(QUARTERS[:, None], N)
         drives = [scene.drive(phi, np.tile(row, (len(phi), 1))) for row in np.vstack([np.zeros(N), np.eye(N)])]
         still = scene.chart.twists(np.zeros((len(phi), 2 * scene.count)))
-        slopes = [slopes_of_residual(mechanics, still, each) for each in drives]
-        by = [np.array([getattr(each, name) for each in slopes]) for name in ("by_pose", "by_twist")]
-        mobility = np.array([each.mobility for each in drives])
-        carrier = Linear.of(*((mobility @ each @ scene.S).mean(axis=1) for each in by))
-        free = Linear.of(*(each.mean(axis=1) for each in by))
+        slopes = [slopes_of_residual(mechanics, still, turning) for turning in drives]
+        by = [np.array([getattr(slope, name) for slope in slopes]) for name in ("by_pose", "by_twist")]
+        mobility = np.array([turning.mobility for turning in drives])
+        carrier = Linear.of(*((mobility @ slope @ scene.S).mean(axis=1) for slope in by))
+        free = Linear.of(*(slope.mean(axis=1) for slope in by))
         return Plant(scene.S, W, K, mobility[0].mean(axis=0), carrier, free, *unbalance_wrenches(stand, scene.rest))
 
     def pose(self, speeds: Array, omega: Array, wrench: Complex) -> Complex:

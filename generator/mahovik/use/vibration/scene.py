@@ -59,8 +59,8 @@ class Scene:
         S = mechanics.freedoms
         chart = Chart(mechanics, Frame.at_pose(stand, carrier_rotation(stand, state), state.position))
         still = np.zeros((1, mechanics.N))
-        given = drive(mechanics, np.array([state.phi]).reshape(1, -1), still, still)
-        by = slopes_of_residual(mechanics, chart.twists(np.zeros((1, 2 * chart.count))), given)
+        driven = drive(mechanics, np.array([state.phi]).reshape(1, -1), still, still)
+        by = slopes_of_residual(mechanics, chart.twists(np.zeros((1, 2 * chart.count))), driven)
         K = -by.by_twist_dot[0]
         along = np.zeros((S.shape[1], 0))
         if S.shape[1]:

@@ -56,10 +56,10 @@ def common_period(speeds: Sequence[float]) -> Turning:
     whole = math.lcm(*(ratio.denominator for ratio in ratios))
     off = max(abs(float(ratio) - x / fastest) for ratio, x in zip(ratios, speeds, strict=True))
     if off > EXACT or whole > MOST_TURNS:
-        given = ", ".join(f"{x:.9g}" for x in speeds)
+        values = ", ".join(f"{x:.9g}" for x in speeds)
         raise UsageError(
-            f"speeds {given} rad/s: no common period within {MOST_TURNS} turns of the fastest, so there is no periodic "
-            "steady state; give speeds in whole ratios"
+            f"speeds {values} rad/s: no common period within {MOST_TURNS} turns of the fastest, so there is no "
+            "periodic steady state; give speeds in whole ratios"
         )
     turns = [int(ratio * whole) for ratio in ratios]
     shared = math.gcd(*turns)
@@ -136,10 +136,10 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
     geared: dict[str, tuple[float, str]] = {}
     for name, text in texts.items():
         if isinstance(text, str) and ".." in text:
-            found = _range(name, text)
-            if sweep not in (None, found):
+            interval = _range(name, text)
+            if sweep not in (None, interval):
                 raise UsageError(f"speed {name}={text}: one can be swept; gear this one to it, as {name}=1.5*{swept}")
-            sweep, swept, factor[name] = found, swept or name, 1.0
+            sweep, swept, factor[name] = interval, swept or name, 1.0
         elif isinstance(text, str) and (gear := _GEAR.fullmatch(text)) and gear[2].lower() not in ("nan", "inf"):
             if gear[2] not in names:
                 raise UsageError(f'speed {name}={text}: unknown flywheel "{gear[2]}"{suggestion(gear[2], names)}')
@@ -171,9 +171,9 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     listed = [asked] if isinstance(asked, str) else list(asked)
     if isinstance(asked, Mapping):
         pairs = list(asked.items())
-    elif listed and all(isinstance(each, str) and "=" in each for each in listed):
-        pairs = [(name.strip(), text) for name, _, text in (str(each).partition("=") for each in listed)]
-    elif len(listed) == len(names) and not any(isinstance(each, str) and "=" in each for each in listed):
+    elif listed and all(isinstance(entry, str) and "=" in entry for entry in listed):
+        pairs = [(name.strip(), text) for name, _, text in (str(entry).partition("=") for entry in listed)]
+    elif len(listed) == len(names) and not any(isinstance(entry, str) and "=" in entry for entry in listed):
         pairs = list(zip(names, listed, strict=True))
     else:
         raise UsageError(
@@ -183,7 +183,7 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
         if name != ALL and name not in names:
             raise UsageError(f'speed {name}={text}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
-        if [each for each, _ in pairs].count(name) > 1:
+        if [known for known, _ in pairs].count(name) > 1:
             raise UsageError(f'speed {name}={text}: flywheel "{name}" has a speed already')
         result |= dict.fromkeys(names if name == ALL else [name], text)
     return result

@@ -151,17 +151,17 @@ class Vibration:
         if self.coarse is not None:
             near = f"coarse near {RPM * self.coarse:.6g} rpm"
             messages.append(f"warning: {near}: time ended it before the largest amplitude was known to be the true one")
-        unstable = [step for step, each in self.whole.items() if each.unstable]
+        unstable = [step for step, spectrum in self.whole.items() if spectrum.unstable]
         if unstable:
             messages.append(f"warning: unstable at {self.rpm(min(unstable))}: deviations from this motion grow")
-        holds = [each.hold for each in self.whole.values()]
+        holds = [spectrum.hold for spectrum in self.whole.values()]
         hold = max(holds, key=lambda w: float(np.abs(w).max()), default=np.zeros(6))
         if np.abs(hold).max() > 1e-12:
             force, moment = (float(np.linalg.norm(part)) for part in (hold[:3], hold[3:]))
             words = f"a constant wrench of up to {force:.3g} N and {moment:.3g} N m holds its mean place"
             messages.append(f"the stand is free to drift: {words}")
         if self.chain.makers.structure is not None:
-            mass, gyro = (float(each.max(initial=0.0)) for each in self.chain.ratios)
+            mass, gyro = (float(ratio.max(initial=0.0)) for ratio in self.chain.ratios)
             shift = f"would shift a frequency by up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
             messages.append(f"structural modes do not act back on the wheels, which {shift}")
         if self.seen.name.startswith("hold.") and (words := numbers_in_words(self.scene.stand.hold, "hold.")):
@@ -267,8 +267,8 @@ class _Study:
         for s in np.unique(met.wheel):
             rows, speeds = met.wheel == s, self.plan.rows(met.at[met.wheel == s])
             lines = self.chain.wheel_lines(s, tables[self.plan.names[s]], speeds).with_tolerances()
-            own = np.array([name.order for name in lines.names]) == met.order[rows, None]
-            size[rows] = np.where(own[..., None], lines.sizes, 0.0).sum(axis=1)
+            of_order = np.array([name.order for name in lines.names]) == met.order[rows, None]
+            size[rows] = np.where(of_order[..., None], lines.sizes, 0.0).sum(axis=1)
             hertz[rows] = np.abs(speeds[:, s]) * met.order[rows] / (2.0 * np.pi)
         for band in self.bands:
             inside = in_band(hertz, band or (0.0, np.inf))
@@ -285,8 +285,8 @@ class _Study:
             if vibration is None:
                 break
             sums = vibration.sums()
-            sizes = [np.linalg.norm(each, axis=1) for each in (sums.rms, sums.worst)]
-            near = np.concatenate([unsettled(value, each) for each in sizes])
+            sizes = [np.linalg.norm(axes, axis=1) for axes in (sums.rms, sums.worst)]
+            near = np.concatenate([unsettled(value, size) for size in sizes])
             more = merged(self.plan, value, near)
             if len(more) == len(value):
                 return value, None
@@ -320,8 +320,8 @@ class _Study:
     def result(self, value: Array, noisy: bool = True) -> Vibration:
         """What is known at values (S) of the swept speed."""
         whole = {i: self.solved[float(x)] for i, x in enumerate(value) if float(x) in self.solved}
-        spectra = {i: each for i, each in whole.items() if not isinstance(each, str)}
-        problems = {i: each for i, each in whole.items() if isinstance(each, str)}
+        spectra = {i: spectrum for i, spectrum in whole.items() if not isinstance(spectrum, str)}
+        problems = {i: why for i, why in whole.items() if isinstance(why, str)}
         unbalance, tabled = self.linear(value)
         lines = unbalance.with_whole(spectra)
         off = self.difference(unbalance, lines, list(spectra))
@@ -356,7 +356,7 @@ class _Study:
         """Largest relative difference of the RMS, root of the sum of squares over the axes, at solved rows."""
         if not rows:
             return 0.0
-        one, other = (np.linalg.norm(each.sums().rms, axis=1) for each in (linear, lines))
+        one, other = (np.linalg.norm(part.sums().rms, axis=1) for part in (linear, lines))
         least = max(SMALL * float(np.nanmax(other, initial=0.0)), STILL)
         known = [i for i in rows if other[i] > least and np.isfinite(one[i])]
         return max((float(abs(one[i] - other[i]) / other[i]) for i in known), default=0.0)
@@ -374,8 +374,8 @@ class _Study:
         at = sorted({*rows, *np.linspace(0, len(value) - 1, NOISES).astype(int).tolist()})
         missing = [float(x) for x in value[at] if float(x) not in self.noises]
         if missing:
-            found = noise(self.chain, self.plan.rows(np.array(missing)), self.bands)
-            self.noises |= dict(zip(missing, np.moveaxis(found, 1, 0), strict=True))
+            levels = noise(self.chain, self.plan.rows(np.array(missing)), self.bands)
+            self.noises |= dict(zip(missing, np.moveaxis(levels, 1, 0), strict=True))
         known = np.array([self.noises[float(x)] for x in value[at]])
         columns = known.reshape(len(at), -1).T
         return np.array([np.interp(np.arange(len(value)), at, column) for column in columns]).T.reshape(
@@ -399,11 +399,11 @@ class _Study:
         problems, rows = dict[int, str](), list(vibration.whole)
         sums = vibration.lines.at(rows).sums(vibration.noises[None][rows])
         worst = dict(zip(rows, np.linalg.norm(sums.worst, axis=1), strict=True))
-        for i, each in vibration.whole.items():
-            left = float(np.linalg.norm(each.left_out))
+        for i, motion in vibration.whole.items():
+            left = float(np.linalg.norm(motion.left_out))
             known = np.isfinite(left)
-            share = (left / worst[i] if left else 0.0) if known else each.residual
+            share = (left / worst[i] if left else 0.0) if known else motion.residual
             if share > TOO_MUCH and np.isfinite(worst[i]):
                 what = self.chain.seen.quantity if known else "acceleration"
-                problems[i] = f"inaccurate: {each.method} leaves out {share:.2g} of the {what}"
+                problems[i] = f"inaccurate: {motion.method} leaves out {share:.2g} of the {what}"
         return problems

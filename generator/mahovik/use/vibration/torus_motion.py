@@ -134,14 +134,14 @@ def state_at(scene: Scene, y: Array, phi: Array, phi_dot: Array) -> State:
     w, i, j, k = Rotation.from_matrix(at.C[0]).as_quat(scalar_first=True).tolist()
     X, Y, Z = at.O1[0].tolist()
     u, v, a, p, q, r = y[6:].tolist()
-    own = () if scene.stand.hold is None else tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist())
+    rates = () if scene.stand.hold is None else tuple((np.linalg.pinv(scene.S) @ y[6:]).tolist())
     return replace(
         scene.rest,
         position=(X, Y, Z),
         angles=None,
         quaternion=(w, i, j, k),
         V=(u, v, a, p, q, r),
-        u=own,
+        u=rates,
         phi=tuple(phi.tolist()),
         phi_dot=tuple(phi_dot.tolist()),
     )
@@ -159,7 +159,7 @@ def left_out(balance: Balance) -> float:
     phi, phi_dot = balance.motions(theta)
     push = scene.effect_of_wrench(scene.drive(phi, phi_dot)) @ balance.torus.at(balance.h, theta)[:, :, None]
     at = [pieces(scene.stand, state_at(scene, y[i], phi[i], balance.speeds)) for i in range(len(theta))]
-    exact = np.array([forward(each, np.zeros(phi.shape[1])) for each in at])
+    exact = np.array([forward(moment, np.zeros(phi.shape[1])) for moment in at])
     scale = np.repeat([1.0, gyration_radius(scene)], 3)
     off = np.linalg.norm((V_dot - exact - scene.twist(push[:, scene.count :, 0])) * scale, axis=1).max()
     most = float(np.linalg.norm(exact * scale, axis=1).max())

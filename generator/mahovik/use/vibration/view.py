@@ -277,9 +277,9 @@ def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
     """A quantity of one freedom: the first of three columns, the others are zero. Raises UsageError."""
     names = () if stand.hold is None else freedom_names(stand.hold)
     short = name.removeprefix("hold.")
-    number = next((k for k, each in enumerate(names) if short in (each, str(k + 1))), None)
+    number = next((k for k, known_name in enumerate(names) if short in (known_name, str(k + 1))), None)
     if stand.hold is None or number is None:
-        known = [REACTION, *(f"hold.{each}" for each in names)]
+        known = [REACTION, *(f"hold.{known_name}" for known_name in names)]
         raise UsageError(f"at {name}: unknown{suggestion(name, known)}; expected {', '.join(known)} or a point")
     measures = OF_FREEDOMS[stand.hold.freedoms[number].kind]
     chosen, S = _choose(name, quantity, measures, usual), twists(stand.hold)

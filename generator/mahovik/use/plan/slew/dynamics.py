@@ -154,10 +154,10 @@ class Exact:
         at = mechanics.frame.twists(course)
         u = at.V[:, :3] - at.V_r[:, :3]
         still = at._replace(V_r_dot=np.hstack([np.cross(at.V[:, 3:], u), np.zeros_like(u)]))
-        found = linear(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
-        I = -found.by_phi_ddot
+        equations = linear(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
+        I = -equations.by_phi_ddot
         K, _ = mechanics.mass_and_coupling(phi)
-        to_motion = np.linalg.solve(K, np.concatenate([found.R[:, :, None], I], axis=2))
+        to_motion = np.linalg.solve(K, np.concatenate([equations.R[:, :, None], I], axis=2))
         free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
         a, s = self._demand(demand, at.C, at.V)
         A = self.S @ by_phi_ddot

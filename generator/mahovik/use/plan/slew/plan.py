@@ -62,10 +62,10 @@ _ABSURD = 1e3
 """Share of a limit beyond which no duration is tried."""
 
 
-def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str], None] = lambda _: None) -> Plan:
+def plan_slew(stand: Stand, slew: Slew, verify: bool = True, say: Callable[[str], None] = lambda _: None) -> Plan:
     """The programme of a slew. `tell` hears what is being done."""
     try:
-        tell("searching")
+        say("searching")
         planned = mean_stand(stand) if slew.unbalance == "averaged" else stand
         made, sharp = _search(planned, slew)
     except NoSlewError as error:
@@ -75,10 +75,10 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, tell: Callable[[str
         return Plan("NO_PROGRAM", "SEARCH", (str(error),), slew.doubts, ())
     programme = _programme(stand, slew, made, sharp)
     if slew.unbalance == "averaged":
-        tell("simulating with unbalance")
+        say("simulating with unbalance")
         programme = _with_unbalance(stand, slew, programme)
     if verify:
-        tell("verifying")
+        say("verifying")
         programme = certify(stand, motion_of_slew(slew, programme), programme)
         if wrong := failed_items(programme):
             words = f"a programme was found and refused by the verification: {wrong}"
@@ -234,7 +234,7 @@ class Table:
     @property
     def worst(self) -> LimitUse:
         """The largest share; 0 where there are no limits."""
-        return max(self.limit_uses, key=lambda each: each.share, default=LimitUse("torque", 0.0, "", 0.0, 0.0, np.inf))
+        return max(self.limit_uses, key=lambda use: use.share, default=LimitUse("torque", 0.0, "", 0.0, 0.0, np.inf))
 
 
 def _rows(exact: Exact, law: Law) -> Array:
@@ -356,12 +356,12 @@ def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
     """Flywheels whose speed (M, N) changes its sign by more than rounding."""
     least = STANDING * np.abs(phi_dot).max(axis=0)
     passing = (phi_dot.min(axis=0) < -least) & (phi_dot.max(axis=0) > least)
-    return [name for name, each in zip(names, passing, strict=True) if each]
+    return [name for name, passes in zip(names, passing, strict=True) if passes]
 
 
 def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
     """The programme of the mean stand, whose report says what unbalance does besides."""
-    found = unbalance_effect(stand, motion_of_slew(slew, programme), programme)
+    effect = unbalance_effect(stand, motion_of_slew(slew, programme), programme)
     sight = slew.axis if slew.kind == "sight" else None
-    figures = None if found is None else found.figures(sight)
+    figures = None if effect is None else effect.figures(sight)
     return replace(programme, report={**programme.report, "unbalance": figures})

@@ -134,8 +134,8 @@ def output_rows(place: Place, V: Array, V_dot: Array) -> tuple[Array, Array]:
     at[6:, 6:9], at[6:, 9:] = turning, -skew(velocity) - turning @ arm
     rate = np.zeros((9, 6))
     rate[6:, :3], rate[6:, 3:] = np.eye(3), -arm
-    own = np.kron(np.eye(3), place.axes.T)
-    return own @ at, own @ rate
+    axes = np.kron(np.eye(3), place.axes.T)
+    return axes @ at, axes @ rate
 
 
 SPIN = block_diagonal(skew(np.array([1.0, 0.0, 0.0])))
@@ -195,17 +195,17 @@ def linear_model(
     """
     _check_hold(stand, locked)
     seen = places(stand, points)
-    found = _Equations.at(stand, state)
+    equations = _Equations.at(stand, state)
     N = len(stand.flywheels)
     free = 0 if locked else N
-    V, V_dot = found.V, found.V_dot
+    V, V_dot = equations.V, equations.V_dot
     n = 12 + 2 * free
     A, B = np.zeros((n, n)), np.zeros((n, free + 6))
     A[:3, :3] = A[3:6, 3:6] = -skew(V[3:])
     A[:3, 3:6] = -skew(V[:3])
     A[:6, 6:12] = np.eye(6)
     A[12 : 12 + free, 12 + free :] = np.eye(free)
-    by_state, by_input = found.accelerations(free)
+    by_state, by_input = equations.accelerations(free)
     A[6:12], A[12 + free :] = by_state[:6], by_state[6:]
     B[6:12], B[12 + free :] = by_input[:6], by_input[6:]
     rows = [output_rows(place, V, V_dot) for place in seen]
@@ -214,7 +214,7 @@ def linear_model(
     C = rate @ A[6:12]
     C[:, :12] += at
     names = tuple(place.name for place in seen)
-    nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(found.tau.tolist()))
+    nominal = replace(state, V_dot=tuple(V_dot.tolist()), tau=tuple(equations.tau.tolist()))
     channels = (states(stand, locked), inputs(stand, locked), outputs(names))
     D = rate @ B[6:12]
     if stand.hold is not None:
@@ -232,13 +232,13 @@ def _check_hold(stand: Stand, locked: bool) -> None:
     if not is_closed(hold):
         raise CheckError(f"{start}the freedoms of [hold] are not a closed set, so that they are no coordinates")
     if not hold.freedoms and (locked or not stand.flywheels):
-        found = "there is no flywheel; give freedoms"
+        reason = "there is no flywheel; give freedoms"
         if stand.flywheels:
-            found = "the flywheels are locked, as `modes` has them by default; give --flywheels free, or freedoms"
-        raise CheckError(f"{start}[hold] clamps the carrier, and {found}")
+            reason = "the flywheels are locked, as `modes` has them by default; give --flywheels free, or freedoms"
+        raise CheckError(f"{start}[hold] clamps the carrier, and {reason}")
 
 
-def _along_freedoms(hold: Hold, others: int) -> tuple[Array, Array]:
+def _along_freedoms(hold: Hold, of_flywheels: int) -> tuple[Array, Array]:
     """States of the free carrier by those of a held one, diag(S, S, E), and back; `others`: states of flywheels.
 
     The set of twists is closed, so the equations lead out of it nowhere, and any inverse of S takes them back.
@@ -246,9 +246,9 @@ def _along_freedoms(hold: Hold, others: int) -> tuple[Array, Array]:
     S = twists(hold)
     pair = np.kron(np.eye(2), S), np.kron(np.eye(2), np.linalg.pinv(S))
     m = 2 * S.shape[1]
-    whole, inverse = np.zeros((12 + others, m + others)), np.zeros((m + others, 12 + others))
+    whole, inverse = np.zeros((12 + of_flywheels, m + of_flywheels)), np.zeros((m + of_flywheels, 12 + of_flywheels))
     whole[:12, :m], inverse[:m, :12] = pair
-    whole[12:, m:] = inverse[m:, 12:] = np.eye(others)
+    whole[12:, m:] = inverse[m:, 12:] = np.eye(of_flywheels)
     return whole, inverse
 
 
@@ -272,11 +272,11 @@ class _Equations:
         S = np.eye(6) if stand.hold is None else twists(stand.hold)
         with np.errstate(all="ignore"):  # an overflow is not finite, and is reported below
             held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
-            given = drive(mechanics, phi, phi_dot, phi_ddot)
-            V_dot = S @ given.mobility[0] @ (held.R[0] + push)
+            driven = drive(mechanics, phi, phi_dot, phi_ddot)
+            V_dot = S @ driven.mobility[0] @ (held.R[0] + push)
             moving = still._replace(V_r_dot=still.V_r_dot + V_dot)
             wheels = linear(prescribed_at(mechanics, moving), phi, phi_dot, phi_ddot)
-            by = slopes_of_residual(mechanics, moving, given), slopes_of_torques(mechanics, moving, phi, phi_dot)
+            by = slopes_of_residual(mechanics, moving, driven), slopes_of_torques(mechanics, moving, phi, phi_dot)
         mass, by_state = _arrange_derivatives(*by, wheels, push_by_phi)
         tau = wheels.tau[0] - about
         if not all(np.all(np.isfinite(x)) for x in (V_dot, tau, mass, by_state)):
