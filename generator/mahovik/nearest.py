@@ -13,12 +13,12 @@ LISTED = 24
 """Most names in that list; dots stand for the rest."""
 
 
-def names_in(argument: str, given: str | Iterable[str], alone: Collection[str] = ()) -> tuple[str, ...]:
+def names_in(argument: str, listed: str | Iterable[str], alone: Collection[str] = ()) -> tuple[str, ...]:
     """Names, each once: those between the commas of a text. `alone`: words that stand for names, without others.
 
     Raises UsageError, which begins with the name of the argument.
     """
-    names = tuple(dict.fromkeys(name.strip() for name in (given.split(",") if isinstance(given, str) else given)))
+    names = tuple(dict.fromkeys(name.strip() for name in (listed.split(",") if isinstance(listed, str) else listed)))
     if "" in names:
         raise UsageError(f'{argument} "{",".join(names)}": a name is empty, expected names with commas between them')
     for word in alone:

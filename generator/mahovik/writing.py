@@ -36,7 +36,7 @@ def format_of(path: Path, formats: Sequence[str]) -> str | None:
 
     What is no regular file may have any name: its format is the first one unless its name says another.
     """
-    named = next((each for each in formats if path.name.endswith(each)), None)
+    named = next((suffix for suffix in formats if path.name.endswith(suffix)), None)
     return formats[0] if named is None and is_written_through(path) else named
 
 
@@ -74,14 +74,14 @@ def write_all(
     through: dict[Path, bytes] = {}
     replaced: dict[Path, bytes | None] = {}
     folders = {folder, *(target.parent for target in targets.values())}
-    missing = sorted({place for each in folders for place in _missing(each)}, reverse=True)
+    missing = sorted({place for parent in folders for place in _missing(parent)}, reverse=True)
     target = folder
     try:
         _make(folder)
         for name, target in targets.items():
             _make(target.parent)
-            given = files[name]
-            content = given.encode("utf-8") if isinstance(given, str) else given
+            text = files[name]
+            content = text.encode("utf-8") if isinstance(text, str) else text
             place = _place(target)
             if place is None:
                 through[target] = content
@@ -224,7 +224,7 @@ def _remove(drafts: Iterable[Path], missing: Iterable[Path]) -> None:
 
 def _missing(folder: Path) -> list[Path]:
     """The folder and its parents as far as they do not exist, innermost first."""
-    return [each for each in (folder, *folder.parents) if not each.exists()]
+    return [part for part in (folder, *folder.parents) if not part.exists()]
 
 
 def _make(folder: Path) -> None:

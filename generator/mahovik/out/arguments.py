@@ -58,7 +58,7 @@ def output_path(name: str, path: str | Path, read: Sequence[str | Path]) -> Path
     from mahovik.writing import probe
 
     path = Path(path)
-    if path.exists() and any(path.samefile(each) for each in read if Path(each).exists()):
+    if path.exists() and any(path.samefile(source) for source in read if Path(source).exists()):
         raise UsageError(f"{name} {path}: is read by this command; expected another name")
     probe(path)
     return path
@@ -142,8 +142,8 @@ def text_of_keys(keys: Keys, schema: bool = True) -> str:
             return [plain(item) for item in value]
         return float(value) if isinstance(value, Decimal) else value
 
-    given = plain(exact(keys))
-    return json.dumps({"schema": 1} | given if schema else given)
+    document = plain(exact(keys))
+    return json.dumps({"schema": 1} | document if schema else document)
 
 
 def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.inf, high: float = math.inf) -> float:
@@ -160,16 +160,16 @@ def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.
     return result
 
 
-def vector(name: str, given: str | Sequence[float], expected: str) -> Any:
+def vector(name: str, value: str | Sequence[float], expected: str) -> Any:
     """An array of three numbers of an argument `name`, or of a text of three. Raises UsageError."""
     import numpy as np
 
     try:
-        result = np.array(given.replace(",", " ").split() if isinstance(given, str) else given, dtype=np.float64)
+        result = np.array(value.replace(",", " ").split() if isinstance(value, str) else value, dtype=np.float64)
     except ValueError:
         result = np.zeros(0)
     if result.shape != (3,) or not np.isfinite(result).all():
-        raise UsageError(f"{name} {given}: expected three finite numbers, {expected}")
+        raise UsageError(f"{name} {value}: expected three finite numbers, {expected}")
     return result
 
 
@@ -191,7 +191,7 @@ def time_limit(name: str, value: Number | None) -> float | None:
 
 
 def by_flywheel(
-    name: str, given: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension | None = None
+    name: str, values: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension | None = None
 ) -> list[float]:
     """Numbers of an argument `name`, angles by default: by names of flywheels, others 0, or one for each.
 
@@ -202,19 +202,19 @@ def by_flywheel(
     dimension = dimension or ANGLE
     names = [flywheel.name for flywheel in stand.flywheels]
     result = [0.0] * len(names)
-    if given is None:
+    if values is None:
         return result
-    if isinstance(given, Mapping):
-        for key, value in given.items():
+    if isinstance(values, Mapping):
+        for key, value in values.items():
             if key not in names:
                 raise UsageError(
                     f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}"
                 )
             result[names.index(key)] = quantity(f"{name} of {key}", value, dimension)
         return result
-    if len(given) != len(names):
-        raise UsageError(f"{name}: {len(given)} numbers, but the stand has {len(names)} flywheels")
-    return [quantity(f"{name} of {own}", value, dimension) for own, value in zip(names, given, strict=True)]
+    if len(values) != len(names):
+        raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
+    return [quantity(f"{name} of {wheel}", value, dimension) for wheel, value in zip(names, values, strict=True)]
 
 
 def refuse_stand_file(name: str, path: str | Path, expected: str) -> None:

@@ -196,7 +196,7 @@ def _value(numbers: bool, repeated: bool, mapping: bool, _context: Any, option: 
 def _run(function: Callable[..., Any], as_json: bool = False, save: str | None = None, **values: Any) -> None:
     """Call a function with what was given, print and save its result, and exit with its verdict."""
     parameters = inspect.signature(function).parameters
-    given = {key: value for key, value in values.items() if value not in (None, [], ())}
+    arguments = {key: value for key, value in values.items() if value not in (None, [], ())}
     if save is not None:
         from mahovik.out.result import check_place
 
@@ -207,12 +207,12 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
             if "progress" in parameters:
                 from mahovik.out.progress import progress
 
-                with progress(f"{function.__name__} {Path(str(next(iter(given.values()), ''))).stem}") as show:
-                    found = function(**given, progress=show)
+                with progress(f"{function.__name__} {Path(str(next(iter(arguments.values()), ''))).stem}") as show:
+                    result = function(**arguments, progress=show)
             else:
-                found = function(**given)
-            if stream := isinstance(found, Generator):
-                found = _stream(found)
+                result = function(**arguments)
+            if stream := isinstance(result, Generator):
+                result = _stream(result)
         except MahovikError as error:
             if as_json and error.exit_status == 1:
                 click.echo(json.dumps({"error": str(error).splitlines()}, indent=1))
@@ -223,15 +223,15 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
             for warning in caught:
                 click.echo(f"warning: {warning.message}", err=True)
     if save is not None:
-        found.save(save)
+        result.save(save)
     if stream:
-        click.echo("".join(f"{line}\n" for line in found.messages), err=True, nl=False)
+        click.echo("".join(f"{line}\n" for line in result.messages), err=True, nl=False)
     else:
-        _print(found, as_json)
-    if found.meta.get("interrupted"):
+        _print(result, as_json)
+    if result.meta.get("interrupted"):
         click.echo("interrupted: this is the best so far", err=True)
         raise SystemExit(INTERRUPTED)
-    raise SystemExit(0 if found.ok else 1)
+    raise SystemExit(0 if result.ok else 1)
 
 
 def _stream(lines: Generator[str, None, Result]) -> Result:
@@ -347,9 +347,9 @@ class _Commands(click.Group):
             formatter.write_dl([(name.ljust(width), words) for name, words in commands.items()])
             formatter.dedent()
 
-    def make_context(self, *given: Any, **more: Any) -> click.Context:
+    def make_context(self, *args: Any, **more: Any) -> click.Context:
         with _ends():
-            return super().make_context(*given, **more)
+            return super().make_context(*args, **more)
 
     def invoke(self, ctx: click.Context) -> Any:
         with _ends():

@@ -38,7 +38,7 @@ class Progress(NamedTuple):
 OnProgress = Callable[[Progress], None]
 
 
-def tell(progress: OnProgress | None, now: Progress) -> None:
+def notify(progress: OnProgress | None, now: Progress) -> None:
     """Tell the caller how far a function is, if it has asked."""
     if progress is not None:
         progress(now)
@@ -56,10 +56,10 @@ def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) 
     `texts` are the speeds as the user gave them: a number without unit is asked about if it is above FAST, or if rpm
     would bring it within.
     """
-    given = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
+    turning = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
     beyond = [
         (wheel.name, speed, limit, text)
-        for wheel, speed, text in given
+        for wheel, speed, text in turning
         if wheel.motor is not None and (limit := wheel.motor.no_load) is not None and speed > limit * (1 + 1e-9)
     ]
     asked = ""
@@ -71,7 +71,7 @@ def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) 
         if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
             asked = rpm_question(speed)
         warn(f"{words}{asked}")
-    fast = [(wheel.name, speed) for wheel, speed, text in given if speed > FAST and _is_plain(text)]
+    fast = [(wheel.name, speed) for wheel, speed, text in turning if speed > FAST and _is_plain(text)]
     if fast and not asked:
         name, speed = fast[0]
         warn(f"{name} turns at up to {RPM * speed:.6g} rpm{rpm_question(speed)}")

@@ -95,7 +95,7 @@ def envelope(y: Array, bins: int = BINS) -> NDArray[np.intp]:
     """Indices (rising) of the points of y (M) that are drawn: of each bin the extremes and what is not finite."""
     low, high = (np.where(np.isfinite(y), y, end) for end in (np.inf, -np.inf))
     parts = np.array_split(np.arange(len(y)), min(bins, len(y)))
-    kept = [part[each[part].argmax()] for part in parts for each in (-low, high, ~np.isfinite(y))]
+    kept = [part[signal[part].argmax()] for part in parts for signal in (-low, high, ~np.isfinite(y))]
     return np.unique([0, len(y) - 1, *kept]) if len(y) > 2 * bins else np.arange(len(y))
 
 
@@ -233,7 +233,7 @@ def make_figure(
     make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None
 ) -> tuple[Any, list[Any]]:
     """A figure that `make` makes, with all drawings one below the other, and their axes."""
-    heights = [getattr(each, "height", 1.2) for each in drawings]
+    heights = [getattr(panel, "height", 1.2) for panel in drawings]
     figure = make(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
     if title:
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")

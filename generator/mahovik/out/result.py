@@ -310,7 +310,7 @@ class Result(Mapping[str, Any]):
         """For MATLAB, Octave and SciPy; the head has no date, so that the same numbers give the same bytes."""
         content = io.BytesIO()
         known = {**self.meta, **{one.name: one.values for one in self.columns}}
-        values = {key: found for key, value in known.items() if (found := _matlab(value)) is not None}
+        values = {key: data for key, value in known.items() if (data := _matlab(value)) is not None}
         import_module("scipy.io").savemat(content, values, oned_as="column")
         text = f"MATLAB 5.0 MAT-file, {self.title}".encode("ascii", "replace")[:116].ljust(116)
         return text + content.getvalue()[116:]
@@ -446,9 +446,9 @@ def plain(value: Any) -> Any:
     if isinstance(value, Result):
         return value._objects()
     if isinstance(value, Mapping):
-        return {str(key): plain(each) for key, each in value.items()}
+        return {str(key): plain(part) for key, part in value.items()}
     if isinstance(value, list | tuple | set | frozenset):
-        return [plain(each) for each in value]
+        return [plain(part) for part in value]
     if isinstance(value, np.ndarray | np.generic):
         return plain(value.tolist())
     if isinstance(value, complex):
@@ -456,7 +456,7 @@ def plain(value: Any) -> Any:
     if isinstance(value, float):
         return value if math.isfinite(value) else None
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {each.name: plain(getattr(value, each.name)) for each in dataclasses.fields(value)}
+        return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     return str(value) if isinstance(value, Path) else value
 
 
@@ -528,11 +528,11 @@ def _unit_that_fits(one: Column) -> tuple[str, float] | None:
 def _matlab(value: Any) -> Any:
     """Numbers, texts, cell arrays of texts, and mappings of these, as SciPy writes them; None for anything else."""
     if isinstance(value, Mapping):
-        inside = {str(key): _matlab(each) for key, each in value.items()}
-        return None if not inside or any(each is None for each in inside.values()) else inside
+        inside = {str(key): _matlab(part) for key, part in value.items()}
+        return None if not inside or any(part is None for part in inside.values()) else inside
     if isinstance(value, list | tuple):
-        if not all(isinstance(each, int | float) for each in value):
-            return np.array(value, dtype=object) if all(isinstance(each, str) for each in value) else None
+        if not all(isinstance(part, int | float) for part in value):
+            return np.array(value, dtype=object) if all(isinstance(part, str) for part in value) else None
         return np.array(value, dtype=np.float64)
     return value if isinstance(value, np.ndarray | str | int | float) else None
 

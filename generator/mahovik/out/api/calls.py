@@ -153,10 +153,10 @@ class Calls:
 
     # -- calls -------------------------------------------------------------------------------------------------------
 
-    def result(self, function: str, x: Any, how: How, **given: Any) -> Result:
+    def result(self, function: str, x: Any, how: How, **arguments: Any) -> Result:
         """The answer of a function. Raises InputError, RefusedError."""
-        found, status, single = self._call(function, x, how, given)
-        columns = [one._replace(values=found[one.name]) for one in self.columns[function]]
+        outputs, status, single = self._call(function, x, how, arguments)
+        columns = [one._replace(values=outputs[one.name]) for one in self.columns[function]]
         columns.append(Column("status", "", status))
         refused = int(np.count_nonzero(status < 0))
         of = "a state" if single else f"{len(status)} states"
@@ -165,14 +165,14 @@ class Calls:
         return Result(title, columns, messages=messages, ok=not refused, single=single)
 
     def step(
-        self, function: str, x: Any, dt: float | str, order: int, carry: Array | None, how: How, **given: Any
+        self, function: str, x: Any, dt: float | str, order: int, carry: Array | None, how: How, **arguments: Any
     ) -> States:
         """States a step later; changes the carry. Raises InputError, RefusedError."""
         dt = inputs.time(dt, "dt")
         if order not in (2, 4):
             raise InputError(f"order: expected 2 or 4, found {order!r:.40}")
-        given |= {"dt": self._number(dt, "dt"), "order": np.array([order], dtype=np.int32)}
-        result, status, single = self._call(function, x, how, given, carry)
+        arguments |= {"dt": self._number(dt, "dt"), "order": np.array([order], dtype=np.int32)}
+        result, status, single = self._call(function, x, how, arguments, carry)
         if carry is not None:
             carry[...] = result["rounding"].reshape(carry.shape)
         coarse = np.count_nonzero(status == STATUS_VALUES["COARSE"])
@@ -187,7 +187,7 @@ class Calls:
         return States(self.stand.name, self._state, result["next"], single)
 
     def _call(
-        self, function: str, x: Any, how: How, given: Mapping[str, Any], carry: Any = None
+        self, function: str, x: Any, how: How, arguments: Mapping[str, Any], carry: Any = None
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""
         f = self._function(function)
@@ -209,14 +209,14 @@ class Calls:
             elif a.name == "wrench" and by_body is not None:
                 parts["wrench"] = by_body
             elif a.order == "alike":
-                value = given[a.name]
+                value = arguments[a.name]
                 alike[a.name] = inputs.lock_flags(value, self.flywheels) if a.name == "locked" else value
             else:
                 labels = self._rows[task_of(function)] if a.name == "demand" else self._labels[a.name]
                 noun = "row" if a.name == "demand" else "flywheel" if labels is self.flywheels else "component"
-                parts[a.name] = inputs.read(given[a.name], a.name, a.components, labels, noun)
-        for name in given.keys() - takes if not self.flywheels else ():
-            inputs.read(given[name], name, 0, (), "flywheel")
+                parts[a.name] = inputs.read(arguments[a.name], a.name, a.components, labels, noun)
+        for name in arguments.keys() - takes if not self.flywheels else ():
+            inputs.read(arguments[name], name, 0, (), "flywheel")
         n = inputs.batch_size(parts)
         if tables is not None:
             n = self.check_tables(tables, n)
@@ -226,11 +226,11 @@ class Calls:
         return result, status, n is None
 
     def _run(
-        self, function: str, given: Mapping[str, Array], n: int, on_error: str, tables: Tables | None
+        self, function: str, arguments: Mapping[str, Array], n: int, on_error: str, tables: Tables | None
     ) -> tuple[dict[str, Array], NDArray[np.int32]]:
         """Outputs by name, batch axis first, and statuses. Raises RefusedError, InputError.
 
-        given   by argument, as (components, n), (count,), () or a record of what is the same for all states
+        arguments  by name, as (components, n), (count,), () or a record of what is the same for all states
         tables  of n stands, one of each state; None: of the stand itself
         """
         if on_error not in ("raise", "nan"):
@@ -241,8 +241,8 @@ class Calls:
             if a.name in self.made.tables:
                 if tables is not None:
                     memory[a.name] = tables.block(a.name)
-            elif a.name in given:
-                value = given[a.name]
+            elif a.name in arguments:
+                value = arguments[a.name]
                 in_order = a.order == "alike" or a.direction != "in"
                 memory[a.name] = value if in_order else inputs.by_component(value, a.components, n, self.element)
         arrays, outputs = self.made.arrange(function, n, memory, {})
@@ -298,9 +298,9 @@ class Calls:
         """A carry as records, one for each state."""
         shape = (self.maker.components,) if n is None else (n, self.maker.components)
         if not isinstance(carry, np.ndarray) or carry.dtype != self.element or carry.shape != shape:
-            found = f"{carry.dtype} {carry.shape}" if isinstance(carry, np.ndarray) else type(carry).__name__
+            actual = f"{carry.dtype} {carry.shape}" if isinstance(carry, np.ndarray) else type(carry).__name__
             count = "" if n is None else str(n)
-            raise InputError(f"carry: expected {self.element} {shape}, found {found}: model.carry({count}) makes one")
+            raise InputError(f"carry: expected {self.element} {shape}, found {actual}: model.carry({count}) makes one")
         a = next(a for a in f.arguments if a.name == "carry")
         records = np.zeros(1 if n is None else n, dtype=record(a.members, self.element))
         records["rounding"] = carry
@@ -331,7 +331,7 @@ class Calls:
         return self._rows[task]
 
     def options(
-        self, given: Mapping[str, Given | None], task: str | None = None, rows: Sequence[str] | None = None
+        self, settings: Mapping[str, Given | None], task: str | None = None, rows: Sequence[str] | None = None
     ) -> Given:
         """The options of `inverse`: those of the stand file, and what is given instead; none without flywheels.
 
@@ -340,7 +340,7 @@ class Calls:
         Raises InputError.
         """
         if not self.flywheels:
-            for name, value in given.items():
+            for name, value in settings.items():
                 if value is not None and not isinstance(value, float | int):
                     inputs.read(value, name, 0, (), "flywheel")
             return []
@@ -348,7 +348,7 @@ class Calls:
         result = np.zeros(1, dtype=record(a.members, self.element))
         for name, value in self.made.options.items():
             result[name] = value
-        for name, value in given.items():
+        for name, value in settings.items():
             if value is None:
                 continue
             if not result[name].shape[1:]:

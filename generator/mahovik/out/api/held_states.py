@@ -48,11 +48,11 @@ def check_pose(stand: Stand, position: Array, attitude: Array) -> None:
     if not is_closed(hold) or any(freedom.kind == "twist" for freedom in hold.freedoms):
         return
     back = home_attitude(stand) * np.array([1.0, -1.0, -1.0, -1.0])
-    pivot, slides = (np.array(each) for each in carried_point(hold))
+    pivot, slides = map(np.array, carried_point(hold))
     gone = position - np.array(hold.position) + _rotate(attitude, pivot)
     way = np.atleast_2d(_rotate(back, gone) - pivot)
     turned = np.atleast_2d(2.0 * _product(back, attitude)[..., 1:])
-    turns = np.array([twists(hold)[3:, k] for k, each in enumerate(hold.freedoms) if each.kind == "turn"])
+    turns = np.array([twists(hold)[3:, k] for k, freedom in enumerate(hold.freedoms) if freedom.kind == "turn"])
     way, turned = np.broadcast_arrays(way - way @ slides.T, turned - (turned @ turns.T @ turns if len(turns) else 0.0))
     off = np.concatenate([way, turned], axis=1)
     far = np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(np.atleast_2d(position)).max(axis=1))
@@ -74,8 +74,8 @@ def coordinate_names(stand: Stand) -> tuple[str, ...]:
     if hold is None:
         raise InputError(f"{function}: the stand has no [hold], expected state(position=, attitude=, V=)")
     if not has_coordinates(hold):
-        found = "the freedoms of [hold] have no coordinates" if hold.freedoms else "a clamped carrier has no freedoms"
-        raise InputError(f"{function}: {found}, expected state({'u=' if hold.freedoms else ''})")
+        problem = "the freedoms of [hold] have no coordinates" if hold.freedoms else "a clamped carrier has no freedoms"
+        raise InputError(f"{function}: {problem}, expected state({'u=' if hold.freedoms else ''})")
     return tuple(freedom_names(hold)[k] for k in numbered_freedoms(hold))
 
 

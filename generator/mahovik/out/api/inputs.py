@@ -18,10 +18,10 @@ Given = ArrayLike | Mapping[str, ArrayLike]
 """Numbers for all components, one number for each of them, or numbers by name, of which the missing are zero."""
 
 
-def numbers(given: Any, what: str) -> Array:
+def numbers(values: Any, what: str) -> Array:
     """An array of real numbers. Raises InputError for anything else."""
     try:
-        result = np.asarray(given)
+        result = np.asarray(values)
     except (ValueError, TypeError) as error:
         raise InputError(f"{what}: no array of numbers: {str(error).split('. ')[0]}") from None
     if result.dtype.kind not in "iuf":
@@ -36,24 +36,24 @@ def is_count(n: Any) -> bool:
     return isinstance(n, int | np.integer) and not isinstance(n, bool) and bool(n >= 0)
 
 
-def time(given: Any, what: str) -> Any:
+def time(value: Any, what: str) -> Any:
     """A text with a unit as a time in s; anything else as it is. Raises InputError."""
     try:
-        return number(given, TIME) if isinstance(given, str) else given
+        return number(value, TIME) if isinstance(value, str) else value
     except QuantityError as error:
         raise InputError(f"{what}: {error}") from None
 
 
-def read(given: Given, what: str, count: int, names: Sequence[str], noun: str) -> Array:
+def read(values: Given, what: str, count: int, names: Sequence[str], noun: str) -> Array:
     """An array of shape (), (count,) or (n, count). Raises InputError. `names`: of the components, `noun`s."""
-    if isinstance(given, Mapping):
-        parts = {i: numbers(value, f"{what} of {names[i]}") for i, value in places(given, what, names, noun).items()}
+    if isinstance(values, Mapping):
+        parts = {i: numbers(value, f"{what} of {names[i]}") for i, value in places(values, what, names, noun).items()}
         for i, part in parts.items():
             if part.ndim > 1:
                 raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {part.shape}")
         n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
         return _side_by_side(parts, n, len(names), 1)
-    result = numbers(given, what)
+    result = numbers(values, what)
     if result.ndim == 0 or (result.ndim <= 2 and result.shape[-1] == count):
         return result
     of = f" ({', '.join(names)})" if 0 < len(names) <= 12 else ""
@@ -68,10 +68,10 @@ def _side_by_side(parts: Mapping[int, Array], n: int | None, count: int, width: 
     return result.reshape(*result.shape[:-2], count * width)
 
 
-def places(given: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
+def places(values: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
     """Values given by name, by their place. Raises InputError for an unknown name."""
     result = {}
-    for name, value in given.items():
+    for name, value in values.items():
         if name not in names:
             raise InputError(f"{what}: no {noun} {show(name)}{suggestion(str(name), names)}")
         result[list(names).index(name)] = value
@@ -102,27 +102,27 @@ def by_component(part: Array, count: int, n: int, real: np.dtype[Any]) -> Array:
     return result
 
 
-def lock_flags(given: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.int32]:
+def lock_flags(locks: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.int32]:
     """Locks of flywheels from names, or from a flag for each. Raises InputError."""
-    given = (given,) if isinstance(given, str) else given
-    if isinstance(given, Sequence) and all(isinstance(each, str) for each in given):
-        locked = places(dict.fromkeys(map(str, given)), "locked", names, "flywheel")
+    locks = (locks,) if isinstance(locks, str) else locks
+    if isinstance(locks, Sequence) and all(isinstance(name, str) for name in locks):
+        locked = places(dict.fromkeys(map(str, locks)), "locked", names, "flywheel")
         return np.array([i in locked for i in range(len(names))], dtype=np.int32)
-    result = np.asarray(given)
+    result = np.asarray(locks)
     if result.shape != (len(names),) or result.dtype.kind not in "biu":
-        raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {given!r:.60}")
+        raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {locks!r:.60}")
     return np.asarray(result != 0, dtype=np.int32)
 
 
-def wrenches(given: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known: Sequence[str]) -> Array:
+def wrenches(by_body: Mapping[str, ArrayLike] | None, bodies: Sequence[str], known: Sequence[str]) -> Array:
     """Run-time wrenches of bodies, (6 W,) or (n, 6 W), by what is given by name. Raises InputError.
 
     `bodies`: those that take one; `known`: all of the stand.
     """
-    if given is not None and not isinstance(given, Mapping):
-        raise InputError(f"wrench: expected six numbers by the name of each body, found {type(given).__name__}")
+    if by_body is not None and not isinstance(by_body, Mapping):
+        raise InputError(f"wrench: expected six numbers by the name of each body, found {type(by_body).__name__}")
     parts: dict[str, Array] = {}
-    for body, value in (given or {}).items():
+    for body, value in (by_body or {}).items():
         if body not in known:
             raise InputError(f"wrench: no body {show(body)}{suggestion(str(body), known)}")
         if body not in bodies:

@@ -311,20 +311,20 @@ class Model:
         Gives `phi_ddot`, `residual`, `sigma`, `rank`, `damped_by`, `limited`, `hardest`, of a task `V_dot` as well, the
         motion that results; positive statuses say what to know. State by state.
         """
-        given = {"weight": weight, "limit": limit, "most": most, "motor_torque": motor_torque}
-        given |= {"motor_speed": motor_speed, "near_singular": near_singular, "damping": damping}
+        settings = {"weight": weight, "limit": limit, "most": most, "motor_torque": motor_torque}
+        settings |= {"motor_speed": motor_speed, "near_singular": near_singular, "damping": damping}
         if task is None:
             if demand is not None or rows is not None:
                 raise InputError(f"{'rows' if demand is None else 'demand'}: needs a task, task=NAME")
             if V_dot is None:
                 raise InputError("V_dot: missing; give V_dot, or a task and its demand")
-            return self._calls.result("inverse", x, how, V_dot=V_dot, options=self._calls.options(given))
+            return self._calls.result("inverse", x, how, V_dot=V_dot, options=self._calls.options(settings))
         known = self._calls.rows_of(task)
         if V_dot is not None:
             raise InputError("V_dot, task: both given, expected one of them")
         if demand is None:
             raise InputError(f"demand: missing, expected one number for each of {', '.join(known)}")
-        options = self._calls.options(given, task, rows)
+        options = self._calls.options(settings, task, rows)
         return self._calls.result(f"inverse_{task}", x, how, demand=demand, options=options)
 
     def torque_for(
@@ -423,8 +423,8 @@ class Model:
         if hold is not None and not has_coordinates(hold):
             lacks = "the freedoms of [hold] have no coordinates" if hold.freedoms else "the carrier is clamped"
             raise InputError(f"generalized: {lacks}, ask for forward")
-        given = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
-        return self._calls.result("generalized", x, how, **given)
+        arguments = {"phi_ddot": phi_ddot} | ({} if held else {"angles": angles})
+        return self._calls.result("generalized", x, how, **arguments)
 
     def forward_jacobian(self, x: StatesLike, phi_ddot: Given = 0.0, **how: Unpack[How]) -> Result:
         """Derivatives of `forward` by V, phi, phi', phi'': `V_dot_V` (6, 6), `V_dot_phi` (6, N), ... State by state."""

@@ -56,15 +56,15 @@ def simulate(
     if stand != calls.stand:  # the regime puts wrenches on bodies that take none
         other = Calls(stand, calls.real, calls.compiler, calls.threads)
         if tables is not None:
-            changes = dict(tables.samples.given)
+            changes = dict(tables.samples.changes)
             tables = make_tables(stand, other.made, other.real, other.element, other.threads, changes, len(tables))
         x0 = x.T if n else x[:, 0]
         return simulate(other, end, chosen, x0, step, between, order, mounts, tables, on_error)
     case = Case(stand, chosen, _state_of(stand, x[:, 0]), end, between, step, order, calls.real)
     needs = NEEDS - {"I", "coordinates"} - (set() if mounts else {"loads"})
-    own = Block(stand, calls.made, 1)
-    own.x[:] = x[:, :1]
-    parts = parts_of(case, own)
+    nominal = Block(stand, calls.made, 1)
+    nominal.x[:] = x[:, :1]
+    parts = parts_of(case, nominal)
     _check_size(case, x.shape[1], len(calls.made.sensors))
     pieces, refused = [], list[str]()
     for first in range(0, x.shape[1], SIZE):
@@ -115,10 +115,10 @@ def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array,
 
         state = rest(calls.stand).state
         start = np.array([*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot])
-    given = calls.array(start).astype(calls.element)
-    n = None if given.ndim == 1 else len(given)
+    states = calls.array(start).astype(calls.element)
+    n = None if states.ndim == 1 else len(states)
     n = calls.check_tables(tables, n) if tables is not None else n
-    x = np.broadcast_to(given.reshape(-1, given.shape[-1]), (n or 1, given.shape[-1]))
+    x = np.broadcast_to(states.reshape(-1, states.shape[-1]), (n or 1, states.shape[-1]))
     return np.ascontiguousarray(x.T), n
 
 
@@ -152,9 +152,9 @@ def _arrays(case: Case, block: Block, needs: Collection[str], parts: int) -> dic
     T, N, n = len(case.times), len(case.stand.flywheels), block.n
 
     def whole(name: str) -> Array:
-        found = np.concatenate([getattr(piece, name) for piece in pieces])
-        filled = np.full((T, *found.shape[1:]), np.nan, found.dtype)  # all samples may be refused before the end
-        filled[: len(found)] = found
+        joined = np.concatenate([getattr(piece, name) for piece in pieces])
+        filled = np.full((T, *joined.shape[1:]), np.nan, joined.dtype)  # all samples may be refused before the end
+        filled[: len(joined)] = joined
         return np.ascontiguousarray(filled.transpose(2, 0, 1))
 
     state, readings = whole("state"), whole("readings").reshape(n, T, -1, 24)

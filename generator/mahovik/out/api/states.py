@@ -76,11 +76,11 @@ class States:
 
     def __setitem__(self, key: str | tuple[Any, ...], value: ArrayLike) -> None:
         name = str(key[0] if isinstance(key, tuple) else key)
-        target, given = self[key], numbers(value, name)
+        target, array = self[key], numbers(value, name)
         try:
-            target[...] = given
+            target[...] = array
         except ValueError:
-            raise InputError(f"{name}: expected shape {target.shape}, found {given.shape}") from None
+            raise InputError(f"{name}: expected shape {target.shape}, found {array.shape}") from None
 
     def __getattr__(self, name: str) -> Array:
         if name not in ARRAYS:
@@ -176,7 +176,7 @@ class StateMaker:
         return self._stacked(parts, n)
 
     def from_coordinates(
-        self, q: Given, q_dot: Given, orientation: ArrayLike | None, given: Mapping[str, Given]
+        self, q: Given, q_dot: Given, orientation: ArrayLike | None, wheel_numbers: Mapping[str, Given]
     ) -> States:
         """See `Model.state_from_coordinates`."""
         names, hold = held_states.coordinate_names(self.stand), self.stand.hold
@@ -191,7 +191,7 @@ class StateMaker:
             "orientation": (self._attitudes(orientation, None), 4),
             "q_dot": (read(q_dot, "q_dot", m, freedom_names(hold), "freedom"), m),
         }
-        wheels = self._flywheel_parts(given)
+        wheels = self._flywheel_parts(wheel_numbers)
         n = batch_size({name: part for name, (part, _) in (parts | wheels).items()})
         coordinates = [by_component(part, count, n or 1, np.dtype(float)).T for part, count in parts.values()]
         place, turn, V = held_states.of_coordinates(self.stand, *coordinates)
@@ -200,14 +200,15 @@ class StateMaker:
 
     def of_array(self, array: ArrayLike) -> States:
         """See `Model.states_of`."""
-        given = read(array, "states", self.components, (), "component")
-        if given.ndim == 0:
+        states = read(array, "states", self.components, (), "component")
+        if states.ndim == 0:
             raise InputError(f"states: expected shape ({self.components},) or (n, {self.components}), found ()")
-        return self._stacked({"states": (given, self.components)}, None)
+        return self._stacked({"states": (states, self.components)}, None)
 
-    def _flywheel_parts(self, given: Any) -> Parts:
+    def _flywheel_parts(self, state_numbers: Any) -> Parts:
         N, names = len(self.flywheels), self.flywheels
-        return {name: (read(given.get(name, 0.0), name, N, names, "flywheel"), N) for name in ("phi", "phi_dot")}
+        wheel_numbers = {name: state_numbers.get(name, 0.0) for name in ("phi", "phi_dot")}
+        return {name: (read(value, name, N, names, "flywheel"), N) for name, value in wheel_numbers.items()}
 
     def _stacked(self, parts: Parts, n: int | None) -> States:
         """States of the parts below one another, n of them, or as many as the parts have. Raises InputError."""
@@ -263,8 +264,8 @@ class StateMaker:
         if attitude is not None and angles is not None:
             raise InputError("attitude, angles: both given, expected one of them")
         if angles is not None:
-            given = read(angles, "angles", 3, ("psi", "theta", "phi"), "angle")
-            return self.quaternions(np.full(3, given) if given.ndim == 0 else given)
+            triples = read(angles, "angles", 3, ("psi", "theta", "phi"), "angle")
+            return self.quaternions(np.full(3, triples) if triples.ndim == 0 else triples)
         if attitude is None:
             return np.array([1.0, 0.0, 0.0, 0.0])
         attitudes = numbers(attitude, "attitude")

@@ -72,7 +72,7 @@ class Tables:
         return self.base.replace(self.samples.values(int(number) % n))
 
     def __repr__(self) -> str:
-        names = list(self.samples.given)
+        names = list(self.samples.changes)
         paths = ", ".join(names if len(names) <= 4 else [*names[:3], f"{len(names) - 3} more"]) or "nothing"
         return f"<Tables of {len(self)} stands {self.base.name}: {paths}; {self.real}>"
 
@@ -81,7 +81,7 @@ def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
     """UsageError: a sample would move along other freedoms. Place, friction and stops of a hold may vary."""
     if stand.hold is None or any(body.name == "hold" for body in stand.bodies):
         return
-    for path in samples.given:
+    for path in samples.changes:
         keys = path.replace("[", ".").split(".")
         if keys[0] == "hold" and not {*keys[1:2]} & {*PLACE_OF_HOLD, "friction", "stop"}:
             raise UsageError(
@@ -132,8 +132,8 @@ def prepare_tables(
     blocks = {name: _aligned_memory(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
     status = np.zeros(n, dtype=np.int32)
     if n:
-        given, _columns = prepare_arguments(made, element, variants, blocks)
-        made.of_tables.call("prepare", n, given, status, threads)
+        arguments, _columns = prepare_arguments(made, element, variants, blocks)
+        made.of_tables.call("prepare", n, arguments, status, threads)
     return blocks, status
 
 
@@ -146,8 +146,8 @@ def prepare_arguments(
     parameters = fill_record(made.parameters, element, variants.parameters)
     table = fill_record(made.records["table"], element, variants.table)
     none = np.zeros(0)
-    given = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
-    return given, columns
+    arguments = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
+    return arguments, columns
 
 
 def _aligned_memory(size: int) -> NDArray[np.uint8]:

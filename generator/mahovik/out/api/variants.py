@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 class Samples:
     """Values of n samples by path: an array with the samples first, a mapping with such an array, or one for all."""
 
-    given: Mapping[str, Any]
+    changes: Mapping[str, Any]
     n: int
 
     @staticmethod
@@ -38,23 +38,23 @@ class Samples:
         """The values of a caller, checked for their shapes. Raises InputError."""
         if not isinstance(changes, Mapping):
             raise InputError(f"tables: expected a mapping from paths to arrays, found {type(changes).__name__}")
-        given = {str(path): _value(str(path), value) for path, value in changes.items()}
+        values = {str(path): _value(str(path), value) for path, value in changes.items()}
         sizes: dict[str, int] = {}
         if n is not None:
             if not is_count(n):
                 raise InputError(f"tables: n: expected a number of samples, found {n!r:.40}")
             sizes["n"] = int(n)
-        for path, value in given.items():
+        for path, value in values.items():
             _with_arrays(value, lambda array, path=path: sizes.update({path: len(array)}))
         if len(set(sizes.values())) > 1:
-            found = ", ".join(f"{name} {size}" for name, size in sizes.items())
-            raise InputError(f"tables: different numbers of samples: {found}")
+            counts = ", ".join(f"{name} {size}" for name, size in sizes.items())
+            raise InputError(f"tables: different numbers of samples: {counts}")
         if not sizes:
             raise InputError("tables: no array of samples is given; expected one, or n")
-        return Samples(given, next(iter(sizes.values())))
+        return Samples(values, next(iter(sizes.values())))
 
     def _changed(self, change: Callable[[Array], Any]) -> dict[str, Any]:
-        return {path: _with_arrays(value, change) for path, value in self.given.items()}
+        return {path: _with_arrays(value, change) for path, value in self.changes.items()}
 
     def values(self, number: int) -> dict[str, Any]:
         """The values of one sample by path."""
@@ -68,21 +68,21 @@ class Samples:
         """The values of some samples by path, columns in the place of numbers."""
         return {
             path: _with_arrays(value, lambda array, path=path: _lists(array[rows], run, frozenset((path,))))
-            for path, value in self.given.items()
+            for path, value in self.changes.items()
         }
 
 
 def _with_arrays(value: Any, change: Callable[..., Any]) -> Any:
     """The value with its arrays changed, those in mappings too."""
     if isinstance(value, Mapping):
-        return {key: _with_arrays(each, change) for key, each in value.items()}
+        return {key: _with_arrays(part, change) for key, part in value.items()}
     return change(value) if isinstance(value, np.ndarray) else value
 
 
 def _value(path: str, value: Any) -> Any:
     """A value with its numbers of samples as an array of floats. Raises InputError."""
     if isinstance(value, Mapping):
-        return {str(key): _value(path, each) for key, each in value.items()}
+        return {str(key): _value(path, part) for key, part in value.items()}
     if isinstance(value, str | int | float | bool | None) or not hasattr(value, "__len__"):
         return value
     try:
@@ -135,8 +135,8 @@ def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] 
         run = Run.of(len(rows))
         # of no sample at all the stand itself is read
         try:
-            found, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
-            if structure(found) != wanted:
+            sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+            if structure(sampled) != wanted:
                 raise UsageError(
                     f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
                     "there and not here, or the other way round; build a model of its own"
@@ -147,9 +147,9 @@ def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] 
             refused |= {int(i): reason_of(stand, samples, int(i), error) for i in rows[~run.diverged]}
             rows = rows[run.diverged]
             continue
-        parameters, table, numbers = variant(found, layout, interpreter)
-        unsure = doubtful_samples(found, len(rows))
-        _check_acting(found, numbers)
+        parameters, table, numbers = variant(sampled, layout, interpreter)
+        unsure = doubtful_samples(sampled, len(rows))
+        _check_acting(sampled, numbers)
         kept = ~run.diverged
         if whole is None:
             whole, same = (
@@ -180,8 +180,8 @@ def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> 
     """Why one sample cannot be, in one line, as the reader of stand files says it; else as `error` does."""
     try:
         read(change_values(stand, samples.values(number)), stand.name)
-    except (StandError, UsageError) as own:
-        error = own
+    except (StandError, UsageError) as first:
+        error = first
     return first_reason(error, stand.name)
 
 
@@ -229,7 +229,7 @@ def _merge(
 def _first(value: Any) -> Any:
     """Plain data with the number of the first sample in place of a column."""
     if isinstance(value, Mapping):
-        return {key: _first(each) for key, each in value.items()}
+        return {key: _first(part) for key, part in value.items()}
     if isinstance(value, list | tuple):
-        return [_first(each) for each in value]
+        return [_first(part) for part in value]
     return value.values[0] if isinstance(value, Column) else value

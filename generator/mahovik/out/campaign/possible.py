@@ -33,14 +33,14 @@ def possible_tables(model: Model, changes: Mapping[str, Any], n: int | None = No
     """
     samples = Samples.of(changes, n)
     try:
-        return PossibleTables(model.tables(samples.given, samples.n), np.arange(samples.n), {})
+        return PossibleTables(model.tables(samples.changes, samples.n), np.arange(samples.n), {})
     except (StandError, UsageError):
         reasons = _reasons(model, samples)
     while True:
         kept = np.array([i for i in range(samples.n) if i not in reasons], dtype=np.int64)
         part = samples.part(kept)
         try:
-            return PossibleTables(model.tables(part.given, part.n), kept, dict(sorted(reasons.items())))
+            return PossibleTables(model.tables(part.changes, part.n), kept, dict(sorted(reasons.items())))
         except StandError as error:  # what only the C refuses
             refusals = {int(i): _refusal(model, samples.part(kept[k : k + 1])) for k, i in enumerate(kept)}
             refusals = {number: reason for number, reason in refusals.items() if reason}
@@ -66,7 +66,7 @@ def _reasons(model: Model, samples: Samples) -> dict[int, str]:
 def _refusal(model: Model, samples: Samples) -> str:
     """Why one sample cannot be; "" if it can."""
     try:
-        model.tables(samples.given, samples.n)
+        model.tables(samples.changes, samples.n)
     except StandError as error:
         return first_reason(error, f"{model.stand.name}, sample 0")
     return ""

@@ -69,12 +69,12 @@ def balance(
     return _by_model(stand, files_of(data), plane)
 
 
-def _by_influence(given: Any, method: Literal["least-squares", "min-max"]) -> Result:
+def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:
     from mahovik.use.balance.influence import read_influence, solve, write_polar
     from mahovik.use.balance.pieces import choose_pieces
 
-    problems, off = read_influence(given)
-    problem, solutions = problems[0], [solve(each, method) for each in problems]
+    problems, off = read_influence(influence)
+    problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
     w, left = solutions[0].w, solutions[0].left
     largest = float(np.abs(problem.A).max())
 
@@ -114,21 +114,21 @@ def _by_influence(given: Any, method: Literal["least-squares", "min-max"]) -> Re
 def _pieces(made: Made) -> list[Column]:
     placed = made.placed
     return [
-        column("plane", "", np.array([each.plane for each in placed], dtype=int)),
-        column("degrees", "", [each.piece.degrees % 360.0 for each in placed]),
-        column("amount", "", [each.piece.amount for each in placed]),
-        column("radius", "", [each.piece.radius for each in placed]),
-        column("count", "", [each.count for each in placed]),
-        column("kind", "", ["hole" if each.piece.value < 0.0 else "weight" for each in placed]),
+        column("plane", "", np.array([placement.plane for placement in placed], dtype=int)),
+        column("degrees", "", [placement.piece.degrees % 360.0 for placement in placed]),
+        column("amount", "", [placement.piece.amount for placement in placed]),
+        column("radius", "", [placement.piece.radius for placement in placed]),
+        column("count", "", [placement.count for placement in placed]),
+        column("kind", "", ["hole" if placement.piece.value < 0.0 else "weight" for placement in placed]),
     ]
 
 
-def _by_model(given: Any, files: Sequence[Path], plane: Any) -> Result:
+def _by_model(source: Any, files: Sequence[Path], plane: Any) -> Result:
     from mahovik.out.api.stands import Stand
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
     from mahovik.use.measured import read_recordings
 
-    stand = Stand.of(given)
+    stand = Stand.of(source)
     planes = _planes(stand, plane or {})
     recordings = read_recordings(files, stand)
     wheels = balance_wheels(stand, recordings, planes)
@@ -193,15 +193,15 @@ def _static(wheel: Any) -> dict[str, Any]:
     } | grades
 
 
-def _planes(stand: Stand, given: Any) -> dict[str, Planes]:
+def _planes(stand: Stand, plane: Any) -> dict[str, Planes]:
     """Planes by flywheel. Raises UsageError: a name or a number; BalanceError: pieces."""
-    tables, names = given, [wheel.name for wheel in stand.flywheels]
+    tables, names = plane, [wheel.name for wheel in stand.flywheels]
     planes: dict[str, Planes] = {}
-    if not isinstance(given, Mapping):
+    if not isinstance(plane, Mapping):
         try:
-            tables = tomllib.loads(Path(given).read_text(encoding="utf-8"))
+            tables = tomllib.loads(Path(plane).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
-            raise BalanceError([f"{given}: {getattr(error, 'strerror', None) or f'not TOML: {error}'}"]) from None
+            raise BalanceError([f"{plane}: {getattr(error, 'strerror', None) or f'not TOML: {error}'}"]) from None
     for name, value in tables.items():
         if name not in (*names, "all"):
             raise UsageError(f'plane: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}')
@@ -210,13 +210,13 @@ def _planes(stand: Stand, given: Any) -> dict[str, Planes]:
     return planes
 
 
-def _planes_of(name: str, given: Any) -> Planes:
+def _planes_of(name: str, plane: Any) -> Planes:
     from mahovik.core.stand.units import LENGTH, MASS, QuantityError
     from mahovik.use.balance.by_model import Planes
     from mahovik.use.balance.pieces import read_choices
 
     where = f"plane of {name}"
-    table = given if isinstance(given, Mapping) else {"positions": given}
+    table = plane if isinstance(plane, Mapping) else {"positions": plane}
     for key in table:
         if key not in ("positions", "pieces"):
             raise UsageError(f"{where}: unknown key {key}{suggestion(str(key), ('positions', 'pieces'))}")

@@ -8,7 +8,7 @@ from typing import Annotated
 
 from mahovik.errors import UsageError
 from mahovik.out.arguments import Folder, Progressing
-from mahovik.out.notices import Progress, tell
+from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result
 
 
@@ -70,7 +70,7 @@ def campaign(
     lost: dict[int, str] = {}
     for done, (number, why) in enumerate(compute(campaign_, folder, missing, workers, scheduler), 1):
         lost |= {number: why} if why else {}
-        tell(progress, Progress(campaign_.name, float(len(wanted) - len(missing) + done), float(len(wanted))))
+        notify(progress, Progress(campaign_.name, float(len(wanted) - len(missing) + done), float(len(wanted))))
     whole = [number for number in wanted if number not in lost]
     result = summarise(campaign_, tables(campaign_, folder, whole), len(whole))
     if lost:

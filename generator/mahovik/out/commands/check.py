@@ -65,35 +65,36 @@ def check(
     from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line
 
-    own = Stand.of(stand)
+    machine = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
     apart = None if planes is None else quantity("planes", planes, LENGTH, 1e-6, 1e6)
     ahead = None if fluid is None else quantity("fluid", fluid, VELOCITY, 1e-3, 1e4)
     step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
-    phases = by_flywheel("phase", phase, own)
+    phases = by_flywheel("phase", phase, machine)
     if turning is not None:
         warn_of_speeds(
-            own,
-            [turning] * len(own.flywheels),
-            [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(own.flywheels),
+            machine,
+            [turning] * len(machine.flywheels),
+            [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(machine.flywheels),
         )
     written, doubts = written_numbers(stand) if isinstance(stand, str | Path) else ([], [])
-    summary = summarize(own, turning, apart, {w.where: w.text for w in written if w.key == "unbalance.static"})
+    summary = summarize(machine, turning, apart, {w.where: w.text for w in written if w.key == "unbalance.static"})
     speeds = [row.speed for row in summary.unbalance]
-    short, over, unreached, steep = shortfalls(own, speeds), excess(own), task_shortfalls(own), long_steps(own, step)
-    lost = [] if dt is None else lost_increments(own, speeds, step)
+    short, over = shortfalls(machine, speeds), excess(machine)
+    unreached, steep = task_shortfalls(machine), long_steps(machine, step)
+    lost = [] if dt is None else lost_increments(machine, speeds, step)
     line, held = shortfalls_line(short), [f"held, {summary.hold}"] if summary.hold else []
     warnings = [*summary.warnings, *doubts, *([line] if line else []), *map(str, lost), *map(str, steep)]
-    warnings += [str(each) for each in (over, *unreached) if each is not None]
-    rest, pose = _rest(own, phases)
-    in_fluid, words = _fluid(own, ahead)
-    meta, details = _figures(own, summary, written)
+    warnings += [str(shortfall) for shortfall in (over, *unreached) if shortfall is not None]
+    rest, pose = _rest(machine, phases)
+    in_fluid, words = _fluid(machine, ahead)
+    meta, details = _figures(machine, summary, written)
     more: dict[str, Any] = {
         "rest": rest, "float": short, "increments": lost, "friction_steps": steep, "excess": over,
         "unreached": unreached, **in_fluid,
     }  # fmt: skip
     return Result(
-        f"{own.name}   structure {meta['structure']}, physics {meta['physics']}",
+        f"{machine.name}   structure {meta['structure']}, physics {meta['physics']}",
         columns_of(
             summary.bodies,
             {"name": "", "kind": "", "mount": "", "mass": "kg", "center_of_mass": "m"},
@@ -121,8 +122,8 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
     if any(row.plane_velocity is not None for row in summary.unbalance):
         effects |= {"plane_velocity": "m/s", "plane_grade": ""}
     capacities = [("momentum", summary.momentum, "N m s"), ("torque", summary.torque, "N m")]
-    capacities = [each for each in capacities if each[1].total > 0.0]
-    numbers = [(each, *each.printed) for each in summary.hold_numbers]
+    capacities = [entry for entry in capacities if entry[1].total > 0.0]
+    numbers = [(number, *number.printed) for number in summary.hold_numbers]
     bodies: dict[tuple[str, str, str], list[str]] = {}
     for one in written:
         if one.unit != "rad" or one.where.partition(".")[0] == "hold":  # angles of bodies are in other tables
@@ -150,8 +151,8 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
             column("rows", "", [", ".join(task.rows) for task in summary.tasks]),
         )),
         "hold": Result("held", (
-            column("by", "", [each.of for each, *_ in numbers]),
-            column("number", "", [each.name for each, *_ in numbers]),
+            column("by", "", [number.of for number, *_ in numbers]),
+            column("number", "", [number.name for number, *_ in numbers]),
             column("value", "", ["  ".join(f"{x + 0.0:.6g}" for x in values) for _, values, _ in numbers]),
             column("unit", "", [unit or "SI" for *_, unit in numbers]),
         )),
@@ -168,8 +169,8 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
 
 def _weakest(capacity: Capacity) -> str:
     """The direction in E1 in which the motors together reach least."""
-    first, *others = capacity.envelope.worst
-    more = f"; {len(others)} more such" if others else ""
+    first, *equals = capacity.envelope.worst
+    more = f"; {len(equals)} more such" if equals else ""
     return f"({', '.join(f'{x:.5g}' for x in first)}){more}"
 
 

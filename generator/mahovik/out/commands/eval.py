@@ -45,12 +45,12 @@ def eval(
 
     if real == "float" and backend != "c":
         raise UsageError(f"real float: only --backend c has it, not {backend}")
-    own = Stand.of(stand)
+    machine = Stand.of(stand)
     makers = {"numpy": backends.NumpyBackend, "casadi": backends.CasadiBackend}
-    by = makers[backend](own) if backend in makers else backends.KeptBackend(own, real)
+    by = makers[backend](machine) if backend in makers else backends.KeptBackend(machine, real)
     lines = split_lines(sys.stdin.buffer) if states is None else map(_line, states)
     failed = 0
-    for line, good in evaluate_lines(own, by, lines, real):
+    for line, good in evaluate_lines(machine, by, lines, real):
         failed += not good
         yield line
     messages = [f"error: {failed} of the states cannot be evaluated, see their lines"] if failed else []

@@ -9,7 +9,7 @@ from typing import Literal
 
 from mahovik.errors import CheckError, UsageError, whole_number
 from mahovik.out.arguments import Folder, Progressing, StandGiven, Text
-from mahovik.out.notices import Progress, tell
+from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
 FUZZ_SECONDS = (20, 600)
@@ -58,8 +58,8 @@ def evidence(
     if check is not None:
         if stand is not None or output is not None:
             raise UsageError("check: checks a folder, without a stand file and -o")
-        if found := differences(Path(check)):
-            raise CheckError("\n".join(found))
+        if changed := differences(Path(check)):
+            raise CheckError("\n".join(changed))
         return Result(f"{check}: every file is as it was written", meta={"folder": str(check)}, details=("folder",))
     if not isinstance(stand, str | Path):
         raise UsageError("stand: expected the path of a stand file, or --check DIR")
@@ -69,27 +69,27 @@ def evidence(
 
     if seconds is not None:
         whole_number("seconds", seconds, 1, 1_000_000)
-    own, options = load(stand), Options(real or "double")
+    machine, options = load(stand), Options(real or "double")
     if against is not None:
         delivered = delivered_options(Path(against))
         if delivered is None:
             raise UsageError(f"against {against}: no manifest.json, expected a folder of `mahovik generate`")
         if real is not None and real != delivered.real:
             raise UsageError(f"against {against}: its C is {delivered.real}, expected {real}: leave --real out")
-        own, options = stand_in(Path(against), own), delivered
+        machine, options = stand_in(Path(against), machine), delivered
     wanted = select_pieces(PIECES, only, without)
-    folder = Path(output) if output is not None else Path(f"{own.name}-evidence")
-    order = [each.name for each in PIECES if each.name in wanted]
+    folder = Path(output) if output is not None else Path(f"{machine.name}-evidence")
+    order = [piece.name for piece in PIECES if piece.name in wanted]
 
     def say(name: str, what: str) -> None:
         """A line a piece where no terminal shows the progress."""
         now = f"{order.index(name) + 1} of {len(order)}: {name}"
-        tell(progress, Progress(f"{now}, {what}" if what else now))
+        notify(progress, Progress(f"{now}, {what}" if what else now))
         if not what and progress is not None and not sys.stderr.isatty():
             print(now, file=sys.stderr)
 
     outcomes = collect(
-        own, content(Path(stand)), folder, PIECES, options, full=full, seconds=seconds or FUZZ_SECONDS[full],
+        machine, content(Path(stand)), folder, PIECES, options, full=full, seconds=seconds or FUZZ_SECONDS[full],
         wanted=wanted, say=say,
     )  # fmt: skip
     strict = os.environ.get("CI", "").lower() in ("true", "1")
@@ -100,11 +100,11 @@ def evidence(
     elif bad:
         messages.append(f"{', '.join(bad)}: failed, or not run because a tool is missing")
     return Result(
-        f"evidence for {own.name}",
+        f"evidence for {machine.name}",
         (
-            column("piece", "", [each.piece.name for each in outcomes]),
-            column("verdict", "", [each.verdict.value for each in outcomes]),
-            column("figure", "", [each.figure for each in outcomes]),
+            column("piece", "", [outcome.piece.name for outcome in outcomes]),
+            column("verdict", "", [outcome.verdict.value for outcome in outcomes]),
+            column("figure", "", [outcome.figure for outcome in outcomes]),
         ),
         rows="table",
         meta={"folder": str(folder), "conclusion": conclusion(outcomes), "pieces": as_dicts(outcomes)},

@@ -23,7 +23,7 @@ from mahovik.out.arguments import (
     quantity,
     servo_of,
 )
-from mahovik.out.notices import Progress, tell, warn
+from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -115,33 +115,33 @@ def generate(
     from mahovik.core.stand import load
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in, with_prefix
 
-    given = load(stand) if isinstance(stand, str | Path) else stand
+    machine = load(stand) if isinstance(stand, str | Path) else stand
     chosen, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
     if chosen == ("list",):
-        return _functions(given)
-    own = with_prefix(given, prefix)
+        return _functions(machine)
+    named = with_prefix(machine, prefix)
     _refuse_contradictions(project, fmu, programme, motion, servo, attitude, name, bool(chosen or added or batch))
     if project == "fmu":
-        return _fmu(own, output, fmu, check, progress)
-    folder = Path(output) if output is not None else Path(_default_name(own, project, attitude))
+        return _fmu(named, output, fmu, check, progress)
+    folder = Path(output) if output is not None else Path(_default_name(named, project, attitude))
     there: Options | None = None
     if check or programme is not None:
-        own = stand_in(folder, own) if prefix is None and check else own
+        named = stand_in(folder, named) if prefix is None and check else named
         there = delivered_options(folder)
     chosen = chosen or (there.only if there else ())
     added = tuple(dict.fromkeys((*added, *(["batch"] if batch else []), *(there.additions if there else ()))))
-    tell(progress, Progress(f"generate {own.name}"))
-    if programme is not None and (folder / f"{own.name}.h").is_file():
+    notify(progress, Progress(f"generate {named.name}"))
+    if programme is not None and (folder / f"{named.name}.h").is_file():
         made = _Contents({})  # the C is there, and stays as it is
     else:
-        made = _files(own, project, attitude, real or (there.real if there else None), chosen, added)
+        made = _files(named, project, attitude, real or (there.real if there else None), chosen, added)
     if programme is not None:
-        _add_programme(made, own, folder, programme, motion, servo, table, name, real)
+        _add_programme(made, named, folder, programme, motion, servo, table, name, real)
     if check:
-        return _compared(folder, own, made)
+        return _compared(folder, named, made)
     if project is None and made.files:
-        _warn(own, made, chosen)
-    return _deliver(folder, own, made, stand)
+        _warn(named, made, chosen)
+    return _deliver(folder, named, made, stand)
 
 
 def _refuse_contradictions(
@@ -232,30 +232,30 @@ def _add_programme(
     from mahovik.out.export.programme import export_programme
     from mahovik.out.export.programme.files import element_type, refuse_foreign
 
-    found = programme_of(programme)
-    required = None if motion is None else motion_of(motion, stand, found)
+    course = programme_of(programme)
+    required = None if motion is None else motion_of(motion, stand, course)
     chosen = element_type(folder, stand, real)
     source = Path(programme).name if isinstance(programme, str | Path) else "programme"
     if servo is None:
-        tables = export_programme(stand, found, required, table, None, chosen, None, source, name)
+        tables = export_programme(stand, course, required, table, None, chosen, None, source, name)
         made.lines = tables.lines
     else:
         from mahovik.out.export.servo import export_servo
 
         names = source, Path(servo).name if isinstance(servo, str | Path) else "servo"
-        both = export_servo(stand, found, required, servo_of(servo, stand), chosen, table, names, name)
+        both = export_servo(stand, course, required, servo_of(servo, stand), chosen, table, names, name)
         tables, made.servo, made.lines = both.programme, both.servo, (*both.programme.lines, *both.lines)
         refuse_foreign(folder, stand, "servo", made.servo, "" if name == "programme" else f"{name}_servo")
     made.programme = tables.files
     refuse_foreign(folder, stand, "programme", made.programme, name)
 
 
-def _deliver(folder: Path, stand: Stand, made: _Contents, given: Any) -> Result:
+def _deliver(folder: Path, stand: Stand, made: _Contents, source: Any) -> Result:
     from mahovik.core.stand.content import content
     from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.writing import write_all
 
-    made_by = provenance(content(Path(given)) if isinstance(given, str | Path) else None)
+    made_by = provenance(content(Path(source)) if isinstance(source, str | Path) else None)
     paths: list[Path] = []
     if made.files:
         done = deliver(folder, stand, made.files, replaceable=made.replaceable, made_by=made_by)
@@ -288,13 +288,13 @@ def _compared(folder: Path, stand: Stand, made: _Contents) -> Result:
     from mahovik.proof.verify.delivery import differences
 
     files = {name: text for name, text in made.files.items() if name not in made.replaceable}
-    found = differences(folder, stand, files) if files else []
+    differing = differences(folder, stand, files) if files else []
     for name, text in {**made.programme, **made.servo}.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() != text.encode():
-            found.append(f"{path}: is {'not what the generator makes of it' if path.is_file() else 'missing'}")
-    if found:
-        raise CheckError("\n".join(found))
+            differing.append(f"{path}: is {'not what the generator makes of it' if path.is_file() else 'missing'}")
+    if differing:
+        raise CheckError("\n".join(differing))
     return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
 
 
@@ -316,8 +316,8 @@ def _warn(stand: Stand, made: _Contents, only: tuple[str, ...]) -> None:
                 yield lost_increments_line(lost)
         yield from map(str, task_shortfalls(stand))
         inverted = not only or any(name.startswith(("inverse", *ALL)) for name in only)
-        if not stand.tasks and inverted and (found := excess(stand)) is not None:
-            yield str(found)
+        if not stand.tasks and inverted and (shortfall := excess(stand)) is not None:
+            yield str(shortfall)
 
     for line in filter(None, doubts()):
         warn(line)
@@ -349,7 +349,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
     start = load_start(Path(chosen["start"]), stand) if chosen["start"] is not None else None
     if not check:
         probe(target)
-    tell(progress, Progress(f"FMU of {stand.name}"))
+    notify(progress, Progress(f"FMU of {stand.name}"))
     binary = chosen["binary"] == "yes" and not check
     made = export_fmu(stand, chosen["version"], chosen["kind"], chosen["inputs"], chosen["dt"], start, binary)
     if check:

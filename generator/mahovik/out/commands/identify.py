@@ -55,7 +55,7 @@ def identify(
     from mahovik.use.measured import read_recordings
     from mahovik.writing import probe, write
 
-    own, files = Stand.of(stand), files_of(data)
+    machine, files = Stand.of(stand), files_of(data)
     if output is not None:
         if not isinstance(stand, str | Path):
             raise UsageError("output: needs the stand as a file, whose comments stay")
@@ -63,8 +63,8 @@ def identify(
             raise UsageError(f"output: {output} is read; expected another file")
         probe(Path(output))
     paths, delays = read_free(free)
-    numbers = Free(own, paths, delays)
-    recordings = read_recordings(files, own)
+    numbers = Free(machine, paths, delays)
+    recordings = read_recordings(files, machine)
     fit, runs = estimate(numbers, recordings, loss)
     values, before = numbers.values(fit.theta), numbers.values(numbers.nominal)
     new = numbers.stand
@@ -73,20 +73,20 @@ def identify(
     if output is not None:
         write(Path(output), with_numbers(Path(str(stand)).read_text(encoding="utf-8-sig"), new, numbers.numbers))
     shares = [shares_left(run, left) for run, left in zip(runs, fit.residuals, strict=True)]
-    heard, left = (np.concatenate([each[i] for each in shares]) for i in (1, 0))
+    heard, left = (np.concatenate([share[i] for share in shares]) for i in (1, 0))
     seen = left[heard] if heard.any() else left[np.isfinite(left)]
     channels = [(run.source, label) for run in runs for label in run.channels]
     notes = [note for recording in recordings for note in recording.notes]
     notes += [note for run in runs for note in run.notes]
     if not heard.any():
         notes.append("no channel has a signal above its noise: the residual is that of noise")
-    for (source, label), share, bad in zip(channels, left, np.concatenate([each[2] for each in shares]), strict=True):
+    for (source, label), share, bad in zip(channels, left, np.concatenate([share[2] for share in shares]), strict=True):
         if bad:
             words = "a sign, an axis, a phase, a unit, or a number that is not free?"
             notes.append(f"warning: {source}: {label}: the stand leaves {100.0 * share:.3g} % of the data: {words}")
     lines = unobservable_lines(numbers, runs, fit)
     return Result(
-        f"{own.name}: numbers from {', '.join(run.source for run in runs)}",
+        f"{machine.name}: numbers from {', '.join(run.source for run in runs)}",
         (
             column("path", "", numbers.paths),
             column("value", "", values),
@@ -97,7 +97,7 @@ def identify(
         rows="parameters",
         index="path",
         meta={
-            "stand": own.name,
+            "stand": machine.name,
             "residual": float(np.sqrt(np.mean(seen**2))) if seen.size else math.nan,
             "unobservable": lines,
             "channels": Result(

@@ -13,7 +13,7 @@ from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, refuse_stand_file, time
 from mahovik.out.commands.verify import report_result
-from mahovik.out.notices import Progress, tell, warn
+from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
 from mahovik.writing import probe
 
@@ -87,7 +87,7 @@ def judge(
     """
     from mahovik.out.api.stands import Stand
 
-    own, wants = Stand.of(stand), names_in("want", want) if want else ()
+    machine, wants = Stand.of(stand), names_in("want", want) if want else ()
     longest = 300.0 if timeout is None else time("timeout", timeout)
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
@@ -95,14 +95,14 @@ def judge(
     for file in (junit, worst):
         if file is not None:
             probe(Path(file))
-    if unknown := [each for each in wants if each not in ALL_WANTS]:
+    if unknown := [word for word in wants if word not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
     for name in ("with_", "fmu", "map", "log"):
-        given = {"with_": None, "fmu": "an FMU", "map": "a map of variables", "log": "a log"}[name]
+        noun = {"with_": None, "fmu": "an FMU", "map": "a map of variables", "log": "a log"}[name]
         path = {"with_": None, "fmu": fmu, "map": map, "log": log}[name]
-        if given is not None and path is not None:
-            refuse_stand_file(name, path, given)
-    judged = [name for name, each in (("with_", with_), ("log", log), ("fmu", fmu)) if each is not None]
+        if noun is not None and path is not None:
+            refuse_stand_file(name, path, noun)
+    judged = [name for name, subject in (("with_", with_), ("log", log), ("fmu", fmu)) if subject is not None]
     if len(judged) != 1:
         found_words = " and ".join(judged) if judged else "none"
         raise UsageError(f"with_, log, fmu: found {found_words}, expected one of them")
@@ -117,18 +117,22 @@ def judge(
     from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
 
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
-        tell(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
+        notify(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:
             return _result(
-                *_explained(own, _judge_log(own, Path(log), wants, tolerance), explain, seed, progress), junit, worst
+                *_explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, progress),
+                junit,
+                worst,
             )
         if fmu is not None and map is not None:
-            program = fmu_program(Path(fmu), Path(unpacked), Path(map), own, str(stand))
+            program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
         else:
             program = program_of(str(with_), str(stand), attitude)
-            program = replace(program, actuators=_takes_actuators(own, program, longest))
+            program = replace(program, actuators=_takes_actuators(machine, program, longest))
         count = STATES if states is None else states
-        report = verify_program(own, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance)
+        report = verify_program(
+            machine, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance
+        )
 
         def answers(requests: Sequence[Request]) -> Answers:
             results = answers_of_program(program, requests, longest)
@@ -136,7 +140,7 @@ def judge(
             return lambda request: by_id[request.id]
 
         judged_program = Judged(report, answers, tolerance, program=program)
-        return _result(*_explained(own, judged_program, explain, seed, progress), junit, worst)
+        return _result(*_explained(machine, judged_program, explain, seed, progress), junit, worst)
 
 
 def _result(report: Report, diagnosis: Diagnosis | None, junit: Any, worst: Any) -> Result:
@@ -202,7 +206,7 @@ def _explained(
     from mahovik.out.api.stands import Stand
     from mahovik.proof.diagnose.explain import diagnose_fault
 
-    tell(progress, Progress("distinguish faults"))
+    notify(progress, Progress("distinguish faults"))
     try:
         return judged.report, diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
     except CheckError as error:

@@ -64,20 +64,20 @@ def modes(
     from mahovik.use.study.linear import modes as modes_of
     from mahovik.use.study.linear.modes import shape_words
 
-    own = Stand.of(stand)
+    machine = Stand.of(stand)
     if speed is not None:
         if at != "rest" or flywheels != "locked" or points is not None:
             raise UsageError("at, flywheels, points: not allowed with speed, which sweeps the modes about rest")
-        return _campbell(own, speed, steps)
-    uniform_stream(own)
+        return _campbell(machine, speed, steps)
+    uniform_stream(machine)
     names = None if points is None else list(names_in("points", points))
-    if names is None and not (own.points or own.instruments):
+    if names is None and not (machine.points or machine.instruments):
         names = ["carrier"]
-    known = [*(one.name for one in own.points), *(one.name for one in own.instruments), own.carrier.name]
+    known = [*(one.name for one in machine.points), *(one.name for one in machine.instruments), machine.carrier.name]
     for name in names or ():
         if name not in known:
             raise UsageError(f'points: unknown point "{name}"{suggestion(name, known)}')
-    model = linear_model(own, _nominal(own, at), names, locked=flywheels == "locked")
+    model = linear_model(machine, _nominal(machine, at), names, locked=flywheels == "locked")
     result = modes_of(model)
     modes = result.modes
     where = "rest" if isinstance(at, str) and at == "rest" else "a state" if not isinstance(at, str) else at
@@ -90,13 +90,13 @@ def modes(
         )
     elif result.unstable:
         messages.append("warning: unstable, a mode with negative damping grows")
-    if words := numbers_in_words(own.hold, "q_"):
+    if words := numbers_in_words(machine.hold, "q_"):
         messages.append(words)
-    coordinates = [str(each) for each in result.coordinates]
+    coordinates = list(map(str, result.coordinates))
     channels = {"states": model.states, "inputs": model.inputs, "outputs": model.outputs}
     matrices = {"A": model.A, "B": model.B, "C": model.C, "D": model.D}
     return Result(
-        f"modes of {own.name} at {where}, flywheels {flywheels}",
+        f"modes of {machine.name} at {where}, flywheels {flywheels}",
         (
             column("kind", "", [mode.kind for mode in modes]),
             column("frequency", "Hz", [np.nan if mode.kind == "free" else mode.frequency for mode in modes]),
@@ -108,11 +108,11 @@ def modes(
         ),
         rows="modes",
         meta={
-            "stand": own.name, "physics": identities(own).physics, "at": where, "flywheels": flywheels,
+            "stand": machine.name, "physics": identities(machine).physics, "at": where, "flywheels": flywheels,
             "state": state_object(model.state), "coordinates": coordinates, "zero_eigenvalues": result.zeros,
             "unstable": result.unstable, "steady": model.steady,
-            **{name: [each.name for each in named] for name, named in channels.items()},
-            **{f"{name[:-1]}_units": [each.unit for each in named] for name, named in channels.items()},
+            **{name: [channel.name for channel in named] for name, named in channels.items()},
+            **{f"{name[:-1]}_units": [channel.unit for channel in named] for name, named in channels.items()},
             "points": list(model.points),
             **matrices,
         },
@@ -139,9 +139,9 @@ def _nominal(stand: Stand, at: Any) -> State:
         raise CheckError(f"{error}; give a state by --at STATE.json") from None
 
 
-def _pictures(found: Any) -> tuple[Panel, Panel]:
+def _pictures(result: Any) -> tuple[Panel, Panel]:
     """Damping ratio of each mode over its frequency; eigenvalues in the complex plane."""
-    modes = found.modes
+    modes = result.modes
     swinging = [(k, mode) for k, mode in enumerate(modes, start=1) if mode.frequency > 0.0 and mode.kind != "free"]
     lines = [stems(f"mode {k}", [mode.frequency], np.array([mode.damping]), k - 1) for k, mode in swinging]
     marks = tuple((mode.eigenvalue.real, mode.eigenvalue.imag) for mode in modes)

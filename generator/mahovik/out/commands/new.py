@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
-from mahovik.out.notices import Progress, tell
+from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def new(
     from mahovik import stands
 
     if list:
-        result = {each: _first_sentence(stands.path(each)) for each in stands.names()}
+        result = {example: _first_sentence(stands.path(example)) for example in stands.names()}
         return Result(
             "examples", (column("name", "", [*result]), column("words", "", [*result.values()])), rows="examples"
         )
@@ -83,8 +83,8 @@ def new(
         options: dict[str, Any] = {"carrier": carrier, "instruments": instruments, "armature": armature, "fix": fixed}
         made, comparison = _imported(Path(source), name, down, progress, **options)
         return _write_stand(made, comparison, place)
-    given = {"carrier": carrier, "instruments": instruments, "gravity": gravity, "armature": armature, "fix": fix}
-    for what in (key for key, value in given.items() if value):
+    settings = {"carrier": carrier, "instruments": instruments, "gravity": gravity, "armature": armature, "fix": fix}
+    for what in (key for key, value in settings.items() if value):
         raise UsageError(f"{what}: of a FILE of another program, not of the example {source}")
     return _example(source, place, name)
 
@@ -103,10 +103,10 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
         stem = target.name.removesuffix(".toml")
         files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
         files |= {f"{stem}.{kind}.toml": file for kind, file in stands.servo_and_regime(name).items()}
-        for each in files:
-            if (target.parent / each).exists():
-                raise UsageError(f"{target.parent / each}: exists already, nothing was written")
-    texts = {each: file.read_text(encoding="utf-8") for each, file in files.items()}
+        for file_name in files:
+            if (target.parent / file_name).exists():
+                raise UsageError(f"{target.parent / file_name}: exists already, nothing was written")
+    texts = {file_name: file.read_text(encoding="utf-8") for file_name, file in files.items()}
     if called not in (None, name):
         texts[target.name] = texts[target.name].replace(f'\nname = "{name}"\n', f'\nname = "{called}"\n', 1)
     return _list_of(write_all(target.parent, texts), messages, alone)
@@ -150,7 +150,7 @@ def _imported(
 
     model, original = read(source, gravity)
     made = make_stand(model, called or stand_name(model.name or source.stem), source.name, **options)
-    tell(progress, Progress(f"comparing with {source.name}"))
+    notify(progress, Progress(f"comparing with {source.name}"))
     differences = compare(made, original)
     if wrong := ", ".join(f"{what} by {value:.2g}" for what, value in differences.items() if not value <= LIMIT):
         raise CheckError(f"{source.name}: the stand differs from MuJoCo's model, {wrong}: nothing was written")

@@ -69,7 +69,7 @@ def plan(
     """
     from mahovik.out.api.stands import Stand
     from mahovik.out.arguments import required_of, time_limit
-    from mahovik.out.notices import Progress, tell
+    from mahovik.out.notices import Progress, notify
     from mahovik.use.plan import PlanOptions
     from mahovik.writing import write
 
@@ -80,12 +80,12 @@ def plan(
         raise UsageError("stand_: is written where numbers are free; expected --free KEYS beside it")
     if keys and method == "ocp":
         raise UsageError("method ocp: judges plans of a stand as it is; expected no --free beside it")
-    read = [each for each in (stand, motion) if isinstance(each, str | Path)]
+    read = [source for source in (stand, motion) if isinstance(source, str | Path)]
     paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
-    own, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
-    required = required_of(motion, own)
+    machine, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
+    required = required_of(motion, machine)
     result, made, changes = _planned(
-        own, required, keys, method, options, lambda words: tell(progress, Progress(words))
+        machine, required, keys, method, options, lambda words: notify(progress, Progress(words))
     )
     programme = _programme(result)
     for name, path in paths.items():
@@ -157,7 +157,7 @@ def _result(
     moved = [column(name, "", [change[k] for change in changes]) for k, name in enumerate(_MOVED)] if changes else []
     kind = {"kind": report.get("kind"), "winding": None if programme is None else programme.get("winding")}
     cut = ["warning: the time cut the search: another run may find more"] if plan.effort.get("cut_by_time") else []
-    given = json.loads(text_of_keys(stand.to_dict())) if changes else None
+    keys = json.loads(text_of_keys(stand.to_dict())) if changes else None
     return Result(
         f"programme of {stand.name} for {required.name}",
         columns,
@@ -166,7 +166,7 @@ def _result(
             "status": plan.status, "reason": plan.reason, **kind,
             **{name: report.get(name) for name in _FIGURES}, "through_zero": report.get("through_zero"),
             "changes": Result("numbers of the stand", moved, rows="changes"), "interrupted": plan.interrupted,
-            "effort": dict(plan.effort), "programme": programme, "stand": given,
+            "effort": dict(plan.effort), "programme": programme, "stand": keys,
         },
         units=_UNITS,
         messages=[*(f"warning: {line}" for line in plan.warnings), *cut, *plan.words, *_details(report)],

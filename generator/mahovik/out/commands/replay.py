@@ -9,7 +9,7 @@ import numpy as np
 
 from mahovik.errors import StandError, UsageError
 from mahovik.out.arguments import FilePath, Folder, Progressing, StandGiven
-from mahovik.out.notices import Progress, tell
+from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -67,23 +67,23 @@ def replay(
     machine = replays.machine(model, starts[0].real, backend, None if against is None else Path(against))
     outcomes: list[Outcome] = []
     damage: list[flight_log.Damage] = []
-    for done, found in enumerate(replays.replay(machine, records), start=1):
-        if isinstance(found, flight_log.Damage):
-            damage.append(found)
+    for done, event in enumerate(replays.replay(machine, records), start=1):
+        if isinstance(event, flight_log.Damage):
+            damage.append(event)
         else:
-            outcomes.append(found)
-        tell(progress, Progress(f"replay {log.name}, records", done, len(records)))
+            outcomes.append(event)
+        notify(progress, Progress(f"replay {log.name}, records", done, len(records)))
     messages = [f"note: {note}" for note in notes]
     for name, number in (("step", step), ("emit_test", emit_test)):
         if number is not None:
-            outcome = next((each for each in outcomes if each.step.count == number), None)
+            outcome = next((row for row in outcomes if row.step.count == number), None)
             if outcome is None:
                 raise UsageError(f"{name} {number}: no such step among those that could be replayed")
             if name == "step":
                 messages += replays.step_dump(outcome, machine.generated.layout.inputs)
             else:
                 messages.append(_emit_test(model, machine, outcome))
-    messages += [f"{'note' if each.end else 'error'}: {each.message}" for each in damage]
+    messages += [f"{'note' if part.end else 'error'}: {part.message}" for part in damage]
     return _result(model, machine, starts[0], outcomes, messages, damage)
 
 
@@ -97,7 +97,7 @@ def _result(
 
     last = outcomes[-1] if outcomes else None
     differs = last is not None and not last.equal
-    refused = sum(each.status < 0 for each in outcomes)
+    refused = sum(outcome.status < 0 for outcome in outcomes)
     equal = len(outcomes) - differs
     if outcomes:
         more = f", {refused} of them refused, as in the log" if refused else ""
@@ -113,35 +113,35 @@ def _result(
         ]
     names = [s.name for s in stand.flywheels]
     columns = [
-        column("step", "", [each.step.count for each in outcomes]),
-        column("status", "", [status_words(each.status) for each in outcomes]),
+        column("step", "", [outcome.step.count for outcome in outcomes]),
+        column("status", "", [status_words(outcome.status) for outcome in outcomes]),
     ]
     for name in members(start.flywheels):
-        rows = np.array([each.after[name] for each in outcomes], dtype=np.float64)
+        rows = np.array([outcome.after[name] for outcome in outcomes], dtype=np.float64)
         columns.append(column(name, "", rows.reshape(len(outcomes), -1), list(PARTS.get(name, names))))
     meta = {
         "stand": stand.name, "physics": start.physics, "real": start.real,
         "first_step": outcomes[0].step.count if outcomes else None, "steps_equal": equal, "steps_refused": refused,
         "differs_at": last.step.count if last is not None and differs else None,
         "difference": last.difference if last is not None and differs else None,
-        "damage": [each.message for each in damage],
+        "damage": [part.message for part in damage],
     }  # fmt: skip
-    good = not differs and all(each.end for each in damage)
+    good = not differs and all(part.end for part in damage)
     title = f"{stand.name}, {start.real}"
-    details = [*(each.name for each in columns), *meta]
+    details = [*(one.name for one in columns), *meta]
     return Result(title, columns, rows="steps", meta=meta, messages=messages, ok=good, details=details)
 
 
-def _stand(start: Start, given: Any, log: Path) -> tuple[Stand, str]:
+def _stand(start: Start, source: Any, log: Path) -> tuple[Stand, str]:
     """The stand of a log, and its file. Raises StandError, UsageError."""
     from mahovik import stands
     from mahovik.core.stand.identity import identities
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify.delivery import under_name
 
-    if given is not None:
-        stand = Stand.of(given)
-        return under_name(stand, start.stand, start.physics) or stand, str(given)
+    if source is not None:
+        stand = Stand.of(source)
+        return under_name(stand, start.stand, start.physics) or stand, str(source)
     name = f"{start.stand}.toml"
     places = [Path(name), log.parent / name]
     if start.stand in stands.names():
@@ -172,7 +172,7 @@ def _emit_test(stand: Stand, machine: Machine, outcome: Outcome) -> str:
     carry = outcome.carry_after.tolist() if outcome.step.carried else None
     if carry is not None:
         inputs["carry"] = outcome.carry
-    before, after = ({k: v.tolist() for k, v in each.items()} for each in (outcome.before, outcome.after))
+    before, after = ({k: v.tolist() for k, v in state.items()} for state in (outcome.before, outcome.after))
     text = replay_test(
         stand, machine.generated, path.name, outcome.step.count, name, inputs, before, after, outcome.status,
         outcome.table,

@@ -18,7 +18,7 @@ from mahovik.out.commands.check import check
 from mahovik.out.commands.modes import modes
 from mahovik.out.commands.verify import verify
 from mahovik.out.commands.vibration import vibration
-from mahovik.out.notices import Progress, tell
+from mahovik.out.notices import Progress, notify
 from mahovik.out.plots import Panel
 from mahovik.out.plots import require as require_drawing
 from mahovik.out.report.page import Part, inline, page, table
@@ -69,7 +69,7 @@ def report(
     from mahovik.out.api.stands import Stand
     from mahovik.out.report.derivation import article, derivation_parts
 
-    own = Stand.of(stand)
+    machine = Stand.of(stand)
     suffixes = (".html", ".tex") if derivation else (".html",)
     suffix = format_of(Path(output), suffixes)
     if suffix is None:
@@ -78,26 +78,26 @@ def report(
         raise UsageError("derivation: shows no vibration; remove at and require")
     require_drawing("report")
     probe(Path(output))
-    source = Path(stand).name if isinstance(stand, str | Path) else f"{own.name}.toml"
+    source = Path(stand).name if isinstance(stand, str | Path) else f"{machine.name}.toml"
     made: list[Part] = []
     if suffix == ".tex":
-        text = article(own)
+        text = article(machine)
     elif derivation:
-        text = page(f"{own.name}: equations of motion", derivation_parts(own), own, [("stand", source)])
+        text = page(f"{machine.name}: equations of motion", derivation_parts(machine), machine, [("stand", source)])
     else:
-        points = _measured(own) if at is None else names_in("at", at)
+        points = _measured(machine) if at is None else names_in("at", at)
         limits = (require,) if isinstance(require, str) else tuple(require)
-        checked = check(own)
+        checked = check(machine)
         sections: tuple[Callable[[], Part | None], ...] = (
-            lambda: bodies_part(own, checked), lambda: modes_part(own), lambda: vibration_part(own, points),
-            lambda: limits_part(checked), lambda: requirements_part(own, points[0], limits),
-            lambda: verification_part(own), lambda: cost_part(own),
+            lambda: bodies_part(machine, checked), lambda: modes_part(machine), lambda: vibration_part(machine, points),
+            lambda: limits_part(checked), lambda: requirements_part(machine, points[0], limits),
+            lambda: verification_part(machine), lambda: cost_part(machine),
         )  # fmt: skip
         for done, section in enumerate(sections, start=1):
             part = section()
             made += [] if part is None else [part]
-            tell(progress, Progress("sections of the report", done, len(sections)))
-        text = page(own.name, made, own, [("stand", source)])
+            notify(progress, Progress("sections of the report", done, len(sections)))
+        text = page(machine.name, made, machine, [("stand", source)])
     write(Path(output), text)
     failures = [f"error: {line}" for part in made for line in part.failures]
     return Result("", meta={"file": str(output)}, messages=failures, ok=not failures)
@@ -105,7 +105,7 @@ def report(
 
 def _measured(stand: Stand) -> Sequence[str]:
     """The stand's first points, else its instruments, else O1; of a held carrier the reaction before them."""
-    points = [each.name for each in (stand.points or stand.instruments)[:MOST_POINTS]]
+    points = [place.name for place in (stand.points or stand.instruments)[:MOST_POINTS]]
     if stand.hold is not None:
         return ["hold.reaction", *(points if stand.hold.freedoms else [])]
     return points or [stand.carrier.name]
@@ -166,7 +166,7 @@ def modes_part(stand: Stand) -> Part | None:
     still = result.count - len(swinging)
     words = f"{still} of the {result.count} small motions about rest do not oscillate: free, or damped too much."
     frequency = result["frequency"][swinging]
-    ends = " to ".join(dict.fromkeys(f"{each:.3g}" for each in (*frequency[:1], *frequency[-1:])))
+    ends = " to ".join(dict.fromkeys(f"{value:.3g}" for value in (*frequency[:1], *frequency[-1:])))
     panels: tuple[Any, ...] = ()
     if stand.flywheels:
         end, steps = _fastest(stand), 4 * STEPS - 3
@@ -232,12 +232,12 @@ def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part 
 
 def limits_part(checked: Result) -> Part | None:
     """Momentum and torque that the motors reach together."""
-    found = checked["capacity"]
-    if not found.count:
+    capacity = checked["capacity"]
+    if not capacity.count:
         return None
-    rows = zip(found["in every direction"], found["unit"], strict=True)
+    rows = zip(capacity["in every direction"], capacity["unit"], strict=True)
     summary = "; ".join(f"{reach:.4g} {unit} in every direction" for reach, unit in rows)
-    shown = found.take(slice(None), ("of", "along", "in every direction", "unit"))
+    shown = capacity.take(slice(None), ("of", "along", "in every direction", "unit"))
     return Part("Limits and reach", tables=(shown,), summary=summary)
 
 
@@ -266,8 +266,8 @@ def cost_part(stand: Stand) -> Part:
     from mahovik.core.program.types import DOUBLE
 
     functions = lower(stand, DOUBLE).functions
-    counted = {each.name: cost(each, functions) for each in functions if each.name in COSTLY}
+    counted = {lowered.name: cost(lowered, functions) for lowered in functions if lowered.name in COSTLY}
     kinds = {"additions": "additions", "products": "multiplications", "divisions": "divisions", "all": "total"}
-    columns = [column(head, "", [getattr(each, key) for each in counted.values()]) for head, key in kinds.items()]
+    columns = [column(head, "", [getattr(lowered, key) for lowered in counted.values()]) for head, key in kinds.items()]
     words = "Operations of one call at most. `mahovik verify --cost` measures instructions, stack and code."
     return Part("Cost", words, (Result("", [column("function", "", [*counted]), *columns]),))

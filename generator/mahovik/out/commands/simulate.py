@@ -23,7 +23,7 @@ from mahovik.out.arguments import (
     state_of,
     time,
 )
-from mahovik.out.notices import Progress, tell, warn, warn_of_steps
+from mahovik.out.notices import Progress, notify, warn, warn_of_steps
 from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
@@ -103,10 +103,10 @@ def simulate(
     """
     from mahovik.out.api.stands import Stand
 
-    given = {key: value for key, value in locals().items() if key in OF_REGIME | OF_PROGRAMME}
-    others, words = (OF_PROGRAMME, "needs") if programme is None else (OF_REGIME, "not allowed with")
-    for name, default in others.items():
-        if given[name] != default:
+    arguments = {key: value for key, value in locals().items() if key in OF_REGIME | OF_PROGRAMME}
+    excluded, words = (OF_PROGRAMME, "needs") if programme is None else (OF_REGIME, "not allowed with")
+    for name, default in excluded.items():
+        if arguments[name] != default:
             raise UsageError(f"{name}: {words} --programme")
     model = Stand.of(stand)
     if programme is not None:
@@ -125,7 +125,7 @@ def simulate(
     warn_of_steps(case)
     for long in long_steps(model, case.dt, chosen.has_speed_law) if backend == "c" else ():
         warn(str(long))
-    result = run(case, backend, mounts, lambda t: tell(progress, Progress(f"simulate {model.name}", t, end)))
+    result = run(case, backend, mounts, lambda t: notify(progress, Progress(f"simulate {model.name}", t, end)))
     weak = {name: {"t": t, "torque": missing} for name, (t, missing) in result.weak_motors.items()}
     messages = [
         f"motor of {name}: cannot give the torque of its law; {short['torque']:.4g} N m short at t = {short['t']:.6g} s"
@@ -197,7 +197,7 @@ def _follow(
     case = following_case(stand, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
-    record = close_loop(case, lambda t: tell(progress, Progress(words, t - first, last - first)))
+    record = close_loop(case, lambda t: notify(progress, Progress(words, t - first, last - first)))
     if len(record.t) < 2:
         raise CheckError(f"the run ends at once: {record.stopped}")
     title = f"{stand.name} follows {case.reference.motion.name} by {case.servo.name}"
@@ -233,9 +233,9 @@ def _coordinates(errors: Errors) -> Result:
     return Result("errors of coordinates", columns, rows="coordinates", index="coordinate", details=("harmonics",))
 
 
-def _name(given: Any, otherwise: str) -> str:
+def _name(source: Any, otherwise: str) -> str:
     """The name of a file in messages; words where no file was given."""
-    return Path(given).name if isinstance(given, str | Path) else otherwise
+    return Path(source).name if isinstance(source, str | Path) else otherwise
 
 
 def share_of(mismatch: float | str) -> float:
@@ -260,16 +260,16 @@ def following_case(
     from mahovik.use.control.mismatch import with_mismatch
     from mahovik.use.control.servo import check_margins, margins
 
-    found = programme_of(programme)
+    course = programme_of(programme)
     source = _name(programme, "the programme")
-    if (check := stand_check(stand, found)).failed:
+    if (check := stand_check(stand, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
-    required = motion_of(motion, stand, found)
-    if (check := motion_check(required, found)).failed:
+    required = motion_of(motion, stand, course)
+    if (check := motion_check(required, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
     real = with_mismatch(stand, share_of(mismatch), seed)
-    case = make_case(stand, real, required, found, servos, periods, begin, table, backend, source, servo_source)
+    case = make_case(stand, real, required, course, servos, periods, begin, table, backend, source, servo_source)
     stable = margins(stand, servos)
     if stable.radius >= 1.0:
         check_margins(stand, servos, servo_source)

@@ -21,7 +21,7 @@ from mahovik.out.arguments import (
     programme_of,
     servo_of,
 )
-from mahovik.out.notices import Progress, tell, warn
+from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Column, Result, column, columns_of
 from mahovik.writing import probe
 
@@ -111,7 +111,7 @@ def verify(
     """
     from mahovik.out.api.stands import Stand
 
-    own = Stand.of(stand)
+    machine = Stand.of(stand)
     whole_number("states", states)
     whole_number("seed", seed, 0)
     for file in (junit, worst):
@@ -123,9 +123,9 @@ def verify(
         raise UsageError(f"{', '.join(chosen)}: each is a verification of its own, expected one of them")
     path = None if subject is None else Path(subject)
     if path is not None and path.suffix == ".json":
-        return _programme(own, path, motion, tolerance, None, name, progress, junit)
+        return _programme(machine, path, motion, tolerance, None, name, progress, junit)
     if path is not None and path.is_file():
-        return _log(own, path, names_in("only", only))
+        return _log(machine, path, names_in("only", only))
     if path is not None and not path.is_dir() and not cost:
         raise UsageError(f"{path}: no such file or folder, expected a folder of C, a programme or a log")
     if name != "programme" and servo is None and programme is None:
@@ -135,54 +135,54 @@ def verify(
     if path is None and servo is not None:
         raise UsageError("servo: its C is in a FOLDER, which is missing")
     if cost:
-        return _cost(own, path, targets, real, accept, progress)
+        return _cost(machine, path, targets, real, accept, progress)
     if servo is not None and path is not None:
-        report = _servo(own, path, servo, programme, motion, name, seed, states)
+        report = _servo(machine, path, servo, programme, motion, name, seed, states)
         return report_result(report, by="part", everything=True, junit=junit)
     if programme is not None:
-        return _programme(own, programme, motion, tolerance, path, name, progress, junit)
-    report = _c(own, stand, path, ways, states, seed, real, progress)
+        return _programme(machine, programme, motion, tolerance, path, name, progress, junit)
+    report = _c(machine, stand, path, ways, states, seed, real, progress)
     by = "target" if targets else ""
     if targets and not report.passed and not any(row.verdict == "FAILED" for row in report.rows):
         from mahovik.errors import ToolchainError
         from mahovik.proof.verify.check import conclusion
 
-        raise ToolchainError(f"{own.name}: {conclusion(report)}")
+        raise ToolchainError(f"{machine.name}: {conclusion(report)}")
     return report_result(report, by=by, everything=all or judges or bool(targets), junit=junit, worst=worst)
 
 
 def _c(
-    own: Stand, stand: Any, folder: Path | None, ways: Mapping[str, Any], states: int, seed: int, real: str | None,
+    machine: Stand, stand: Any, folder: Path | None, ways: Mapping[str, Any], states: int, seed: int, real: str | None,
     progress: Progressing,
 ) -> Report:  # fmt: skip
     """The report on the C, of a folder or a fresh copy. Raises CheckError, ToolchainError, UsageError."""
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
-    document: Mapping[str, Any] = Stand.of(own).to_dict()
+    document: Mapping[str, Any] = Stand.of(machine).to_dict()
     if isinstance(stand, str | Path):
         from mahovik.proof.second.reading import load_tables
 
         document = load_tables(Path(stand))
     there = Options()
     if folder is not None:
-        own, there = stand_in(folder, own), delivered_options(folder) or Options()
+        machine, there = stand_in(folder, machine), delivered_options(folder) or Options()
 
     def on_state(done: float, *_: object) -> None:
-        tell(progress, Progress(f"verify {own.name}", done, states))
+        notify(progress, Progress(f"verify {machine.name}", done, states))
 
     if ways["judges"]:
         if folder is not None or real == "float":
             raise UsageError("judges: judge a fresh copy in double, not a FOLDER")
         from mahovik.proof.verify.judges import verify_judges
 
-        return verify_judges(own, seed=seed, count=states, progress=on_state)
+        return verify_judges(machine, seed=seed, count=states, progress=on_state)
     if ways["targets"]:
         from mahovik.proof.verify.selftest import SWEEP, parse_targets, verify_targets
 
         reals = (real or there.real,) if real or folder is not None else None
         pairs = parse_targets(ways["targets"], reals)
-        return verify_targets(own, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
+        return verify_targets(machine, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
     if ways["rigorous"]:
         try:
             from mahovik.proof.verify.rounding import measure_rounding
@@ -191,11 +191,11 @@ def _c(
                 raise
             raise UsageError("rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
         chosen = real or there.real
-        return measure_rounding(own, seed=seed, count=states, real=chosen, against=folder, progress=on_state)
+        return measure_rounding(machine, seed=seed, count=states, real=chosen, against=folder, progress=on_state)
     from mahovik.proof.verify.harness import verify_c
 
     chosen = real or there.real
-    return verify_c(own, seed=seed, count=states, against=folder, real=chosen, progress=on_state, document=document)
+    return verify_c(machine, seed=seed, count=states, against=folder, real=chosen, progress=on_state, document=document)
 
 
 def _servo(
@@ -230,7 +230,7 @@ def _programme(
         raise UsageError(f"tolerance {tolerance:g}: expected 1e-12 to 0.1")
     course = programme_of(programme)
     required = motion_of(motion, stand, course)
-    tell(progress, Progress("by the reference"))
+    notify(progress, Progress("by the reference"))
     checks = verify_programme(stand, required, course, tolerance=tolerance)
     if folder is not None and not any(item.failed for item in checks):
         from mahovik.proof.verify.functions.table import verify_compiled
@@ -301,7 +301,7 @@ def _cost(
         cost.require_place(folder, stand)
         accepted = cost.read_accepted_costs(folder, stand)
         before = None if accepted is None else accepted["targets"]
-    tell(progress, Progress(f"cost of {stand.name}"))
+    notify(progress, Progress(f"cost of {stand.name}"))
     costs = cost.measure(stand, pairs, lambda *_: None, options.only, "recorder" in options.additions)
     usual = targets is None and real is None and not absent
     compared: Sequence[str] = ()

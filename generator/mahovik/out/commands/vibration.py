@@ -101,35 +101,35 @@ def vibration(
     from mahovik.use.vibration.structure import read_structure
     from mahovik.use.vibration.study import vibration as find
 
-    own = Stand.of(stand)
-    seen = _observable(own, at, quantity, sight)
+    machine = Stand.of(stand)
+    seen = _observable(machine, at, quantity, sight)
     limits = read_requirements([require] if isinstance(require, str) else require, seen)
     within = None if band is None else read_band("band", band)
     makers = Makers(
-        _by_wheel(own, "harmonics", harmonics, read_harmonics),
-        _by_wheel(own, "noise", noise, read_noise),
-        _by_wheel(own, "inner_modes", inner_modes, read_inner_modes),
-        None if modes is None else read_structure(Path(modes), own),
+        _by_wheel(machine, "harmonics", harmonics, read_harmonics),
+        _by_wheel(machine, "noise", noise, read_noise),
+        _by_wheel(machine, "inner_modes", inner_modes, read_inner_modes),
+        None if modes is None else read_structure(Path(modes), machine),
     )
-    plan = read_speeds(own, speed)
+    plan = read_speeds(machine, speed)
     if improve and (plan.sweep is not None or makers.harmonics):
         raise UsageError("improve: expected one set of speeds, and no makers' harmonics, which have no phases")
     if not improve and (momentum is not None or limit is not None or avoid):
         raise UsageError("momentum, limit, avoid: say what holds in a search; expected improve as well")
-    _warn_of_speeds(own, speed, plan)
+    _warn_of_speeds(machine, speed, plan)
     clock = _Clock(time, progress)
-    phases = by_flywheel("phase", phase, own, ANGLE)
-    bands = [within, *(each.band for each in limits)]
+    phases = by_flywheel("phase", phase, machine, ANGLE)
+    bands = [within, *(requirement.band for requirement in limits)]
     result = find(
-        own, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
+        machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
     )  # fmt: skip
-    warn_of_turn(own)
-    verdicts = [result.judge(each) for each in limits]
-    meta: dict[str, Any] = {"requirements": [_verdict(result, each) for each in verdicts]} if limits else {}
+    warn_of_turn(machine)
+    verdicts = list(map(result.judge, limits))
+    meta: dict[str, Any] = {"requirements": [_verdict(result, verdict) for verdict in verdicts]} if limits else {}
     messages = [*map(result.verdict_words, verdicts), *result.remarks()]
-    ok = all(each.met for each in verdicts)
+    ok = all(verdict.met for verdict in verdicts)
     if improve:
-        better, words = _improve(own, result, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
+        better, words = _improve(machine, result, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
         meta["improved"] = better
         messages += words
         ok = ok and better["after"] < better["before"]
@@ -158,7 +158,7 @@ def _by_wheel(
         raise UsageError(f"{name} {tables}: expected NAME=FILE.csv")
     names = [s.name for s in stand.flywheels]
     result: dict[str, Any] = {}
-    for wheel, path in sorted((tables or {}).items(), key=lambda each: each[0] != ALL):
+    for wheel, path in sorted((tables or {}).items(), key=lambda entry: entry[0] != ALL):
         if wheel != ALL and wheel not in names:
             raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
         result |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
@@ -189,9 +189,9 @@ class _Clock:
 
     def go_on(self, done: int = 1, planned: int | None = None) -> bool:
         """Whether to go on: with the first solution always."""
-        from mahovik.out.notices import Progress, tell
+        from mahovik.out.notices import Progress, notify
 
-        tell(self.progress, Progress("speeds", done, planned))
+        notify(self.progress, Progress("speeds", done, planned))
         return done == 0 or self.end is None or self._now() < self.end
 
 
@@ -238,7 +238,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
     """Lines of one set of speeds, or a row a speed."""
     seen, unit, stand = vibration.seen, vibration.seen.measure.unit, vibration.scene.stand
     axes, swept = seen.axes, vibration.plan.sweep is not None
-    sums = {name: each[:, : len(axes)] for name, each in vibration.sums(band)._asdict().items()}
+    sums = {name: values[:, : len(axes)] for name, values in vibration.sums(band)._asdict().items()}
     words = f" in {band[0]:g}..{band[1]:g} Hz" if band else ""
     about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
@@ -248,7 +248,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
             f"{stand.name}: {seen.quantity} of {seen.name}{words}; amplitudes 0 to peak",
             _orders(vibration, band),
             rows="orders",
-            meta=about | {name: each[0] for name, each in sums.items()} | meta,
+            meta=about | {name: values[0] for name, values in sums.items()} | meta,
             units=units,
             messages=messages,
             ok=ok,
@@ -269,7 +269,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
         f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
         (
             column("speeds", "rad/s", vibration.value, shown="rpm"),
-            *(column(name, unit, each, axes) for name, each in sums.items()),
+            *(column(name, unit, values, axes) for name, values in sums.items()),
             *listed,
         ),
         index="speeds",
@@ -277,7 +277,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
         units=units,
         messages=[line, *messages],
         ok=ok,
-        details=[*details, "swept", "peak", *(each.name for each in listed)],
+        details=[*details, "swept", "peak", *(line.name for line in listed)],
         drawings=_picture(vibration, sums, swept=True),
     )
 

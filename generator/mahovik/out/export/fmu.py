@@ -53,9 +53,9 @@ def export_fmu(
         raise UsageError(f"fmu dt {dt:g}: expected 1e-09 to 10 s, the longest step inside the FMU")
     stand = with_wrench(stand)
     generated = generated or generate_all(stand)
-    found = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
-    description = fmu_description(stand, found, version, compiled_sources(stand, version), max(STEP, dt))
-    sources = fmu_sources(stand, generated, found, version, description.token)
+    variables = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
+    description = fmu_description(stand, variables, version, compiled_sources(stand, version), max(STEP, dt))
+    sources = fmu_sources(stand, generated, variables, version, description.token)
     files: dict[str, str | bytes] = {"modelDescription.xml": description.text}
     files |= {f"sources/{name}": text for name, text in sources.files.items()}
     if version == "3.0":

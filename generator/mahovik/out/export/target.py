@@ -77,7 +77,7 @@ def makefile(target: Target, files: Mapping[str, str], subject: str, defines: st
     machine, with which the same sources that are not the board's are built and run here as well.
     """
     sources = sorted(name for name in files if name.endswith((".c", ".S")))
-    own = board_folder(target)
+    board = board_folder(target)
     return template("board/Makefile.j2").render(
         subject=subject,
         title=target.title,
@@ -94,5 +94,5 @@ def makefile(target: Target, files: Mapping[str, str], subject: str, defines: st
         headers=sorted(name for name in files if name.endswith(".h")),
         startup_in_assembler=f"{VERIFICATION}startup.S" in files,
         host=host,
-        host_sources=[*(name for name in sources if name not in own), host],
+        host_sources=[*(name for name in sources if name not in board), host],
     )

@@ -168,8 +168,8 @@ def left_out(root: ET.Element, read: Mapping[str, str], harmless: str) -> list[s
 def tree_order(noun: str, names: list[str], edges: list[tuple[str, str, str]], problems: Problems) -> list[str]:
     """Names of bodies, parents first, of a tree of edges (joint, parent, child); what it is instead is noted."""
     before, above = len(problems.lines), dict[str, str]()
-    for what, given in ((noun, names), ("joint", [joint for joint, _, _ in edges])):
-        for name in dict.fromkeys(name for name in given if given.count(name) > 1):
+    for what, listed in ((noun, names), ("joint", [joint for joint, _, _ in edges])):
+        for name in dict.fromkeys(name for name in listed if listed.count(name) > 1):
             problems.add(f"{what} {show(name)}", "there are two of this name")
     for joint, parent, child in edges:
         for tag, end in (("parent", parent), ("child", child)):

@@ -126,7 +126,7 @@ def compare(made: ImportedStand, model: Any, count: int = 20, seed: int = 1) -> 
     return {what: float(differences[parts[what]].max() / scale) for what, scale in scales.items() if scale}
 
 
-def forces_of(made: ImportedStand, C: Array, laws: bool = True, **given: Array) -> tuple[Array, Array]:
+def forces_of(made: ImportedStand, C: Array, laws: bool = True, **motion: Array) -> tuple[Array, Array]:
     """Wrench (6) that the carrier's motion needs, in E1 about O1, and drive torques (N), by the literal reference.
 
     Without hold, its friction and stops; armature of flywheels as in the original, not in the carrier's motion.
@@ -135,8 +135,8 @@ def forces_of(made: ImportedStand, C: Array, laws: bool = True, **given: Array) 
     kept = [law for law in made.stand.laws if laws and not isinstance(law, HeldLaw)]
     stand = replace(made.stand.without_laws().with_laws(*kept), hold=None)
     w, x, y, z = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
-    V, V_dot, phi_dot, phi_ddot = (given[key] for key in ("V", "V_dot", "phi_dot", "phi_ddot"))
-    numbers_of: dict[str, Any] = {key: tuple(map(float, value)) for key, value in given.items()}
+    V, V_dot, phi_dot, phi_ddot = (motion[key] for key in ("V", "V_dot", "phi_dot", "phi_ddot"))
+    numbers_of: dict[str, Any] = {key: tuple(map(float, value)) for key, value in motion.items()}
     state = replace(rest_state(stand), quaternion=(w, x, y, z), **numbers_of)
     at = evaluate(stand, state, ("matrices", "torque"))
     forces = at["K"] @ V_dot + at["M"] @ V + at["J"] @ phi_dot + at["I"] @ phi_ddot - at["F"]

@@ -83,13 +83,13 @@ class Reader:
             self.notes.append(f"a stand has no contacts: {len(touching)} geoms that could touch something do not here")
         always = spec.compiler.inertiafromgeom == self.mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
         unused = [g for g in spec.geoms if g.parent.name == "world" or (g.parent.explicitinertial and not always)]
-        for each in (*spec.sensors, *spec.keys, *spec.pairs, *spec.excludes, *spec.skins, *unused):
-            spec.delete(each)
+        for element in (*spec.sensors, *spec.keys, *spec.pairs, *spec.excludes, *spec.skins, *unused):
+            spec.delete(element)
         for geom in spec.geoms:
             geom.material = ""
         used = {geom.meshname for geom in spec.geoms}
-        for each in (*spec.materials, *spec.textures, *(mesh for mesh in spec.meshes if mesh.name not in used)):
-            spec.delete(each)
+        for element in (*spec.materials, *spec.textures, *(mesh for mesh in spec.meshes if mesh.name not in used)):
+            spec.delete(element)
 
     def model(self, spec: Any, model: Any) -> Model:
         """The tree, with every problem."""
@@ -187,13 +187,13 @@ class Reader:
                 self.notes.append(f"{name}: its damping is left out: see motor.viscous")
             joint, gear = int(model.actuator_trnid[i][0]), abs(float(model.actuator_gear[i][0]))
             gain = abs(float(model.actuator_gainprm[i][0]))
-            given = [limits[joint]] if joint in limits else []
+            bounds = [limits[joint]] if joint in limits else []
             if model.actuator_forcelimited[i]:
-                given.append(float(np.abs(model.actuator_forcerange[i]).max()) * gear)
+                bounds.append(float(np.abs(model.actuator_forcerange[i]).max()) * gear)
             if model.actuator_ctrllimited[i]:
-                given.append(float(np.abs(model.actuator_ctrlrange[i]).max()) * gain * gear)
-            if given and math.isfinite(min(given)):
-                limits[joint] = min(given)
+                bounds.append(float(np.abs(model.actuator_ctrlrange[i]).max()) * gain * gear)
+            if bounds and math.isfinite(min(bounds)):
+                limits[joint] = min(bounds)
         return limits
 
 

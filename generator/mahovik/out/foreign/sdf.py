@@ -61,7 +61,7 @@ class Sdf(Reader):
         self.notes += left_out(self.root, _READ, _HARMLESS)
         models = self._models(self.root if world is None else world, self.path)
         self.stop()
-        moving = [each for each in models if not each[0].get("static")] or models
+        moving = [candidate for candidate in models if not candidate[0].get("static")] or models
         if len(moving) != 1:
             names = "".join(f", {show(model.get('name'))}" for model, *_ in moving)
             self.problems.add(f"{len(moving) or 'no'} models move{names}: expected one")
@@ -105,7 +105,7 @@ class Sdf(Reader):
             uri = _text(include, "uri")
             name = uri.removeprefix("model://").removeprefix("file://").strip("/")
             folders = [folder / name for folder in (path.parent, path.parent.parent)]
-            files = [file for each in folders for file in (each, each / "model.sdf") if file.is_file()]
+            files = [file for place in folders for file in (place, place / "model.sdf") if file.is_file()]
             if not files and element.tag == "world":
                 self.notes.append(f"include {show(uri)}: left out of the world, since it is not there")
                 continue
@@ -126,11 +126,13 @@ class Sdf(Reader):
 
     def _add(self, model: ET.Element, scope: str, path: Path, pose: tuple[str, Place]) -> None:
         """Frames, links and joints of a model at a pose; `scope` stands before its names."""
-        own = f"{scope}__model__" if f"{scope}__model__" not in self._frames else f"{scope}__model__{len(self._frames)}"
-        self._frames[own] = pose
+        frame = (
+            f"{scope}__model__" if f"{scope}__model__" not in self._frames else f"{scope}__model__{len(self._frames)}"
+        )
+        self._frames[frame] = pose
         first = next((scope + link.get("name", "") for link in model.findall("link")), "")
         for element in (*model.findall("link"), *model.findall("joint"), *model.findall("frame")):
-            name, base = scope + element.get("name", ""), own
+            name, base = scope + element.get("name", ""), frame
             if name in self._frames:
                 self.problems.add(f"{element.tag} {show(name)}", "there are two of this name")
             if element.tag == "link":
@@ -145,7 +147,7 @@ class Sdf(Reader):
             self._frames[name] = self._pose(element.find("pose"), base, scope)
         for inner, file, at in self._models(model, path):
             inside = scope if inner.get("merge") in _TRUE else f"{scope}{inner.get('name', '')}::"
-            self._add(inner, inside, file, self._pose(at, own, scope))
+            self._add(inner, inside, file, self._pose(at, frame, scope))
 
     def _pose(self, element: ET.Element | None, base: str, scope: str) -> tuple[str, Place]:
         """The frame that a pose is given in, by default `base`, and the pose."""
@@ -214,13 +216,13 @@ class Sdf(Reader):
             self.problems.add(where, f"{element.get('type')}: expected one of {', '.join(_KINDS)}")
         if not kind:
             return
-        own = self._place(name)
-        joint = body.add_joint(name=name, pos=place.inverse.point(own.origin))
+        joint_place = self._place(name)
+        joint = body.add_joint(name=name, pos=place.inverse.point(joint_place.origin))
         joint.type = getattr(self.mujoco.mjtJoint, f"mjJNT_{kind}")
         if kind == "BALL" or axis is None:
             return
         xyz = axis.find("xyz")
-        frame = own
+        frame = joint_place
         if xyz is not None and xyz.get("expressed_in"):
             frame = self._place(scope + xyz.get("expressed_in", ""))
         elif self._axes_in_model or _text(axis, "use_parent_model_frame") in _TRUE:

@@ -124,14 +124,14 @@ class _Maker:
         self._stop()
 
         names = [name for name in self._members if self._bodies[name].mass is not None and name != frame]
-        own = names if self._instruments else []
-        merged = [name for name in self._members if name not in own]
+        kept = names if self._instruments else []
+        merged = [name for name in self._members if name not in kept]
         self._comments["carrier"] = [f"Frame: that of {self._words(frame)}.", self._sources(merged)]
         mass = self._mass(merged, Place(), self._places)
         for body in turning:
             axis = self._places[body.name].axes @ body.joints[0].axis
             mass = replace(mass, inertia=mass.inertia - _disc(body.joints[0].armature, axis))
-        instruments, flywheels = tuple(map(self._instrument, own)), tuple(map(self._flywheel, turning))
+        instruments, flywheels = tuple(map(self._instrument, kept)), tuple(map(self._flywheel, turning))
         if driven := ", ".join(show(wheel.name) for wheel in flywheels if wheel.motor):
             self._notes.append(f"friction and limits of {driven} act in `mahovik simulate`, not in the equations")
         if not flywheels:
@@ -265,8 +265,8 @@ class _Maker:
             ),
         )
         where = f"joint {show(joint.name)}"
-        if found := next((words for against, words in reasons if against), None):
-            self._problems.add(where, found)
+        if reason := next((words for against, words in reasons if against), None):
+            self._problems.add(where, reason)
         elif joint.armature:
             self._notes.append(
                 f"{where}: its armature {joint.armature:g} kg m2 is a thin disc on the flywheel, taken from the "
@@ -314,13 +314,15 @@ class _Maker:
             for key in ("stiffness", "damping", "armature")
         }
         friction, stops = [], []
-        for k, ((joint, kind, *_), own) in enumerate(zip(ways, sayable, strict=True)):
+        for k, ((joint, kind, *_), expressible) in enumerate(zip(ways, sayable, strict=True)):
             where, name = f"joint {show(joint.name)}", freedom_names(hold)[k]
             ends = sorted(signs[k] * np.array(joint.range or ()))
-            stopped = ends and own and (kind == "slide" or max(map(abs, ends)) < FURTHEST) and joint.kind != "ball"
-            if joint.armature and not own:
+            stopped = (
+                ends and expressible and (kind == "slide" or max(map(abs, ends)) < FURTHEST) and joint.kind != "ball"
+            )
+            if joint.armature and not expressible:
                 self._problems.add(where, "armature: inertia without a body")
-            if joint.friction and own and not is_free:
+            if joint.friction and expressible and not is_free:
                 friction.append({"freedom": name, "coulomb": joint.friction})
             for at, side in zip(ends, ("below", "above"), strict=True) if stopped else ():
                 stiffness = self._inertia(twists(hold)[:, k]) / FASTEST**2
@@ -329,9 +331,9 @@ class _Maker:
                 words = f"its range is two stops, whose stiffness is chosen here: {FASTEST:g} s to stop"
                 self._notes.append(f"{where}: {words}")
             left_out = {
-                "damping": joint.damping and not own,
-                "stiffness": joint.stiffness and not own,
-                "friction": joint.friction and (is_free or not own),
+                "damping": joint.damping and not expressible,
+                "stiffness": joint.stiffness and not expressible,
+                "friction": joint.friction and (is_free or not expressible),
                 "range": joint.range and not stopped,
                 "effort": joint.effort,
             }
@@ -339,8 +341,8 @@ class _Maker:
                 self._notes.append(f"{where}: {unsaid} left out: no law of a hold says it")
         tables: dict[str, Any] = {}
         if tensors["stiffness"].any() or tensors["damping"].any():
-            given = {key: _diagonal_or_rows(tensors[key]) for key in ("stiffness", "damping") if tensors[key].any()}
-            tables["suspension"] = given | {"position": _vec3(spring.origin), "angles": angles_of(spring.axes)}
+            matrices = {key: _diagonal_or_rows(tensors[key]) for key in ("stiffness", "damping") if tensors[key].any()}
+            tables["suspension"] = matrices | {"position": _vec3(spring.origin), "angles": angles_of(spring.axes)}
             self._comments["suspension"] = [f"Springs and damping of {names}."]
         tables["hold"] = {"friction": friction, "stop": stops}
         if not is_free:
@@ -353,8 +355,8 @@ class _Maker:
 
     def _in_carrier(self, root: str, axis: Array, joint: Joint) -> tuple[Array, Array]:
         """Direction and anchor of a way in E1; those of three at once are along its axes."""
-        own = joint.kind in ("hinge", "slide")
-        return _snapped(self._places[root].axes @ axis) if own else axis, self._places[root].point(joint.anchor)
+        single = joint.kind in ("hinge", "slide")
+        return _snapped(self._places[root].axes @ axis) if single else axis, self._places[root].point(joint.anchor)
 
     def _inertia(self, twist: Array) -> float:
         """Mass or moment of inertia of the whole stand, flywheels at rest, that moves along a twist in E1."""
@@ -372,7 +374,7 @@ class _Maker:
     def _instrument(self, body: str) -> Instrument:
         mass, at = self._bodies[body].mass, self._places[body]
         assert mass is not None
-        name = self._own_name(body, "instrument")
+        name = self._unique_name(body, "instrument")
         self._comments[name] = [f"{self._words(body).capitalize()}, fixed on the carrier."]
         place: dict[str, Any] = {"position": _vec3(at.origin), "angles": angles_of(at.axes)}
         return Instrument(name=name, **_properties(mass), **place, added_mass=None)
@@ -380,7 +382,7 @@ class _Maker:
     def _flywheel(self, body: Body) -> Flywheel:
         """A flywheel, whose phase is the coordinate of its joint."""
         (joint,), at = body.joints, self._places[body.name]
-        name = self._own_name(body.name, "flywheel")
+        name = self._unique_name(body.name, "flywheel")
         axis, across = joint.axis, np.eye(3)[(int(np.argmax(np.abs(joint.axis))) + 1) % 3]
         second = across - (across @ axis) * axis
         second = second / np.linalg.norm(second)
@@ -410,13 +412,13 @@ class _Maker:
     def _points(self, carrier: str) -> tuple[Point, ...]:
         """Named places, and bodies without mass, on the carrier."""
         empty = [name for name in self._members if not self._bodies[name].mass and name != carrier]
-        given = [(name, self._places[name]) for name in empty if self._bodies[name].parent]
-        given += [(name, self._places[on] @ at) for name, on, at in self._model.points if on in self._members]
+        placed = [(name, self._places[name]) for name in empty if self._bodies[name].parent]
+        placed += [(name, self._places[on] @ at) for name, on, at in self._model.points if on in self._members]
         if turning := [name for name, on, _ in self._model.points if on not in self._members]:
             self._notes.append(f"left out, since they are not on the carrier: {', '.join(turning)}")
         points = []
-        for theirs, at in given:
-            name = self._own_name(theirs, "point")
+        for theirs, at in placed:
+            name = self._unique_name(theirs, "point")
             self._comments[name] = [f"{theirs}, fixed on the carrier, without mass."]
             points.append(Point(name, "carrier", _vec3(at.origin), angles_of(at.axes)))
         return tuple(points)
@@ -427,7 +429,7 @@ class _Maker:
         merged = ", merged" if len(listed) > 1 else ""
         return f"Mass, centre of mass, inertia: {', '.join(listed)}{merged}." if listed else "Without mass."
 
-    def _own_name(self, theirs: str, kind: str) -> str:
+    def _unique_name(self, theirs: str, kind: str) -> str:
         """A name that no other body or point has; a change is noted."""
         plain = identifier(theirs, kind)
         if name_problem(plain) is not None:
@@ -466,17 +468,17 @@ def _one_line(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
 
 
-def stand_name(given: str) -> str:
+def stand_name(name: str) -> str:
     """The name of a model as the name of a stand."""
-    plain = identifier(given, "stand")
+    plain = identifier(name, "stand")
     if plain.startswith("_"):
         return f"stand{plain}"
     return f"{plain}_" if stand_name_problem(plain) is not None else plain
 
 
-def identifier(given: str, fallback: str) -> str:
+def identifier(name: str, fallback: str) -> str:
     """Letters, digits and _ of a name, which does not begin with a digit."""
-    plain = re.sub(r"[^A-Za-z0-9_]+", "_", given).strip("_")[:60]
+    plain = re.sub(r"[^A-Za-z0-9_]+", "_", name).strip("_")[:60]
     return f"_{plain}" if plain[:1].isdigit() else plain or fallback
 
 
@@ -532,5 +534,5 @@ def _properties(mass: RigidMass) -> dict[str, Any]:
     }
 
 
-def _vec3(given: Array) -> Vec3:
-    return vec3(np.asarray(given) + 0.0)  # no negative zero
+def _vec3(array: Array) -> Vec3:
+    return vec3(np.asarray(array) + 0.0)  # no negative zero

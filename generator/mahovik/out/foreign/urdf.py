@@ -42,11 +42,11 @@ class Urdf(Reader):
         order = tree_order("link", [link.get("name", "") for link in links], edges, self.problems)
         for number, joint in enumerate(joints):
             name, limit = joint.get("name", ""), joint.find("limit")
-            given = {} if limit is None else limit.attrib
+            bounds = {} if limit is None else limit.attrib
             ended = joint.get("type") in ("revolute", "prismatic")
-            ends = (given.get("lower", "") if ended else None, given.get("upper", "") if ended else None)
+            ends = (bounds.get("lower", "") if ended else None, bounds.get("upper", "") if ended else None)
             self.numbers[name] = number
-            self.limit(name, joint.get("type", ""), *ends, given.get("velocity", ""), given.get("effort", ""))
+            self.limit(name, joint.get("type", ""), *ends, bounds.get("velocity", ""), bounds.get("effort", ""))
             if joint.find("mimic") is not None:
                 self.problems.add(f"joint {show(name)}", "mimic: a flywheel cannot be coupled to another joint")
         self.stop()

@@ -114,7 +114,7 @@ def table_of(heads: Sequence[str], rows: Sequence[Sequence[str]], numbers: Seque
 
     def line(kind: str, cells: Sequence[str]) -> Markup:
         inside = Markup("").join(
-            Markup("<{0}{1}>{2}</{0}>").format(kind, *each) for each in zip(sides, cells, strict=True)
+            Markup("<{0}{1}>{2}</{0}>").format(kind, *pair) for pair in zip(sides, cells, strict=True)
         )
         return Markup("<tr>{}</tr>\n").format(inside)
 

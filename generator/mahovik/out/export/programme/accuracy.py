@@ -71,25 +71,25 @@ def errors(
     """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
     phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
     t = phases * table.span
-    found = player.many(course, list(phases))
+    played = player.many(course, list(phases))
     truth = table.at(t)
-    angle = found["phi"] - truth.phi
+    angle = played["phi"] - truth.phi
     angle -= 2 * np.pi * np.round(angle / (2 * np.pi))
-    speed, acceleration = found["phi_dot"] - truth.phi_dot, found["phi_ddot"] - truth.phi_ddot
+    speed, acceleration = played["phi_dot"] - truth.phi_dot, played["phi_ddot"] - truth.phi_ddot
     force = np.hypot(truth.phi_ddot, truth.phi_dot**2)
     wrong = np.abs(acceleration) + 2 * np.abs(truth.phi_dot * speed) + force * np.abs(angle)
-    largest, fastest, hardest = (float(np.max(np.abs(each))) for each in (angle, speed, acceleration))
+    largest, fastest, hardest = (float(np.max(np.abs(array))) for array in (angle, speed, acceleration))
     relative = float(np.max(wrong)) / max(float(np.max(force)), np.finfo(np.float64).tiny)
     if table.torques is None:
         return Errors(largest, fastest, hardest, relative)
     some = np.linspace(0, POINTS - 1, WRENCHES).astype(int)
     tau = table.torques(t[some])
-    wrong_tau, peak = float(np.max(np.abs(found["tau"][some] - tau))), float(np.max(np.abs(tau)))
+    wrong_tau, peak = float(np.max(np.abs(played["tau"][some] - tau))), float(np.max(np.abs(tau)))
     if prescribed is None:
         return Errors(largest, fastest, hardest, relative, wrong_tau, peak)
-    exact = Angles(*(each[some] for each in truth))
+    exact = Angles(*(array[some] for array in truth))
     R, _ = prescribed.equations(t[some], exact)
-    tabled, _ = prescribed.equations(t[some], _angles(found, some))
+    tabled, _ = prescribed.equations(t[some], _angles(played, some))
     return Errors(
         largest,
         fastest,

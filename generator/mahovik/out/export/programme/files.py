@@ -111,34 +111,36 @@ def export_programme(
     if called != "programme":
         check_name(stand, layout, called)
     prescribed = None if motion is None else ProgrammeCase.of(stand, motion, programme)
-    first = _course(programme, layout, prescribed, kind, count)
-    found = [_measure_errors(layout, first, prescribed)]
+    table = _course(programme, layout, prescribed, kind, count)
+    deviation = _measure_errors(layout, table, prescribed)
     finest = _FINEST if programme.periodic else MOST_NODES
-    while nodes is None and kind == "quintic" and _is_coarse(found[0][1], most) and count < finest:
+    while nodes is None and kind == "quintic" and _is_coarse(deviation, most) and count < finest:
         count *= 2
-        first = _course(programme, layout, prescribed, kind, count)
-        found = [_measure_errors(layout, first, prescribed)]
-    given = found[0][1].given
+        table = _course(programme, layout, prescribed, kind, count)
+        deviation = _measure_errors(layout, table, prescribed)
+    residual = deviation.given
     accepted = max(WRONG * tolerance_for(stand, None).residual, most)
-    if given is not None and given > accepted:
+    if residual is not None and residual > accepted:
         raise CheckError(
-            f"{source}: its relative residual is {given:.2e}, so it does not give the motion {programme.motion} (below "
-            f"{accepted:g} it would): `mahovik verify` says more; nothing was written"
+            f"{source}: its relative residual is {residual:.2e}, so it does not give the motion {programme.motion} "
+            f"(below {accepted:g} it would): `mahovik verify` says more; nothing was written"
         )
-    if found[0][1].decisive > most:
-        raise CheckError(_too_coarse(source, first, found[0][1], most, real))
+    if deviation.decisive > most:
+        raise CheckError(_too_coarse(source, table, deviation, most, real))
+    tables, deviations = [table], [deviation]
     for part, finite in (("runup", programme.runup), ("rundown", programme.rundown)):
         if finite is not None:
             table = _finite(layout, part, finite, LEAST * finite.duration / programme.span, most, source)
-            found.append(_measure_errors(layout, _with_torques(table, finite, prescribed, source), None))
-    tables, measured = tuple(t for t, _ in found), tuple(e for _, e in found)
+            tables.append(_with_torques(table, finite, prescribed, source))
+            deviations.append(_measure_errors(layout, tables[-1], None))
     made = lower_programme(layout, [t.form for t in tables])
     player = Player(made, {t.form.part: t.value for t in tables})
-    lines = tuple(line for t, e in found for line in table_messages(t, e, layout))
+    measured = list(zip(tables, deviations, strict=True))
+    lines = tuple(line for t, e in measured for line in table_messages(t, e, layout))
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
-    facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in found), lines, most)
+    facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in measured), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
-    return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tables, measured)
+    return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tuple(tables), tuple(deviations))
 
 
 def check_name(stand: Stand, layout: Layout, called: str) -> None:
@@ -164,10 +166,10 @@ def _is_coarse(errors: Errors, most: float) -> bool:
 
 def check_belongs(stand: Stand, programme: Programme, motion: RequiredMotion | None, source: str) -> None:
     """Raise CheckError if a programme is for another stand, or was planned for another motion."""
-    whose = stand_check(stand, programme)
-    if whose.failed:
+    check = stand_check(stand, programme)
+    if check.failed:
         raise CheckError(
-            f"{source}: {whose.words}: give the stand file that it was planned for, or plan again; nothing was written"
+            f"{source}: {check.words}: give the stand file that it was planned for, or plan again; nothing was written"
         )
     if motion is None:
         return
@@ -203,11 +205,11 @@ def _course(programme: Programme, layout: Layout, prescribed: ProgrammeCase | No
     return quintic_table(form, programme.at, programme.span, programme.winding, torques)
 
 
-def _measure_errors(layout: Layout, table: Table, prescribed: ProgrammeCase | None) -> tuple[Table, Errors]:
-    """The table as its C plays it, and how far that is from the course: angles, speeds and torques."""
+def _measure_errors(layout: Layout, table: Table, prescribed: ProgrammeCase | None) -> Errors:
+    """How far the table, as its C plays it, is from the course: angles, speeds and torques."""
     made = lower_programme(layout, [table.form])
     player = Player(made, {table.form.part: table.value})
-    return table, errors(player, made.courses[0], table, layout.precision, prescribed)
+    return errors(player, made.courses[0], table, layout.precision, prescribed)
 
 
 def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: float, source: str) -> Table:
@@ -218,7 +220,7 @@ def _finite(layout: Layout, part: str, finite: RunUpTable, least: float, most: f
     while True:
         form = Form(part, "quintic", rows, False, False, layout.count)
         table = quintic_table(form, finite.at, finite.duration, (0,) * int(layout.count), None)
-        error = _measure_errors(layout, table, None)[1].decisive
+        error = _measure_errors(layout, table, None).decisive
         if error <= most:
             return table
         if rows >= MOST_NODES:

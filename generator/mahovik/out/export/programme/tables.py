@@ -45,16 +45,16 @@ class Table:
 def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], torques: Torques | None) -> Table:
     """Nodes at equal times."""
     t = np.arange(float(form.rows + (0 if form.cyclic else 1))) * (span / form.rows)
-    found = at(t)
+    angles = at(t)
     turn = 2 * np.pi * np.array(winding, dtype=np.float64)
     if form.cyclic:
-        phi = _near_zero(found.phi - (t / span)[:, None] * turn)
+        phi = _near_zero(angles.phi - (t / span)[:, None] * turn)
         mean = np.round(np.mean(phi, axis=0) * FINE_MEAN) / FINE_MEAN
         phi = phi - mean
-        phi_dot = found.phi_dot - turn / span
+        phi_dot = angles.phi_dot - turn / span
     else:
-        phi, phi_dot = _in_half_a_turn(found.phi), found.phi_dot
-    columns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": found.phi_ddot}
+        phi, phi_dot = _in_half_a_turn(angles.phi), angles.phi_dot
+    columns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": angles.phi_ddot}
     if torques is not None:
         columns["tau"] = torques(t)
     value: dict[str, Any] = {"step": span / form.rows, "rate": form.rows / span}
