@@ -101,5 +101,5 @@ def test_structure_counts_points_and_physics_has_the_numbers() -> None:
 
 def test_reach_is_that_of_the_curve() -> None:
     stand = loads(stand_text("torque_speed = [[0, 0.3], [100, 0.4], [200, 0]]"))
-    assert torque_capacity(stand).limits == (0.3,)
-    assert momentum_capacity(stand).limits == pytest.approx((0.01 * 200.0,))
+    assert torque_capacity(stand).each == (0.3,)
+    assert momentum_capacity(stand).each == pytest.approx((0.01 * 200.0,))

@@ -65,7 +65,7 @@ def test_capacity_of_three_wheels_on_the_axes() -> None:
     triad = stand(wheel("x", "[1, 0, 0]", x), wheel("y", "[0, 1, 0]", y), wheel("z", "[0, 0, 1]", z))
     momentum, torque = momentum_capacity(triad), torque_capacity(triad)
     h = 2 * math.pi
-    assert momentum.limits == pytest.approx((h, 2 * h, h))
+    assert momentum.each == pytest.approx((h, 2 * h, h))
     assert momentum.axes == pytest.approx((h, 2 * h, h))
     assert (momentum.total, momentum.direction) == pytest.approx((4 * h, h))
     assert torque.axes == pytest.approx((0.1, 0.2, 0.3))

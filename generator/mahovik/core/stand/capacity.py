@@ -179,7 +179,7 @@ class Capacity:
     envelope   all sums, by facets; its `worst` are the directions in which no more than `direction` is reached
     """
 
-    limits: tuple[float | None, ...]
+    each: tuple[float | None, ...]
     axes: Vec3
     alone: Vec3
     total: float
