@@ -4,48 +4,20 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 import mahovik
 from mahovik import stands
-from mahovik.core.stand.random import BARE, random_stand
 from mahovik.out.commands.simulate import share_of
 
 SHAKER2 = str(stands.path("shaker2"))
-SPIN = str(Path(SHAKER2).parent / "shaker2_spin.motion.json")
 
 
 @cache
 def shaker() -> Any:
     return mahovik.example("shaker2")
-
-
-@pytest.mark.slow
-def test_a_result_is_drawn_on_new_axes_or_given_ones() -> None:
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    run = mahovik.simulate(shaker(), until=0.01, regime={"default": {"speed": "100 rpm"}}, backend="scipy")
-    axes = run.plot()
-    assert axes and all(ax.get_title("left") or ax.lines or ax.collections for ax in axes)
-    _, my_axes = pyplot.subplots()
-    assert run.plot(my_axes) is my_axes and (my_axes.lines or my_axes.collections)
-    _, many = pyplot.subplots(len(axes) + 1)
-    with pytest.raises(mahovik.UsageError, match="panels to draw"):
-        run.plot(many)
-    pyplot.close("all")
-
-
-@pytest.mark.slow
-def test_c_is_judged_and_a_page_made(tmp_path: Path) -> None:
-    report = mahovik.verify(shaker(), states=5)
-    assert report.ok and "forward" in report["rows"]["judged"] and report["passed"] is True
-    assert mahovik.report(shaker(), output=tmp_path / "report.html").ok and (tmp_path / "report.html").is_file()
 
 
 def test_speeds_are_a_mapping_texts_or_one_for_all() -> None:
@@ -63,16 +35,6 @@ def test_speeds_are_a_mapping_texts_or_one_for_all() -> None:
 def test_warnings_are_those_of_python() -> None:
     with pytest.warns(mahovik.MahovikWarning, match="a flywheel turns"):
         mahovik.simulate(shaker(), until=1e-3, regime={"default": {"speed": "9000 rpm"}}, dt=1e-3, backend="scipy")
-
-
-def test_a_plan_without_a_programme_says_why() -> None:
-    rigid = random_stand(np.random.default_rng(1), 3, BARE, "rigid")
-    motion = {"name": "up", "type": "periodic", "period": 0.1,
-              "harmonics": [{"k": 1, "cos": [1, 0, 0, 0, 0, 0], "sin": [0] * 6}]}  # fmt: skip
-    plan = mahovik.plan(rigid, motion=motion)
-    assert plan["status"] == "NO_PROGRAM" and plan.messages and plan.count == 0 and not plan.ok
-    with pytest.raises(mahovik.UsageError, match="NO_PROGRAM"):
-        mahovik.verify(rigid, programme=plan, motion=motion)
 
 
 @pytest.mark.parametrize(
@@ -133,15 +95,6 @@ DEMO3 = str(stands.path("demo3"))
 
 
 TILT = str(stands.path("shaker2").with_name("shaker2.motion.json"))
-
-
-def test_a_run_of_texts_is_that_of_the_numbers() -> None:
-    texts = mahovik.simulate(DEMO3, until="20 ms", dt="0.5 ms", every="2000 us")
-    numbers = mahovik.simulate(DEMO3, until=0.02, dt=0.0005, every=0.002)
-    assert texts.count == 11
-    assert texts["t"][-1] == 0.02
-    for name in ("z", "phi w1", "v_dot_x"):
-        np.testing.assert_array_equal(texts[name], numbers[name])
 
 
 @pytest.mark.parametrize("name", ["until", "every"])

@@ -28,6 +28,9 @@ inertia_about = "center_of_mass"
 """A rigid body without flywheels, as the text of a stand file."""
 
 
+PROGRAM = "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.command_line import main; main()"
+
+
 def run(*arguments: str, stdin: str | bytes = "") -> Result:
     """In this process. An exception that is no exit is a traceback: it is raised."""
     result = CliRunner().invoke(main, list(arguments), input=stdin)
@@ -48,7 +51,7 @@ def process(*arguments: str, stdin: str = "", cwd: Path | None = None, **env: st
     """Run the command in its own process, like a user."""
     options: dict[str, Any] = {"capture_output": True, "text": True, "cwd": cwd, "timeout": 120}
     done = subprocess.run(
-        [sys.executable, "-c", "from mahovik.out.command_line import main; main()", *arguments],
+        [sys.executable, "-c", PROGRAM, *arguments],
         input=stdin,
         check=False,
         env={**os.environ, **env},

@@ -113,3 +113,18 @@ def test_linear_algebra_has_one_thread_unless_told_otherwise(asked: str | None, 
     done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1] == str([used] * 3)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        ("mahovik veri", ["plain,verify"]),
+        ("mahovik generate --rea", ["plain,--real"]),
+        ("mahovik generate --real ", ["plain,double", "plain,float"]),
+    ],
+)
+def test_what_a_shell_completes(words: str, expected: list[str]) -> None:
+    """Completion is driven by the variables that the bash script sets."""
+    last = str(words.count(" "))
+    done = process(_MAHOVIK_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=last)
+    assert done.stdout.splitlines() == expected, done.stderr

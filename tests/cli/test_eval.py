@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from cli.run import BENCH8, DEMO3, process, run
+from cli.run import BENCH8, DEMO3, PROGRAM, process, run
 
 GOOD = '{"id": 1, "want": ["forward"]}\n'
 
@@ -56,15 +56,7 @@ def test_no_compiler_is_one_line_that_says_what_to_install() -> None:
 
 
 def test_a_conversation_is_answered_line_by_line() -> None:
-    command = [
-        sys.executable,
-        "-c",
-        "from mahovik.out.command_line import main; main()",
-        "eval",
-        DEMO3,
-        "--backend",
-        "numpy",
-    ]
+    command = [sys.executable, "-c", PROGRAM, "eval", DEMO3, "--backend", "numpy"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1) as program:
         assert program.stdin is not None
         assert program.stdout is not None

@@ -76,15 +76,3 @@ def test_the_reaction_of_no_motion_is_an_error_line(file: str, tmp_path: Path) -
     clamped.write_text(PENDULUM.replace('freedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', "freedoms = []\n"))
     (answer,) = answers(str(clamped), {"want": ["reaction"]})
     assert answer["reaction"][2] == pytest.approx(2.5 * 9.81)
-
-
-def test_a_free_carrier_and_two_reactions_in_one_want_are_error_lines(file: str, tmp_path: Path) -> None:
-    (answer,) = answers(file, {"want": ["forward", "reaction"]}, status=1)
-    assert answer["error"] == 'want: "forward" and "reaction" both give reaction, ask for them in two states'
-    (answer,) = answers(file, {"want": ["forward"], "V": [0, 0, 0, 0, 1, 0]}, status=1)
-    assert answer["error"] == "V: the carrier is held, expected u, 1 number"
-    free = tmp_path / "free.toml"
-    free.write_text(PENDULUM.replace('[hold]\nfreedoms = ["pitch"]\npivot = [0, 0, -0.2]\n', ""))
-    reaction, speed = answers(str(free), {"want": ["reaction"]}, {"want": ["forward"], "u": [1.0]}, status=1)
-    assert reaction["error"] == 'want: "reaction" is of held carriers, and the stand has no [hold]: ask for forward'
-    assert speed["error"] == "u: the stand has no [hold], expected V"

@@ -51,9 +51,6 @@ def changed(state: str = "pass", result: str = "pass") -> str:
     return program(CHANGED.replace("STATE", state).replace("RESULT", result))
 
 
-PHASE = changed('state["phi"] = [-phi for phi in state.get("phi", [])] or [0.0] * 2')
-
-
 def rows(*arguments: str, status: int) -> list[dict[str, Any]]:
     """Rows of the table that the command prints as JSON."""
     result = run(*arguments, "--json")
@@ -175,14 +172,6 @@ def test_a_program_that_fails_is_one_line_and_status_1(name: str) -> None:
     (line,) = (line for line in result.stdout.splitlines() if line.startswith("error: "))
     assert result.exit_code == 1 and "FAILED" in result.stdout
     assert words in line
-
-
-@pytest.mark.slow
-def test_a_program_that_differs_is_told_its_fault() -> None:
-    result = run("judge", SHAKER, "--with", PHASE, "--explain", "--states", "6", "--json")
-    assert result.exit_code == 1
-    diagnosis = json.loads(result.stdout)["diagnosis"]
-    assert diagnosis["verdict"] == "named" and diagnosis["found"][0]["fault"] == "phase of the opposite sense"
 
 
 def test_a_difference_within_what_is_accepted() -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -149,25 +148,6 @@ def test_what_is_no_longer_delivered_is_removed(folder: Path) -> None:
     (folder / "kept.h").write_text("changed by hand\n")
     assert f"{folder / 'old.h'} was removed: it is no longer delivered" in generate(folder)
     assert set(contents(folder)) == before | {"kept.h"}
-
-
-@pytest.mark.parametrize("fault", [KeyboardInterrupt, OSError])
-@pytest.mark.parametrize("after", [0, 3])
-def test_an_interrupted_run_leaves_the_old_folder(
-    fault: type[BaseException], after: int, folder: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    before = contents(folder)
-    real, calls = os.replace, []
-
-    def replace(source: Path, target: Path) -> None:
-        calls.append(target)
-        if len(calls) == after + 1:
-            raise fault("stopped")
-        real(source, target)
-
-    monkeypatch.setattr("mahovik.writing.os.replace", replace)
-    assert run("generate", DEMO3, "-o", str(folder), "--real", "float").exit_code != 0
-    assert contents(folder) == before and len(calls) > after
 
 
 def test_a_page_of_cost_that_was_measured_on_other_c_is_removed_and_that_of_others_stays(folder: Path) -> None:

@@ -108,23 +108,6 @@ def test_the_log_of_a_part_gives_no_false_alarm(only: str, status: int, words: s
     assert words in message and "other bits" not in message
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "words"),
-    [
-        (r"\ntorque \w{8}\n", "\ntorque 00000000\n", "other bits in the sweep of 100 states: torque 00000000"),
-        (r"\ntorque PASS.*\n", "\n", "no line PASS or FAIL of: torque"),
-        (r"failures 0\n", "", "no line, the log is not whole: failures"),
-        (r"physics \w+", "physics 00000000", "physics 00000000, the stand file has "),
-    ],
-)
-def test_what_is_wrong_in_the_log_of_a_part_is_found(old: str, new: str, words: str, log: Path, tmp_path: Path) -> None:
-    text, count = re.subn(old, new, log.read_text(), count=1)
-    assert count == 1
-    (tmp_path / "spoiled.log").write_text(text)
-    command = ("verify", SHAKER2, str(tmp_path / "spoiled.log"), "--only", "forward,torque")
-    assert words in refused(*command, status=1)
-
-
 def test_the_stand_under_another_name_is_known_by_its_physics(part: Path, tmp_path: Path) -> None:
     """C of another stand is refused, and C of this one under two names in one folder."""
     message = refused("verify", DEMO3, str(part), status=1)

@@ -77,19 +77,6 @@ def test_a_comparison_that_fails_is_shown_as_failing(monkeypatch: pytest.MonkeyP
     assert '<div class="failure" role="alert">' in html and '<span class="bad">FAILED' in html
 
 
-def test_an_interrupt_leaves_what_was_there(monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupted(*_: object) -> None:
-        raise KeyboardInterrupt
-
-    Path("r.html").write_text("before", encoding="utf-8")
-    monkeypatch.setattr(page, "modes_part", interrupted)
-    result = run("report", DEMO3, "-o", "r.html")
-    assert result.exit_code == 130
-    assert result.stderr == "error: interrupted; no file is half written\n"
-    assert [file.name for file in Path().iterdir()] == ["r.html"]
-    assert Path("r.html").read_text(encoding="utf-8") == "before"
-
-
 def test_a_held_carrier_has_a_page() -> None:
     """A force table: its reaction over speeds; no modes."""
     stand = Path(__file__).resolve().parents[2] / "docs" / "held" / "force_table.toml"

@@ -1,4 +1,4 @@
-"""mahovik simulate: files, starts, refusals, early ends."""
+"""mahovik simulate, and what other commands share with it: files, starts from rest, outputs of any name, early ends."""
 
 from __future__ import annotations
 
@@ -11,7 +11,13 @@ from pathlib import Path
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
+from control.following import SERVO
+from mahovik.core.motion.programme import save_programme
+from mahovik.stands import path
 from mahovik.writing import probe
+from verify.programme.programmes import shaker
+
+SHAKER2 = str(path("shaker2"))
 
 SPIN = 'schema = 1\ndefault = { speed = "600 rpm" }\n'
 
@@ -65,7 +71,7 @@ def test_a_place_that_cannot_be_written_is_told_before_anything_is_computed(monk
     assert "a part of the path is a file" in refused("simulate", DEMO3, "--until", "1", "-o", "file/x/a.csv")
     assert "/proc/a.csv: cannot be written" in refused("simulate", DEMO3, "--until", "1", "-o", "/proc/a.csv")
     probe(Path("new/folder/a.csv"))
-    assert sorted(path.name for path in Path().iterdir()) == ["file"]
+    assert [file.name for file in Path().iterdir()] == ["file"]
 
 
 @pytest.mark.parametrize("moment", ["import", "options"])
@@ -103,3 +109,72 @@ def test_parquet_holds_what_csv_does() -> None:
     assert sorted(table) == sorted(expected)
     assert table == expected
     assert len(set(table["tau w1"])) > 5  # numbers with all their digits, not zeros
+
+
+def test_a_followed_programme_is_a_table_of_required_coordinates() -> None:
+    """The columns follow the required heave."""
+    save_programme(shaker()[2], Path("P.json"))
+    Path("S.toml").write_text(SERVO)
+    motion = str(Path(SHAKER2).with_name("shaker2_spin.motion.json"))
+    files = ("--programme", "P.json", "--motion", motion, "--servo", "S.toml")
+    said = run("simulate", SHAKER2, *files, "--periods", "11", "-o", "run.csv")
+    assert said.exit_code == 0, said.output
+    assert "over the last 10 of 11 periods; mismatch 0%, seed 1" in said.stdout
+    followed = columns("run.csv")
+    assert len(followed["z [m]"]) == 1101
+    assert followed["z [m]"] == pytest.approx(followed["required z [m]"], abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("vibration", SHAKER2, "--at", "carrier", "--speed", "left=0..100rpm", "--steps", "3"),
+        ("simulate", DEMO3, "--until", "0.002"),
+        ("modes", DEMO3),
+        ("report", DEMO3),
+        ("new", "demo3"),
+    ],
+    ids=lambda case: case[0],
+)
+def test_a_device_and_a_link_to_one_need_no_ending(arguments: tuple[str, ...]) -> None:
+    link = Path("link")
+    link.symlink_to("/dev/null")
+    for target in ("/dev/null", "link"):
+        assert run(*arguments, "-o", target).exit_code == 0
+    assert link.is_symlink() and list(Path().iterdir()) == [link]
+
+
+TURNS = """schema = 1
+name = "box"
+gravity = [0, 0, -9.81]
+[carrier]
+mass = "100 kg"
+inertia = [3.0, 4.0, 5.0]
+buoyancy = { displaced_mass = "100 kg", center = [0, 0, "-50 mm"] }
+damping = { linear = [50, 50, 50, 5, 5, 5] }
+[[flywheel]]
+name = "w"
+mass = 1e-9
+spin_inertia = 1e-9
+transverse_inertia = 1e-9
+buoyancy = { displaced_mass = 1e-9 }
+"""
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("modes",),
+        ("simulate", "--until", "0.02", "--every", "0.01", "-o", "a.csv", "--backend", "scipy"),
+        ("vibration", "--speed", "w=600rpm", "--at", "carrier"),
+    ],
+)
+def test_what_starts_from_a_turned_rest_pose_says_so(command: tuple[str, ...]) -> None:
+    """The centre of buoyancy is below the centre of mass, so that the box hangs upside down; above it, it does not."""
+    line = "warning: starts from rest, turned by 180 deg from E0: see mahovik check"
+    name, *options = command
+    for text, warned in ((TURNS, True), (TURNS.replace('"-50 mm"', '"50 mm"'), False)):
+        Path("box.toml").write_text(text)
+        done = run(name, "box.toml", *options)
+        assert done.exit_code == 0, done.stderr
+        assert done.stderr.splitlines().count(line) == warned

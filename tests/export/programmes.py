@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from dataclasses import replace
 from functools import cache
@@ -9,6 +10,7 @@ from math import atan2, pi
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from emit.stands import write
 from mahovik import stands
@@ -21,7 +23,7 @@ from mahovik.core.stand import identities, load
 from mahovik.core.stand.model import Stand
 from mahovik.laws.suspension.law import Suspension
 from mahovik.out.export.programme import ProgrammeExport, export_programme
-from toolchain.tools import compile_c
+from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
 
 PERIOD = 0.05
 
@@ -125,11 +127,42 @@ def written(made: ProgrammeExport, folder: Path, real: str = "double") -> Path:
     return folder / "shaker2_programme.c"
 
 
-def self_tested(source: Path, compiler: str = "gcc", *flags: str) -> list[str]:
-    """Lines of the self-test, compiled with the strict warnings."""
-    program = source.parent / "programme_test"
-    test = source.parent / "verification/shaker2_programme_test.c"
-    compile_c(compiler, source, *(flags or ("-O1",)), "-DSHAKER2_PROGRAMME_TEST_MAIN", test, "-o", program)
+def self_tested(source: Path, part: str, compiler: str = "gcc", *flags: str) -> list[str]:
+    """Lines of the self-test of a part, `programme` or `servo`, compiled with the strict warnings."""
+    program = source.parent / f"{part}_test"
+    test = source.parent / f"verification/shaker2_{part}_test.c"
+    compile_c(compiler, source, *(flags or ("-O1",)), f"-DSHAKER2_{part.upper()}_TEST_MAIN", test, "-o", program)
     done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == (0 if done.stdout.endswith("failures 0\n") else 1)
     return done.stdout.splitlines()
+
+
+def check_delivered(source: Path, folder: Path, imported: set[str], exported: str) -> None:
+    """Check a source under other compilers: bare objects, declared names, no `double` in C of float, no path or date.
+
+    `imported`: names that it may use of others; `exported`: kinds of symbols that the header declares.
+    """
+    compile_elsewhere(source)
+    listed = symbols_of(source, folder)
+    assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memset", *imported}
+    assert {kind for kind, _ in listed} <= set("UTtRr")  # no data that could change
+    header = source.with_suffix(".h").read_text()
+    assert all(re.search(rf"\b{symbol}\b", header) for kind, symbol in listed if kind in exported)
+    code = re.sub(r"/\*.*?\*/", "", source.read_text(), flags=re.DOTALL)
+    if "typedef float" in "".join(path.read_text() for path in source.parent.glob("*.h")):
+        assert "double" not in code
+        assert re.findall(r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\dFe])", code) == []
+    assert not re.search(r"/(home|work|tmp|usr|root)/|20\d\d-\d\d", source.read_text() + header)
+
+
+def check_other_headers(source: Path) -> None:
+    """Check that a source refuses the header of another stand and that of the other element type."""
+    header = source.parent / "shaker2.h"
+    text = header.read_text()
+    for macro in ("STRUCTURE", "PHYSICS"):
+        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", text))
+        with pytest.raises(AssertionError, match="are of different stands"):
+            compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
+    header.write_text(stand_files("float")["shaker2.h"])
+    with pytest.raises(AssertionError, match="negative"):
+        run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", source)

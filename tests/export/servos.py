@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from functools import cache
 from pathlib import Path
 
@@ -10,7 +9,6 @@ from emit.stands import write
 from export.programmes import motion, spin, stand, stand_files, started, swaying
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.out.export.servo import ExportedServo, export_servo
-from toolchain.tools import compile_c
 
 HEAD = 'schema = 1\nname = "follow"\nsample_period = "0.5 ms"\nbandwidth = "60 Hz"\nlatency = "700 us"\n'
 TRIM = 'integral = "4 Hz"\n[trim]\ncoordinates = ["z"]\nharmonics = 1\nsettling = 40\ngain = 0.3\n'
@@ -34,20 +32,3 @@ def written(made: ExportedServo, folder: Path, real: str = "double") -> Path:
     """Servo, programme and stand in a folder; returns the servo's source."""
     write({**stand_files(real), **made.programme.files, **made.servo}, folder)
     return folder / "shaker2_servo.c"
-
-
-def self_tested(source: Path, compiler: str = "gcc", *flags: str) -> list[str]:
-    """Lines of the self-test, compiled with the strict warnings."""
-    program = source.parent / "servo_test"
-    compile_c(
-        compiler,
-        source,
-        *(flags or ("-O1",)),
-        "-DSHAKER2_SERVO_TEST_MAIN",
-        source.parent / "verification/shaker2_servo_test.c",
-        "-o",
-        program,
-    )
-    done = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
-    assert done.returncode == (0 if done.stdout.endswith("failures 0\n") else 1)
-    return done.stdout.splitlines()

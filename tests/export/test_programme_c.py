@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from export.programmes import exported, self_tested, spin, stand_files, written
+from export.programmes import check_delivered, check_other_headers, exported, self_tested, spin, written
 from mahovik.core.program.interpret import Interpreter
 from toolchain.quick import quick
-from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of
+from toolchain.tools import run
 
 CASES = [
     ("swaying", "fourier", "double"),
@@ -31,7 +31,7 @@ def source(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 
 def test_every_bit_is_the_interpreters(source: Path) -> None:
-    lines = self_tested(source)
+    lines = self_tested(source, "programme")
     assert lines[0].startswith("mahovik programme shaker2 structure ")
     assert "programme_at PASS cases 8 wrong 0" in lines
     assert "refusals PASS wrong 0" in lines
@@ -41,30 +41,11 @@ def test_every_bit_is_the_interpreters(source: Path) -> None:
 
 
 def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    compile_elsewhere(source)
-    listed = symbols_of(source, tmp_path)
-    assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memset"}
-    assert {kind for kind, _ in listed} <= set("UTtRr")  # no data that could change
-    header = source.with_suffix(".h").read_text()
-    assert all(re.search(rf"\b{symbol}\(", header) for kind, symbol in listed if kind == "T")
-    code = re.sub(r"/\*.*?\*/", "", source.read_text(), flags=re.DOTALL)
-    if "float" in source.parent.name:
-        assert "double" not in code
-        assert re.findall(r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?(?![\dFe])", code) == []
-    assert not re.search(r"/(home|work|tmp|usr|root)/|20\d\d-\d\d", source.read_text() + header)
+    check_delivered(source, tmp_path, set(), "T")
 
 
 def test_headers_of_another_stand_or_element_type_are_refused(tmp_path: Path) -> None:
-    source = written(exported("spin"), tmp_path)
-    header = tmp_path / "shaker2.h"
-    text = header.read_text()
-    for macro in ("STRUCTURE", "PHYSICS"):
-        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", text))
-        with pytest.raises(AssertionError, match="are of different stands"):
-            compile_c(require("gcc", "gcc"), source, "-fsyntax-only")
-    header.write_text(stand_files("float")["shaker2.h"])
-    with pytest.raises(AssertionError, match="negative"):
-        run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", source)
+    check_other_headers(written(exported("spin"), tmp_path))
 
 
 def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
@@ -74,7 +55,7 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
     at = list(re.finditer(r"^        \{\n +\.phi = \{ +(-?\d+\.\d+)", text, re.MULTILINE))[20]
     number = at[1]
     source.write_text(text[: at.start(1)] + number[:-1] + ("1" if number[-1] != "1" else "2") + text[at.end(1) :])
-    lines = self_tested(source)
+    lines = self_tested(source, "programme")
     assert "clock FAIL wrong 1" in lines
     assert lines[-1] == "failures 1"
 

@@ -13,8 +13,8 @@ from cli.run import refused
 from cli.run import run as run_command
 from emit.stands import write
 from export import held_servos as held
-from export.programmes import motion, spin, stand, stand_files
-from export.servos import HEAD, TRIM, exported, self_tested, servo, written
+from export.programmes import check_delivered, check_other_headers, motion, self_tested, spin, stand, stand_files
+from export.servos import HEAD, TRIM, exported, servo, written
 from mahovik import stands
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import save_programme
@@ -26,7 +26,7 @@ from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.proof.verify.functions.table import verify_servo
 from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.quick import quick
-from toolchain.tools import compile_c, compile_elsewhere, require, run, symbols_of, target
+from toolchain.tools import compile_c, run, target
 
 FREE = [
     pytest.param((name, real), id=name)
@@ -69,7 +69,7 @@ def microradians(folder: Path, name: str) -> int:
 
 
 def test_every_bit_is_the_interpreters(source: Path) -> None:
-    lines = self_tested(source)
+    lines = self_tested(source, "servo")
     trim = ["trim_run PASS wrong 0"] if "trim_step" in source.with_suffix(".h").read_text() else []
     assert lines[1:] == [
         "servo_step PASS cases 3 wrong 0",
@@ -81,16 +81,7 @@ def test_every_bit_is_the_interpreters(source: Path) -> None:
 
 
 def test_clang_32_bits_and_bare_objects(source: Path, tmp_path: Path) -> None:
-    compile_elsewhere(source)
-    listed = symbols_of(source, tmp_path)
-    assert {symbol for kind, symbol in listed if kind == "U"} <= {"memcpy", "memset"}
-    assert {kind for kind, _ in listed} <= set("UTtRr")  # no data that could change
-    header = source.with_suffix(".h").read_text()
-    assert all(re.search(rf"\b{symbol}\b", header) for kind, symbol in listed if kind in "TR")
-    texts = [path.read_text() for path in source.parent.rglob("shaker2_servo*")]
-    assert not any(re.search(r"/(home|work|tmp|usr|root)/|20\d\d-\d\d", text) for text in texts)
-    code = re.sub(r"/\*.*?\*/", "", source.read_text(), flags=re.DOTALL)
-    assert ("double" in code) == ("float" not in source.parent.name)
+    check_delivered(source, tmp_path, set(), "TR")
 
 
 def test_the_example_follows(source: Path) -> None:
@@ -181,16 +172,7 @@ def test_a_programme_of_a_clamped_carrier_is_refused_in_a_line() -> None:
 
 
 def test_headers_of_another_stand_or_element_type_are_refused(tmp_path: Path) -> None:
-    code = written(exported("spin"), tmp_path)
-    header = tmp_path / "shaker2.h"
-    text = header.read_text()
-    for macro in ("STRUCTURE", "PHYSICS"):
-        header.write_text(re.sub(rf"({macro} +0x)[0-9a-f]{{8}}", r"\g<1>00000001", text))
-        with pytest.raises(AssertionError, match=r"shaker2_servo.h are of different stands"):
-            compile_c(require("gcc", "gcc"), code, "-fsyntax-only")
-    header.write_text(stand_files("float")["shaker2.h"])
-    with pytest.raises(AssertionError, match="negative"):
-        run(require("gcc", "gcc"), "-std=c99", "-fsyntax-only", code)
+    check_other_headers(written(exported("spin"), tmp_path))
 
 
 def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
@@ -200,7 +182,7 @@ def test_the_self_test_finds_one_wrong_digit(tmp_path: Path) -> None:
         (number,) = re.findall(rf"{member}(-?[\d.]+)", text)[:1]
         changed = number[:-1] + ("1" if number[-1] != "1" else "2")
         code.write_text(re.sub(rf"({member}){re.escape(number)}", rf"\g<1>{changed}", text, count=1))
-        assert f"{named} FAIL wrong 1" in self_tested(code)
+        assert f"{named} FAIL wrong 1" in self_tested(code, "servo")
 
 
 def test_a_named_servo_has_the_text_of_the_unnamed_one() -> None:

@@ -87,22 +87,6 @@ def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
     assert 2 * np.arctan2(run["qy"], run["qw"]) == pytest.approx(zero + apart * swing, abs=1e-8)
 
 
-def test_a_clamped_wheel_shows_its_centrifugal_force_and_weight() -> None:
-    """A wheel on a force table: m e Omega^2 turns in the plane of the wheel, and the weight stands still."""
-    document = {**PENDULUM, "name": "table", "hold": {"freedoms": []}}
-    document["flywheel"] = [{**PENDULUM["flywheel"][0], "unbalance": {"static": "50 g mm"}}]
-    speed = 100.0
-    start = {"phi_dot": [speed]}
-    run = columns(mahovik.Stand.from_dict(document), 0.2, start=start, every=1e-3)
-    letters = {a: run[f"hold.reaction.{a} [{'N' if a in 'xyz' else 'N m'}]"] for a in "xyzkmn"}
-    turning = np.hypot(letters["x"], letters["z"] - 2.5 * 9.81)
-    assert turning == pytest.approx(np.full(len(turning), 5e-5 * speed**2), rel=1e-9)
-    assert np.abs(letters["y"]).max() < 1e-12
-    for column in list(run)[1:20]:
-        if column.startswith(("x", "y", "z", "v_", "omega")):
-            assert not run[column].any(), column  # it does not move at all
-
-
 @pytest.mark.parametrize(
     ("start", "reason"),
     [

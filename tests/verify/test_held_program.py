@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 
 from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum
 from mahovik.contract.status import STATUS_VALUES
@@ -60,35 +59,6 @@ def test_a_lock_leaves_a_flywheel_as_part_of_the_carrier(name: str) -> None:
     assert np.allclose(forward["V_dot"], coupled["V_dot"], rtol=0, atol=1e-11 * np.abs(coupled["V_dot"]).max())
     _, torque = backend.call("torque", {**inputs, "V_dot": coupled["V_dot"], "phi_ddot": coupled["phi_ddot"]})
     assert np.array(torque["tau"])[[0, 2]] == pytest.approx(np.array(state.tau)[[0, 2]], rel=1e-9)
-
-
-def run_steps(stand: Stand, x: dict[str, Any], dt: float, count: int, order: int = 4) -> dict[str, Any]:
-    """The state after steps without drive torque."""
-    backend = InterpreterBackend(generate_all(stand))
-    inputs = backend.arguments(rest_state(stand))
-    for _ in range(count):
-        status, output = backend.call("step", {**inputs, "x": x, "dt": dt, "order": order})
-        assert status == 0
-        x = output["next"]
-    return x
-
-
-def test_steps_swing_as_the_pendulum_does_about_a_pivot_that_stays() -> None:
-    """The physical pendulum with a wheel that turns freely about its axis, by its own equation in the angle."""
-    stand, angle = loads(PENDULUM), 2.0
-    x = {"position": [-0.1, 0.2, 0.3], "attitude": [np.cos(1.0), 0, np.sin(1.0), 0], "V": [0.0] * 6}
-    end = run_steps(stand, {**x, "phi": [0.0], "phi_dot": [0.0]}, 1e-3, 400)
-    inertia, weight = 0.02 + 2.5 * 0.2**2, 2.5 * 9.81 * 0.2
-
-    def fall(_: float, y: Any) -> list[float]:
-        return [y[1], weight * np.sin(y[0]) / inertia]
-
-    swung = solve_ivp(fall, (0.0, 0.4), [angle, 0.0], method="DOP853", rtol=1e-13, atol=1e-13).y[:, -1]
-    w, _, y, _ = end["attitude"]
-    assert 2 * np.arctan2(y, w) == pytest.approx(swung[0], abs=1e-9)
-    assert end["V"] == pytest.approx([-0.2 * -swung[1], 0, 0, 0, swung[1], 0], abs=1e-8)
-    arm = [np.array([np.sin(a), 0, np.cos(a)]) * -0.2 for a in (angle, 2 * np.arctan2(y, w))]
-    assert np.array(end["position"]) + arm[1] == pytest.approx(np.array(x["position"]) + arm[0], abs=1e-14)
 
 
 def answer(
