@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 COMMANDS = DOCS / "commands.md"
 
-DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/howto/held-carriers.md", "docs/howto/two-exciters.md")
+DRAWN = ("README.md", "docs/tutorial-pendulum.md", "docs/howto/held-carriers.md", "docs/studies.md")
 """Pages whose own commands draw their pictures."""
 
 HEAD = """# Commands

@@ -6,7 +6,7 @@ import inspect
 import json
 import re
 import typing
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import is_dataclass
 from functools import cache, partial
 from pathlib import Path
@@ -21,6 +21,8 @@ from mahovik.contract.status import STATUSES
 from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.motion.motion_file import MotionTable, SlewTable
+from mahovik.core.motion.programme import ProgrammeTable
 from mahovik.core.motion.regime import DrivenTable
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost, stack_bound
@@ -121,6 +123,7 @@ SHAPES: tuple[tuple[Any, str], ...] = (
     (Mat6, "6x6"),
     (tuple[Vec3, ...], "list of 3 numbers"),
     (tuple[float, ...], "numbers"),
+    (Any, "list"),
 )
 """Words for types of keys."""
 
@@ -132,8 +135,10 @@ def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidato
         return ", ".join([" or ".join(units), *bound_words(bounds)])
     kind, inner = typed(info.annotation), quantity_and_table(info.annotation)[1]
     origin = typing.get_origin(kind)
-    if inner is not None or origin is dict or is_dataclass(kind):
+    if inner is not None or origin in (dict, Mapping) or is_dataclass(kind):
         return "tables" if origin is list else "table"
+    if origin is typing.Literal:
+        return ", ".join(f'`"{word}"`' for word in typing.get_args(kind))
     plain = next((words for shape_type, words in SHAPES if shape_type == kind), "list" if origin else "number")
     if reader is None:
         return plain
@@ -181,7 +186,7 @@ def default_words(value: Any, reader: QuantityValidator | None) -> str:
     """A default as the file would have it."""
     if reader is not None and reader.words:
         return next((f'`"{word}"`' for word, meant in reader.words if meant == value), "none")
-    if value is None or value in ((), [], ""):
+    if value is None or value in ((), [], {}, "") or is_dataclass(value):
         return "none"
     if isinstance(value, bool | str):
         return f"`{json.dumps(value)}`"
@@ -210,6 +215,9 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["campaign"] = partial(key_rows, CampaignTable, CampaignTable)
     rows["pieces"] = partial(key_rows, PiecesTable, PiecesTable)
     rows["regime"] = partial(key_rows, DrivenTable, DrivenTable)
+    rows["motion"] = partial(key_rows, MotionTable, MotionTable)
+    rows["slew"] = partial(key_rows, SlewTable, SlewTable)
+    rows["programme"] = partial(key_rows, ProgrammeTable, ProgrammeTable)
     rows["quantity"] = partial(key_rows, QuantityTable, QuantityTable)
     return {f"keys {key}": partial(key_table, make_rows) for key, make_rows in rows.items()}
 

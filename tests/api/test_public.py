@@ -82,7 +82,7 @@ def test_type_checkers_know_the_same_names() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["python.md", "data.md", "c-interface.md"])
+@pytest.mark.parametrize("name", ["python.md", "data.md"])
 def test_a_page_does_what_it_shows(name: str) -> None:
     flags = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
     failed, tried = doctest.testfile(str(ROOT / "docs" / name), module_relative=False, optionflags=flags)

@@ -59,7 +59,7 @@ def test_rows_take_the_products_of_added_mass_out() -> None:
 @pytest.mark.slow
 def test_the_commands_of_the_page(tmp_path: Path) -> None:
     """The command judges the program of an audit, and prints what the page shows."""
-    page = (TESTS.parent / "docs" / "diagnosis.md").read_text(encoding="utf-8")
+    page = (TESTS.parent / "docs" / "judging.md").read_text(encoding="utf-8")
     assert 'mahovik judge npsauv.toml --with "python -m audits npsauv" --explain' in page
     environment = {**os.environ, "PYTHONPATH": str(TESTS)}
     stand = subprocess.run(

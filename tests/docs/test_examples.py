@@ -22,9 +22,9 @@ NOT_RUN = {
         "pip install",
     ): "installs into an environment from the network; tests/test_package.py does so without",
     ("README.md", "make demo"): "sets up .venv from the network; .ci/run runs it",
-    ("docs/diagnosis.md", ". .venv/bin/activate"): "needs a checkout; tests/audits/test_audits.py runs its commands",
-    ("docs/delivery.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/test_evidence.py",
-    ("docs/proofs.md", "sh bench8_eva.sh"): "hours of Frama-C; the quick ones are in .ci/run",
+    ("docs/judging.md", ". .venv/bin/activate"): "needs a checkout; tests/audits/test_audits.py runs its commands",
+    ("docs/verification.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/test_evidence.py",
+    ("docs/verification.md", "sh bench8_eva.sh"): "hours of Frama-C; the quick ones are in .ci/run",
 }
 """Blocks that no test runs, by page and how they begin; and why."""
 

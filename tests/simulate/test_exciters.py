@@ -15,7 +15,7 @@ from docs.pages import ROOT, blocks
 from mahovik.core.stand import loads
 from mahovik.stands import servo_and_regime
 
-FILES = {block.file: block.text for block in blocks(ROOT / "docs/howto/two-exciters.md") if block.file}
+FILES = {block.file: block.text for block in blocks(ROOT / "docs/studies.md") if block.file}
 REGIME = servo_and_regime("two_exciters")["regime"]
 TWO_PI = 2 * np.pi
 Array = NDArray[np.float64]

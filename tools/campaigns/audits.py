@@ -80,7 +80,7 @@ TABLES = {
         },
         claim,
         is_right,
-        "[How a model is audited](diagnosis.md#public-models).",
+        "[How a model is audited](judging.md#published-models).",
         with_links,
     )
 }  # fmt: skip

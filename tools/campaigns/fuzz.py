@@ -119,6 +119,6 @@ TABLES = {
         claim,
         lambda row: row["findings"] == 0,
         "libFuzzer with sanitizers; lines and branches of the stand's C that the kept inputs reach, by gcov "
-        "([what is looked for](proofs.md#fuzzing)).",
+        "([what is looked for](verification.md#fuzzing)).",
     )
 }  # fmt: skip

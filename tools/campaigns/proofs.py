@@ -177,7 +177,8 @@ TABLES = {
         },
         claim_of_eva,
         lambda row: not row["claimed"] or is_proved(row),
-        "*Proved*: of how many stands and element types there is no alarm ([sets of inputs](proofs.md#frama-c-eva)).",
+        "*Proved*: of how many stands and element types there is no alarm "
+        "([sets of inputs](verification.md#frama-c-eva)).",
         by_function,
     ),
     "static": Table(
@@ -185,7 +186,8 @@ TABLES = {
         {"rule": "{}", "double": "{:,}", "float": "{:,}", "reason": "{}", "listed": "{}"},
         claim_of_static,
         lambda row: row["listed"] == "yes",
-        "Findings in the C of the examined stands with the flight recorder ([static checks](proofs.md#static-checks)).",
+        "Findings in the C of the examined stands with the flight recorder "
+        "([static checks](verification.md#static-checks)).",
         hidden=("listed",),
     ),
 }  # fmt: skip

@@ -135,7 +135,7 @@ TABLES = {
         claim_of_rounding,
         at_most("of scale", "accepted"),
         "The error of the C from stand file and state to the answer, bounded by [ball "
-        "arithmetic](proofs.md#rounding), as a part of the measured scale.",
+        "arithmetic](verification.md#rounding), as a part of the measured scale.",
         forward_and_torque,
     ),
 }  # fmt: skip

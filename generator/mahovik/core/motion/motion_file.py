@@ -207,7 +207,7 @@ def _path_lists(raw: Any) -> tuple[tuple[str, ...], ...]:
 
 
 Row = Annotated[tuple[float, ...] | None, context_validator(_row)]
-Span = Annotated[float | None, validator(_span)]
+Span = Annotated[float | None, validator(_span, TIME, least=1e-6, most=1e6)]
 
 
 @dataclass(frozen=True)
@@ -274,7 +274,28 @@ class BoundsTable(FlywheelBounds):
 
 
 class MotionTable(Table):
-    """A motion file of another type than "slew"."""
+    """A motion file of another type than "slew".
+
+    name       name, to which programmes refer; without it that of the file
+    note       free text
+    type       a motion that repeats, or one from rest to rest
+    period     of a periodic motion
+    duration   of a finite one
+    units      `linear`, `angular`: of `mean`, `harmonics`, `samples`; m and rad without it
+    mean       of a held carrier one number for each freedom, as in all rows below; without it zero
+    free_mean  where the programme's `bias` may shift the mean pose; without it everywhere
+    harmonics  of a periodic motion: `k` (1 to 1000), `cos`, `sin` (a row each, or left out)
+    samples    in place of `harmonics`: `t` (12 numbers or more) and `q` (a row a time), joined by a quintic spline;
+               periodic ones leave out `t = T`
+    winding    `"spin"`, `"rock"`, `"any"`, or whole turns a period for each flywheel
+    runup      duration of a run-up from rest, and of the run-down
+    bounds     one number or one a flywheel: `speed`, `speed_min`, `acceleration`, `torque`, `angle` (from winding and
+               mean); `bias`, six numbers; `deviation` (`linear`, `angular`) of the carrier during `runup`; `start`,
+               `phi` and `phi_dot` of a finite motion at `t = 0`
+    objective  weights of the objective; without it acceleration has 1
+    free       numbers of the stand that `plan --free` moves, with bounds: `{path: [low, high]}`
+    same       lists of paths whose numbers stay equal
+    """
 
     name: Text = ""
     note: Text = ""
@@ -591,7 +612,24 @@ class SlewEnd(Attitude):
 
 
 class SlewTable(Table):
-    """A motion file of type "slew"."""
+    """A motion file of type "slew".
+
+    name       name, to which programmes refer; without it that of the file
+    note       free text
+    type       that of a slew
+    task       a task of the stand; or `rows`
+    rows       rows as in a task. Three angular rows: attitude. Two of one frame: a line of sight, its third axis. None:
+               a point at rest. Linear rows have no acceleration
+    start      at rest: `position` (m), `angles` or `quaternion` (w first), `phi`, `phi_dot` of the flywheels; zero
+               without
+    end        `angles` or `quaternion` of the carrier, or `direction` in `E0` of a line of sight; required if rows turn
+    goal       `"quietest"`: in a `duration`, the least mean square of the third derivative, and of the flywheels the
+               least `phi''`; without it by whether there is a `duration`
+    duration   of the turn
+    bounds     `speed`, `acceleration`, `torque` (of the motor), besides the motors' limits; without a motor
+               `inverse_most` holds
+    unbalance  `"resisted"`: flywheels move so that unbalance does not move the rows; for wheels near rest
+    """
 
     name: Text = ""
     note: Text = ""

@@ -165,7 +165,26 @@ class IdentityTable(Table):
 
 
 class ProgrammeTable(Table):
-    """A programme file."""
+    """A programme file.
+
+    stand        `name`, `structure`, `physics` of the stand
+    motion       name of the motion
+    flywheels    their names in order
+    period       of a periodic programme
+    duration     of a finite one
+    bias         shift of the mean: six numbers (m, rad), or one for each freedom
+    coordinates  names of the freedoms of a held carrier
+    winding      turns a period of each flywheel
+    fourier      `mean` (a number a flywheel), `cos`, `sin` (a row a harmonic, from the first); rad: `phi_s = 2 pi
+                 winding_s t/T + mean_s + sum_k cos_sk cos(2 pi k t/T) + sin_sk sin(2 pi k t/T)`
+    samples      in place of `fourier`: `t`, and `phi`, `phi_dot`, `phi_ddot`, one row a time, quintic Hermite between;
+                 s, rad
+    runup        `duration` and `samples`; ends at the programme's `t = 0`, up to whole turns
+    rundown      `duration` and `samples`, from there to rest
+    carrier      of a slew: `t`, `q`, `q_dot`, `q_ddot`, the course that was found
+    unbalance    `"averaged"`: (12) holds for the mean stand
+    report       figures of the search, among them peaks with friction; nothing reads them again
+    """
 
     stand: IdentityTable
     motion: Text
