@@ -102,6 +102,22 @@ def test_torque_that_falls_with_speed_is_followed_to_its_curve() -> None:
     assert np.all(np.abs(torque) <= 0.2 * falling * (1 + 1e-6))
 
 
+def test_a_curve_of_torque_by_speed_is_kept_and_used_on_both_sides_of_its_corner() -> None:
+    """One wheel on a principal axis: its torque is phi'' J_s J/(J + J_s), at every moment at most the curve's."""
+    axis = np.linalg.eigh(np.array(satellite([(0, 0, 1)]).carrier.inertia))[1][:, 1]
+    speeds, most = [0.0, 20.0, 45.0, 60.0], [0.15, 0.2, 0.06, 0.05]
+    curve = [list(point) for point in zip(speeds, most, strict=True)]
+    stand = satellite([axis.tolist()], f"{{ torque_speed = {curve} }}")
+    J = float(axis @ inertia(stand) @ axis)
+    programme = planned(stand, end=about(axis, 2.0))
+    _, speed, acceleration = programme.at(np.linspace(0, programme.span, 4001))
+    torque, speed = np.abs(acceleration * 0.02 * J / (J + 0.02))[:, 0], np.abs(speed)[:, 0]
+    used = torque / np.interp(speed, speeds, most)
+    assert used.max() <= 1 + 1e-6
+    for least, greatest in ((5.0, 18.0), (22.0, 40.0)):
+        assert used[(least < speed) & (speed < greatest)].max() > 0.98
+
+
 @pytest.mark.slow
 def test_sat4_ends_within_an_arcsec_and_every_sample_is_within_its_motors_limits() -> None:
     """A slew of 30 degrees with unbalanced wheels is verified by reference and simulation, then on a dense grid."""
