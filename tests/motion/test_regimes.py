@@ -144,7 +144,7 @@ def test_bad_regimes(text: str, words: str) -> None:
         ("t,t\n0,1\n1,1\n", 'column "t" appears twice'),
         ("t,phi_dot [Hz]\n0,1\n1,1\n", 'unit "Hz" does not fit'),
         ("t,phi_dot\n0,1\n1\n", "row 3: 1 cells, but the header has 2"),
-        ("t,phi_dot\n0,1\n1,x\n", 'row 3: "x" is not a number'),
+        ("t,phi_dot\n0,1\n1,x\n", 'row 3: column "phi_dot": "x" is not a number'),
         ("t,phi_dot,torque\n0,1,1\n1,1,1\n", "has phi_dot and torque"),
         ("t,phi_dot\n0,0\n0.4,9.99e4\n0.6,9.99e4\n1,0\n", "a speed of 10"),  # between its points
         ("t,torque\n0,0\n1,-2e9\n", "a torque of 2e+09 N m is out of range"),

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 import mahovik
 from mahovik.core.stand import Stand, load
+from mahovik.core.stand.csv_table import TableError
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.commands.vibration import vibration as command
@@ -26,7 +27,6 @@ from mahovik.use.vibration import spectrum
 from mahovik.use.vibration.balance import _Search, balance
 from mahovik.use.vibration.band import in_band, rms
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.csv_table import JitterFileError
 from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes
 from mahovik.use.vibration.periodic import periodic_response
 from mahovik.use.vibration.scene import Scene
@@ -323,7 +323,7 @@ def test_units_of_a_table_are_converted(tmp_path: Path) -> None:
     ],
 )
 def test_bad_harmonics_are_refused_in_one_line(text: str, words: str, tmp_path: Path) -> None:
-    with pytest.raises(JitterFileError) as caught:
+    with pytest.raises(TableError) as caught:
         read_harmonics(table(tmp_path, text))
     assert words in str(caught.value) and str(caught.value).count("\n") == 0
 
@@ -331,7 +331,7 @@ def test_bad_harmonics_are_refused_in_one_line(text: str, words: str, tmp_path: 
 def test_a_shape_of_some_columns_says_which_to_add(tmp_path: Path) -> None:
     stand = one_wheel(tmp_path, 'static = "5 g cm"')
     file = table(tmp_path, MODES.format("w z [-],w rx [rad/m]", 10, 5, "1,0"))
-    with pytest.raises(JitterFileError) as caught:
+    with pytest.raises(TableError) as caught:
         read_structure(file, stand)
     assert 'mode shape of "w" has z, rx alone, expected all of x, y, z, rx, ry, rz; add columns w x, w y, w ry' in str(
         caught.value

@@ -5,10 +5,7 @@ A programme file is a regime as well. All problems of a file are found before an
 
 from __future__ import annotations
 
-import csv
-import io
 import math
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -39,18 +36,18 @@ from mahovik.core.motion.laws import (
     out_of_range,
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
-from mahovik.core.stand.content import TABLE, TEXT, content
+from mahovik.core.stand.content import TEXT
+from mahovik.core.stand.csv_table import Columns, TableError, read_columns
 from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.motor import Curve, Motor, mirrored, read_curve
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, factor, number, show
+from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
 from mahovik.errors import RegimeError
 from mahovik.nearest import suggestion
 
 _MOMENT = Dimension("a moment", "N m")
 _WRENCH = dict(zip(WRENCH_LETTERS, (FORCE,) * 3 + (_MOMENT,) * 3, strict=True))
-_HEAD = re.compile(r"\s*(\w+)\s*(?:\[(.*)\])?\s*")
 
 _ROUNDING = 4 * 2.0**-52
 """Rounding of the last time, as a part of it, when a unit such as ms is converted."""
@@ -262,11 +259,11 @@ class DrivenTable(Table):
         """The law; that of a table in a file of `folder`, over 0..until. Raises TableError."""
         if self.table:
             table = read_table(folder / self.table, {"phi_dot": SPEED, "torque": TORQUE}, until)
-            if len(table.columns) > 1:
-                raise TableError(f"{self.table}: has phi_dot and torque, expected one of them")
-            if "torque" in table.columns:
-                return TorqueTable(table.times, table.columns["torque"])
-            return SpeedTable.of(table.times, table.columns["phi_dot"])
+            if len(table.numbers) > 2:
+                raise TableError([f"{self.table}: has phi_dot and torque, expected one of them"])
+            if "torque" in table.numbers:
+                return TorqueTable(table.numbers["t"], table.numbers["torque"])
+            return SpeedTable.of(table.numbers["t"], table.numbers["phi_dot"])
         if self.torque is not None:
             return Torque(self.torque)
         if self.torque_speed:
@@ -392,8 +389,8 @@ def _wrench(problems: Problems, where: str, raw: Any, folder: Path, until: float
         except TableError as error:
             problems.add(where, str(error))
             return None
-        times, none = table.times, np.zeros_like(table.times)
-        values = np.column_stack([table.columns.get(letter, none) for letter in _WRENCH])
+        times = table.numbers["t"]
+        values = np.column_stack([table.get(letter) for letter in _WRENCH])
     elif isinstance(raw, list) and len(raw) == len(_WRENCH):
         times, values = np.zeros(1), np.zeros((1, len(_WRENCH)))
         for i, (letter, dimension) in enumerate(_WRENCH.items()):
@@ -414,78 +411,19 @@ def _wrench(problems: Problems, where: str, raw: Any, folder: Path, until: float
 # -- tables in CSV files ---------------------------------------------------------------------------------------------
 
 
-class TableError(ValueError):
-    """A table cannot be used; the text names the file and the reason."""
-
-
-@dataclass(frozen=True, eq=False)
-class TimeTable:
-    """Times that rise and the columns of a file, in SI."""
-
-    times: Array
-    columns: Mapping[str, Array]
-
-
-def read_table(path: Path, known: Mapping[str, Dimension], until: float) -> TimeTable:
-    """A table with a column `t` and some of the columns `known`, over 0..until. Raises TableError.
-
-    Its first line names the columns, with a unit in brackets where it is not SI.
-    """
-    name = path.name
-    try:
-        text = content(path, TABLE).decode("utf-8-sig")
-        lines = [line for line in csv.reader(io.StringIO(text, newline="")) if any(cell.strip() for cell in line)]
-    except OSError as error:
-        where = str(path) if len(str(path)) <= 500 else f"{str(path)[:200]} ... {str(path)[-200:]}"  # no system has it
-        raise TableError(f"{where}: cannot be read: {error.strerror or error}") from None
-    except (UnicodeDecodeError, ValueError, csv.Error) as error:
-        raise TableError(f"{name}: not a CSV file: {error}") from None
-    if len(lines) < 3:
-        raise TableError(f"{name}: expected a header and at least two rows, found {len(lines)} lines")
-    heads = _heads(name, lines[0], {"t": TIME, **known})
-    numbers = np.array([_row(f"{name}, row {i}", line, len(heads)) for i, line in enumerate(lines[1:], 2)])
-    columns = {key: numbers[:, k] * scale for k, (key, scale) in enumerate(heads.items())}
-    times = columns.pop("t")
+def read_table(path: Path, known: Mapping[str, Dimension], until: float) -> Columns:
+    """A table with a column `t` and some of the columns `known`, over 0..until, in SI where no unit is. TableError."""
+    table = read_columns(path, {"t": TIME, **known}, ["t"], units=False, empty=math.nan)
+    times = table.numbers["t"]
+    if len(table.numbers) == 1:
+        raise TableError([f"{path}: no column besides t; expected one of {', '.join(known)}"])
+    if table.rows < 2:
+        raise TableError([f"{path}: expected a header and at least two rows"])
     back = np.flatnonzero(np.diff(times) <= 0.0)
     if len(back):
         i = int(back[0])
-        raise TableError(f"{name}, row {i + 3}: t = {times[i + 1]:g} s is not after {times[i]:g} s")
+        raise table.refuse(i + 1, f"t = {times[i + 1]:g} s is not after {times[i]:g} s")
     if times[0] > 0.0 or times[-1] < until * (1.0 - _ROUNDING):
         covers = f"covers t = {times[0]:g} s to {times[-1]:g} s"
-        raise TableError(f"{name}: {covers}, but the simulation runs from 0 to {until:g} s")
-    return TimeTable(times, columns)
-
-
-def _heads(name: str, cells: list[str], known: Mapping[str, Dimension]) -> dict[str, float]:
-    """Factor to SI of each column, by its name."""
-    scales: dict[str, float] = {}
-    for cell in cells:
-        head = _HEAD.fullmatch(cell)
-        key = head[1] if head else cell
-        if head is None or key not in known:
-            raise TableError(f"{name}: unknown column {show(cell)}{suggestion(key, known)}")
-        if key in scales:
-            raise TableError(f'{name}: column "{key}" appears twice')
-        try:
-            scales[key] = float(factor(head[2].strip(), known[key])) if head[2] else 1.0
-        except QuantityError as error:
-            raise TableError(f"{name}, column {key}: {error}") from None
-    if "t" not in scales:
-        raise TableError(f'{name}: no column "t"')
-    if len(scales) == 1:
-        raise TableError(f"{name}: no column besides t; expected one of {', '.join(k for k in known if k != 't')}")
-    return scales
-
-
-def _row(where: str, cells: list[str], count: int) -> list[float]:
-    if len(cells) != count:
-        raise TableError(f"{where}: {len(cells)} cells, but the header has {count}")
-    numbers = []
-    for cell in cells:
-        try:
-            numbers.append(float(cell))
-        except ValueError:
-            raise TableError(f"{where}: {show(cell)} is not a number") from None
-        if not math.isfinite(numbers[-1]):
-            raise TableError(f"{where}: {show(cell)} is not finite")
-    return numbers
+        raise TableError([f"{path}: {covers}, but the simulation runs from 0 to {until:g} s"])
+    return table

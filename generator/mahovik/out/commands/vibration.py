@@ -85,7 +85,7 @@ def vibration(
         time: end a sweep or a search after this time, with what is known then.
 
     Raises:
-        UsageError: an argument that cannot be; JitterFileError: a table that cannot.
+        UsageError: an argument that cannot be; TableError: a table that cannot.
         CheckError: no equilibrium, no steady motion, no speeds within the limits.
     """
     from mahovik.core.stand.units import ANGLE
@@ -149,7 +149,7 @@ def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str |
 def _by_wheel(
     stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
 ) -> dict[str, Any]:
-    """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, JitterFileError."""
+    """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, TableError."""
     from mahovik.errors import UsageError
     from mahovik.nearest import suggestion
     from mahovik.use.vibration.speeds import ALL

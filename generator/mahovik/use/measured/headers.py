@@ -22,6 +22,7 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import Field, StrictInt, StrictStr
 
 from mahovik.core.stand import toml
+from mahovik.core.stand.csv_table import split_head
 from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.problems import Problems
@@ -66,7 +67,6 @@ PX4 = {
 }
 """Fields of PX4 that are those of the one point of a stand."""
 
-_HEADER = re.compile(r"\s*([^\[\]]*?)\s*(?:\[\s*([^\[\]]*?)\s*\])?\s*")
 _PART_OF_TURN = re.compile(r"1\s*/\s*(\d{1,9})\s*(?:turn|rev|revolution)s?")
 _RUN = re.compile(r"(?:(force|gyro)_([xyz])|(phi|phi_dot|tau)) (.+) (\[.+\])")
 
@@ -113,16 +113,15 @@ def sensors(stand: Stand) -> tuple[str, ...]:
 
 def split_header(header: str) -> tuple[str, str]:
     """Name and unit of a header; the unit is "" without brackets. Raises HeaderError."""
-    match = _HEADER.fullmatch(header)
-    if match is None or not match[1]:
+    name, unit = split_head(header)
+    if not name:
         raise HeaderError(f'"{header[:60]}": expected a name and a unit, such as "acc1.rate.x [rad/s]"')
-    return match[1], match[2] or ""
+    return name, unit
 
 
 def is_time(header: str) -> bool:
     """Whether a header is that of the time."""
-    match = _HEADER.fullmatch(header)
-    return match is not None and match[1].lower() in ("time", "t")
+    return split_head(header)[0].lower() in ("time", "t")
 
 
 def time_scale(header: str) -> float:

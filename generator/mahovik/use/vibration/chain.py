@@ -63,7 +63,7 @@ class Chain:
     def of(scene: Scene, seen: Observable, makers: Makers, fastest: Array) -> Chain:
         """The chain for speeds of up to `fastest` (N, rad/s).
 
-        Raises JitterFileError: a shape is missing; UsageError: structural modes, but a load is seen.
+        Raises TableError: a shape is missing; UsageError: structural modes, but a load is seen.
         """
         tables, names = scene.chart.mechanics.tables, tuple(s.name for s in scene.stand.flywheels)
         plant, N, structure = Plant.of(scene), len(names), makers.structure

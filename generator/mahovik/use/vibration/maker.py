@@ -19,9 +19,9 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.stand.units import Dimension
+from mahovik.core.stand.csv_table import TEXT, read_columns
+from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.csv_table import PLAIN, TEXT, read_columns, refuse
 from mahovik.use.vibration.lines import SAME
 
 FORCE = Dimension("a force by the square of a speed", "N/(rad/s)^2")
@@ -54,25 +54,25 @@ SENSES = ("forward", "backward", "unknown")
 
 
 def read_harmonics(path: Path) -> Harmonics:
-    """A table of harmonics; without a sense order 1 turns forward, others in an unknown one. Raises JitterFileError."""
+    """A table of harmonics; without a sense order 1 turns forward, others in an unknown one. Raises TableError."""
     known = {"order": PLAIN, "tolerance": PLAIN, "sense": TEXT}
     known |= {part: MOMENT if "moment" in part else FORCE for part in PARTS}
-    columns = read_columns(path, known.get, ["order"], list(known), ["sense"])
+    columns = read_columns(path, known, ["order"])
     order = columns.numbers["order"]
     amplitude = np.stack([columns.get(part) for part in PARTS], axis=1)
     tolerance = columns.get("tolerance")
     for i in range(columns.rows):
         if not order[i] > 0.0:
-            raise refuse(path, i, f"order {order[i]:g}, expected a number above 0")
+            raise columns.refuse(i, f"order {order[i]:g}, expected a number above 0")
         if (amplitude[i] < 0.0).any() or tolerance[i] < 0.0:
-            raise refuse(path, i, "an amplitude or tolerance below 0")
+            raise columns.refuse(i, "an amplitude or tolerance below 0")
         if order[i] in order[:i]:
-            raise refuse(path, i, f"order {order[i]:g} appears twice")
+            raise columns.refuse(i, f"order {order[i]:g} appears twice")
     sense = columns.texts.get("sense", [""] * columns.rows)
     sense = [word or ("forward" if h == 1.0 else "unknown") for word, h in zip(sense, order, strict=True)]
     for i, word in enumerate(sense):
         if word not in SENSES:
-            raise refuse(path, i, f'sense "{word}", expected one of {", ".join(SENSES)}')
+            raise columns.refuse(i, f'sense "{word}", expected one of {", ".join(SENSES)}')
     return Harmonics(order, amplitude, tolerance, tuple(sense))
 
 
@@ -88,20 +88,20 @@ class Noise:
 
 
 def read_noise(path: Path) -> Noise:
-    """A table of broadband noise. Raises JitterFileError."""
+    """A table of broadband noise. Raises TableError."""
     force, moment = Dimension("a density of force", "N^2/Hz"), Dimension("a density of moment", "N^2 m^2/Hz")
     known = {"frequency": Dimension("a frequency", "Hz")}
     known |= {part: moment if "moment" in part else force for part in PARTS}
-    columns = read_columns(path, known.get, ["frequency"], list(known))
+    columns = read_columns(path, known, ["frequency"])
     f = columns.numbers["frequency"]
     density = np.stack([columns.get(part) for part in PARTS], axis=1)
     for i in range(columns.rows):
         if not f[i] > (f[i - 1] if i else 0.0):
-            raise refuse(path, i, f"frequency {f[i]:g} Hz, expected one above 0 and above the last")
+            raise columns.refuse(i, f"frequency {f[i]:g} Hz, expected one above 0 and above the last")
         if (density[i] < 0.0).any():
-            raise refuse(path, i, "a density below 0")
+            raise columns.refuse(i, "a density below 0")
     if columns.rows < 2:
-        raise refuse(path, 0, "expected at least two frequencies")
+        raise columns.refuse(0, "expected at least two frequencies")
     return Noise(f, density)
 
 
@@ -144,21 +144,21 @@ class InnerModes:
 
 
 def read_inner_modes(path: Path) -> InnerModes:
-    """A table of internal modes, a row per kind. Raises JitterFileError."""
+    """A table of internal modes, a row per kind. Raises TableError."""
     known = {"mode": TEXT, "frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "polar ratio": PLAIN}
-    columns = read_columns(path, known.get, ["mode", "frequency", "damping"], list(known), ["mode"])
+    columns = read_columns(path, known, ["mode", "frequency", "damping"])
     modes: dict[str, tuple[float, float]] = {}
     polar = 0.0
     for i, kind in enumerate(columns.texts["mode"]):
         if kind not in KINDS or kind in modes:
             again = "appears twice" if kind in modes else f"expected one of {', '.join(KINDS)}"
-            raise refuse(path, i, f'mode "{kind}": {again}')
+            raise columns.refuse(i, f'mode "{kind}": {again}')
         frequency, damping = float(columns.numbers["frequency"][i]), float(columns.numbers["damping"][i])
         if not frequency > 0.0 or damping < 0.0:
-            raise refuse(path, i, f"frequency {frequency:g} Hz, damping {damping:g}: expected above 0, and not below")
+            raise columns.refuse(i, f"frequency {frequency:g} Hz, damping {damping:g}: expected above 0, and not below")
         modes[kind] = (2.0 * np.pi * frequency, damping)
         if kind == "rocking":
             polar = float(columns.get("polar ratio")[i])
             if not 0.0 <= polar <= 2.0:
-                raise refuse(path, i, f"polar ratio {polar:g}, expected 0 to 2")
+                raise columns.refuse(i, f"polar ratio {polar:g}, expected 0 to 2")
     return InnerModes(modes, polar)

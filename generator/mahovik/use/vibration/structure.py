@@ -17,10 +17,10 @@ from pathlib import Path
 
 import numpy as np
 
+from mahovik.core.stand.csv_table import TableError, read_columns
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.units import Dimension
+from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns, refuse
 from mahovik.use.vibration.lines import SAME
 from mahovik.use.vibration.torus import Flags
 
@@ -39,9 +39,9 @@ class Structure:
     shapes: dict[str, Array]
 
     def at(self, name: str, what: str) -> Array:
-        """The shapes at a wheel's mount or at a point (6, m). Raises JitterFileError."""
+        """The shapes at a wheel's mount or at a point (6, m). Raises TableError."""
         if name not in self.shapes:
-            raise JitterFileError(
+            raise TableError(
                 [f'{self.path}: mode shape missing for {what} "{name}"; add columns {name} x [-] .. {name} rz [rad/m]']
             )
         return self.shapes[name]
@@ -63,28 +63,21 @@ class Structure:
 
 
 def read_structure(path: Path, stand: Stand) -> Structure:
-    """A table of modes: `frequency`, `damping`, `modal mass`, and `NAME x` to `NAME rz`. Raises JitterFileError."""
+    """A table of modes: `frequency`, `damping`, `modal mass`, and `NAME x` to `NAME rz`. Raises TableError."""
     bodies = [s.name for s in stand.flywheels] + [p.name for p in stand.instruments] + [p.name for p in stand.points]
     bodies.append(stand.carrier.name)
     plain = {"frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "modal mass": Dimension("a mass", "kg")}
 
-    def dimension_of(name: str) -> Dimension | None:
-        if name in plain:
-            return plain[name]
-        body, _, part = name.rpartition(" ")
-        if body not in bodies or part not in SHAPE:
-            return None
-        return Dimension("turning by displacement", "rad/m") if part.startswith("r") else PLAIN
-
-    names = [*plain, *(f"{body} {part}" for body in bodies for part in SHAPE)]
-    columns = read_columns(path, dimension_of, plain, names)
+    turning = Dimension("turning by displacement", "rad/m")
+    of_shapes = {f"{body} {part}": turning if part.startswith("r") else PLAIN for body in bodies for part in SHAPE}
+    columns = read_columns(path, plain | of_shapes, plain)
     numbers = columns.numbers
     shapes: dict[str, Array] = {}
     for body in dict.fromkeys(name.rpartition(" ")[0] for name in numbers if name not in plain):
         missing = [part for part in SHAPE if f"{body} {part}" not in numbers]
         if missing:
             found_parts = ", ".join(part for part in SHAPE if part not in missing)
-            raise JitterFileError(
+            raise TableError(
                 [
                     f'{path}: mode shape of "{body}" has {found_parts} alone, expected all of {", ".join(SHAPE)}; '
                     f"add columns {', '.join(f'{body} {part}' for part in missing)}, 0 where nothing moves"
@@ -93,7 +86,7 @@ def read_structure(path: Path, stand: Stand) -> Structure:
         shapes[body] = np.array([numbers[f"{body} {part}"] for part in SHAPE])
     for i in range(columns.rows):
         if not (numbers["frequency"][i] > 0.0 and numbers["modal mass"][i] > 0.0 and numbers["damping"][i] >= 0.0):
-            raise refuse(path, i, "expected a frequency and a modal mass above 0, and a damping not below")
+            raise columns.refuse(i, "expected a frequency and a modal mass above 0, and a damping not below")
     omega = 2.0 * np.pi * numbers["frequency"]
     return Structure(path, omega, numbers["damping"], numbers["modal mass"], shapes)
 

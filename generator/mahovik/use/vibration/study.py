@@ -198,7 +198,7 @@ def vibration(
     makers  tables of the wheels' disturbances and of structural modes; an order in a wheel's table replaces its own
     go_on   gets numbers of solutions done and planned, and ends the search with False
 
-    Raises UsageError, JitterFileError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
+    Raises UsageError, TableError: a mode shape is missing. CheckError: no equilibrium, or no speed has a steady
     state.
     """
     scene = stand if isinstance(stand, Scene) else Scene.of(stand)

@@ -16,14 +16,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.csv_table import TableError, read_columns
 from mahovik.core.stand.hold import freedom_names, twists, wrenches
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.units import Dimension
+from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear.model import Place, output_rows, places
-from mahovik.use.vibration.csv_table import PLAIN, JitterFileError, read_columns
 from mahovik.use.vibration.scene import Scene, coordinates
 from mahovik.use.vibration.structure import SHAPE, Structure
 
@@ -178,7 +178,7 @@ class View:
         return np.asarray((pose @ self.rows.T) * self.measure.derivative(omega)[..., None])
 
     def shape(self, structure: Structure) -> Array:
-        """(3, m): `rows` from the modes of a structure. Raises JitterFileError."""
+        """(3, m): `rows` from the modes of a structure. Raises TableError."""
         total = np.zeros((3, len(structure.omega)))
         for place, part in self.parts:
             at = structure.at(place.name, "point")
@@ -306,19 +306,14 @@ def read_sight(path: Path, stand: Stand) -> View:
     """The line of sight of a CSV file: columns `POINT x` to `POINT z` [rad/m], `POINT rx` to `POINT rz` [-].
 
     Two or three rows: angles of the line of sight. Displacement and turning are along the point's axes; missing columns
-    are zero. Raises JitterFileError.
+    are zero. Raises TableError.
     """
     known_places = {place.name: place for place in [*places(stand), *places(stand, [stand.carrier.name])]}
-    names = [f"{name} {part}" for name in known_places for part in SHAPE]
-
-    def dimension_of(name: str) -> Dimension | None:
-        if name not in names:
-            return None
-        return PLAIN if name.rpartition(" ")[2].startswith("r") else Dimension("an angle by displacement", "rad/m")
-
-    table = read_columns(path, dimension_of, (), names)
+    angle = Dimension("an angle by displacement", "rad/m")
+    known = {f"{name} {part}": PLAIN if part.startswith("r") else angle for name in known_places for part in SHAPE}
+    table = read_columns(path, known, ())
     if table.rows not in (2, 3):
-        raise JitterFileError([f"{path}: {table.rows} rows, expected two or three: the angles of the line of sight"])
+        raise TableError([f"{path}: {table.rows} rows, expected two or three: the angles of the line of sight"])
     parts = []
     for name in dict.fromkeys(column.rpartition(" ")[0] for column in table.numbers):
         matrix = np.zeros((3, 6))
