@@ -23,12 +23,12 @@ def measured(*programs: str) -> list[run.Row]:
 def test_every_work_agrees_and_has_figures() -> None:
     rows = measured("mahovik", "mujoco")
     by_program = {
-        name: {row["work"] for row in rows if row["program"] == name} for name in (run.OWN, "mujoco its library")
+        name: {row["work"] for row in rows if row["program"] == name} for name in (run.SCALAR, "mujoco its library")
     }
-    assert by_program["mujoco its library"] == IN_BOTH < by_program[run.OWN]
+    assert by_program["mujoco its library"] == IN_BOTH < by_program[run.SCALAR]
     for row in rows:
         assert row["least"] > 0 and row["median"] >= row["least"]
-        if row["program"] == run.OWN:
+        if row["program"] == run.SCALAR:
             assert row["instructions"] > 0 and row["ratio"] == 1.0
             assert (row["difference"] or 0.0) <= agree.ACCEPTED
 

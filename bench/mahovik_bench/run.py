@@ -26,7 +26,7 @@ PROGRAMS = {
 }
 """Program to module; each has `peers(case)`."""
 
-OWN = "mahovik -O2"
+SCALAR = "mahovik -O2"
 """What others are compared with: the scalar C, as firmware is built."""
 
 JOBS = 2
@@ -40,10 +40,10 @@ def measure(
     """A row for each work, number of flywheels and contestant.
 
     `least`, `median`, `chained`: ns of a state, alone and where each call waits for the one before; `ratio`: how many
-    times longer than OWN, the median of pairs; `instructions` by callgrind; `difference` from the NumPy reference over
-    the natural scale; `code` bytes, `compiled` and `generated` seconds. None where there is no figure. No compiling
-    begins after `budget` seconds. `say` is called with who does not take part, and why. Raises ToolchainError where
-    results do not agree: then no figure counts.
+    times longer than SCALAR, the median of pairs; `instructions` by callgrind; `difference` from the NumPy reference,
+    over the natural scale; `code` bytes, `compiled` and `generated` seconds. None where there is no figure. No
+    compiling begins after `budget` seconds. `say` is called with who does not take part, and why. Raises
+    ToolchainError where results do not agree: then no figure counts.
     """
     cases = [case(N) for N in sizes]
     built = build(cases, programs, budget, say)
@@ -84,7 +84,7 @@ def figures(alone: Mapping[str, Times], chained: Mapping[str, Times], name: str)
         "least": taken.least,
         "median": taken.median,
         "chained": chained[name].median if name in chained else None,
-        "ratio": ratio(taken, alone[OWN]) if OWN in alone else None,
+        "ratio": ratio(taken, alone[SCALAR]) if SCALAR in alone else None,
     }
 
 

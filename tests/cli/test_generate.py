@@ -5,33 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.contract.functions import DEFAULT
-from mahovik.core.emit import delivery
 from mahovik.core.stand import identities, load
-from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.delivery import PROVENANCE
-
-
-@pytest.fixture(scope="module", autouse=True)
-def generated_once() -> Iterator[None]:
-    """Each stand is generated once: what is tried here is what happens to the files."""
-    original = delivery.delivery
-    known: dict[tuple[object, ...], dict[str, str]] = {}
-
-    def once(stand: Stand, real: str, only: tuple[str, ...], additions: tuple[str, ...]) -> dict[str, str]:
-        key = (stand.name, real, only, additions)
-        known[key] = known.get(key) or original(stand, real, only, additions)
-        return dict(known[key])
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(delivery, "delivery", once)
-        yield
 
 
 @pytest.fixture(scope="module")

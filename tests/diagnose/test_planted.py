@@ -22,8 +22,8 @@ from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, sentences
 from mahovik.proof.diagnose.search import TermSearch
 from mahovik.proof.verify.states import Request
 
-HERE = Path(__file__).parent
-TEXT = (HERE / "rig.toml").read_text(encoding="utf-8")
+FOLDER = Path(__file__).parent
+TEXT = (FOLDER / "rig.toml").read_text(encoding="utf-8")
 
 FAULTS: dict[str, Any] = {
     "scalar last": "quaternion read with the scalar last",
@@ -149,7 +149,7 @@ def test_the_command_names_a_number(tmp_path: Path) -> None:
     wrong.write_text(TEXT.replace("mass = 2.0\n", "mass = 2.01\n"), encoding="utf-8")
     file = tmp_path / "rig.toml"
     file.write_text(TEXT, encoding="utf-8")
-    result = mahovik.judge(file, with_=f"{sys.executable} {HERE / 'rig.py'} {wrong}", explain=True, states=20)
+    result = mahovik.judge(file, with_=f"{sys.executable} {FOLDER / 'rig.py'} {wrong}", explain=True, states=20)
     assert "carrier.mass: 2.01 kg explains the error to rounding (double); the file has 2" in result.messages
     diagnosis = result["diagnosis"]
     assert diagnosis["found"] == [

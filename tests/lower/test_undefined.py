@@ -15,7 +15,7 @@ from toolchain.quick import quick
 
 NAMES = ("everything6", "hung5", "wet7", "bare5", "everything0", "bare0", "stream1")
 
-OTHERS = (
+MORE_FUNCTIONS = (
     *("quaternion", "torque", "mounts", "coupled", "inverse", "inverse_fast", "points"),
     *("forward_jacobian", "coupled_jacobian", "step", "step_driven"),
 )
@@ -42,7 +42,7 @@ def test_nothing_is_read_before_it_is_written(name: str, monkeypatch: pytest.Mon
     for state in states:
         arguments = c.arguments(state) | {"mounting": c.values.mounting, "dt": 1e-4, "order": 4}
         carry = {"rounding": [1e-12] * (13 + 2 * len(c.stand.flywheels))}
-        functions = [(called, arguments) for called in filter(c.has, (*QUANTITIES, *OTHERS))]
+        functions = [(called, arguments) for called in filter(c.has, (*QUANTITIES, *MORE_FUNCTIONS))]
         functions += [(called, arguments | {"carry": carry}) for called, _ in functions if called.startswith("step")]
         for function, known in functions:
             taken = (a.name for a in c.program.function(function).arguments if a.direction != "out")

@@ -21,10 +21,10 @@ import answers
 import emitted
 import transcripts
 
-HERE = Path(__file__).parent
-HASHES = HERE / "c.json"
-ANSWERS = HERE / "answers"
-ACCEPTED = HERE / "accepted.md"
+FOLDER = Path(__file__).parent
+HASHES = FOLDER / "c.json"
+ANSWERS = FOLDER / "answers"
+ACCEPTED = FOLDER / "accepted.md"
 SHOWN = 8
 """Differences that are shown of a case."""
 

@@ -22,9 +22,9 @@ from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.proof.cost import COMPARED_FIGURES, USUAL, Costs, TargetCost, compare, measure
 from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.selftest import parse_targets, verify_targets
-from net import HERE, record
+from net import FOLDER, record
 
-COSTS = HERE / "cost.json"
+COSTS = FOLDER / "cost.json"
 HOST = ("host", "double")
 ONE_OF_A_KIND = (HOST, ("m4", "float"), ("rv64gc", "double"))
 """This machine, a Cortex-M, a RISC-V; both element types."""

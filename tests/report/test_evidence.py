@@ -25,7 +25,7 @@ from report.reports import read
 from toolchain.quick import quick
 from toolchain.tools import require
 
-NAMED = {each.name: each for each in PIECES}
+NAMED = {piece.name: piece for piece in PIECES}
 
 
 def command(monkeypatch: pytest.MonkeyPatch, pieces: tuple[object, ...], *arguments: str) -> Result:

@@ -22,8 +22,8 @@ CASES = [
     ("demo3", "float"),
     ("held3", "double"),
     *(
-        pytest.param(each, marks=pytest.mark.slow)
-        for each in (("everything6", "double"), ("bench8", "double"), ("everything0", "float"))
+        pytest.param(case, marks=pytest.mark.slow)
+        for case in (("everything6", "double"), ("bench8", "double"), ("everything0", "float"))
     ),
 ]
 STEPS = 20

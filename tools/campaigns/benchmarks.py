@@ -23,7 +23,7 @@ COLUMNS = {
 """Times of a call in ns: least, median, and where each call waits for the one before; bytes; seconds."""
 
 SCALAR, NATIVE, BATCH = "mahovik -O2", "mahovik -O3 native", "mahovik batch native"
-OWN = (SCALAR, NATIVE, BATCH)
+MAHOVIK = (SCALAR, NATIVE, BATCH)
 
 
 def measure(options: Namespace) -> Iterator[tuple[Any, ...]]:
@@ -43,7 +43,7 @@ def by_size(rows: Rows) -> Rows:
     table: dict[tuple[str, str], dict[str, Any]] = {}
     for row in rows:
         program = row["program"]
-        name = program if program in OWN else program.split()[0]
+        name = program if program in MAHOVIK else program.split()[0]
         if row["least"] is not None and name != "mahovik":
             head = {"work": row["work"], "program": name}
             line = table.setdefault((row["work"], name), head | dict.fromkeys(f"N = {N}" for N in sizes))
@@ -59,7 +59,7 @@ def claim(rows: Rows) -> str:
     words = []
     for work in ("forward", "coupled", "torque"):
         (scalar,) = (line for line in lines if (line["work"], line["program"]) == (work, SCALAR))
-        peers: list[Row] = [line for line in lines if line["work"] == work and line["program"] not in OWN]
+        peers: list[Row] = [line for line in lines if line["work"] == work and line["program"] not in MAHOVIK]
         fastest = min(peers, key=lambda line: line["N = 8"])
         words.append(f"`{work}` {scalar['N = 8']:.0f} ns ({fastest['program']}: {fastest['N = 8']:.0f})")
     (batch,) = (line["N = 8"] for line in lines if (line["work"], line["program"]) == ("forward", BATCH))
