@@ -43,7 +43,7 @@ class Batched:
         self.batches = [
             batch
             for batch in batches(made.program).batches
-            if not batch.each and "mounting" not in {a.name for a in batch.narrow.arguments}
+            if not batch.own_table and "mounting" not in {a.name for a in batch.narrow.arguments}
         ]
         self.real: type[np.floating[Any]] = np.float32 if real == "float" else np.float64
         with TemporaryDirectory() as folder:

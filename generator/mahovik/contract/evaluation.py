@@ -32,9 +32,9 @@ class Key:
     def shape_of(self, flywheels: int, freedoms: int = 0) -> tuple[int, ...] | None:
         """Numbers along each axis on a stand; None where it holds no numbers, or the contract does not fix how many."""
         counts = {"N": flywheels, "m": freedoms}
-        if self.shape is None or any(isinstance(each, str) and each not in counts for each in self.shape):
+        if self.shape is None or any(isinstance(size, str) and size not in counts for size in self.shape):
             return None
-        return tuple(counts[each] if isinstance(each, str) else each for each in self.shape)
+        return tuple(counts[size] if isinstance(size, str) else size for size in self.shape)
 
 
 def _input(symbol: str, meaning: str) -> Key:
@@ -129,8 +129,8 @@ def answers_of(want: str, held: bool = False, task: bool = False) -> tuple[str, 
     """Keys of the answer to a want: of a free or a held carrier, or of a state with a task."""
     gives = tuple(name for name in ROWS[want].gives if name not in _UNANSWERED.get(want, ()))
     if want == "generalized":
-        own = ("q", "orientation", "q_dot", "q_ddot")
-        return own if held else tuple(name for name in gives if name not in own[:2])
+        coordinates = ("q", "orientation", "q_dot", "q_ddot")
+        return coordinates if held else tuple(name for name in gives if name not in coordinates[:2])
     if want in ("forward", "coupled") and held:
         return ("u_dot", *gives, "reaction")
     if want == "inverse" and task:
@@ -149,8 +149,8 @@ def tables() -> dict[str, list[tuple[str, ...]]]:
     wants = []
     for want in ALL_WANTS:
         free, held = answers_of(want), answers_of(want, held=True)
-        own = "" if free == held else f"; of a held carrier {', '.join(held)}"
-        wants.append((want, ", ".join(needs_of(want)), ", ".join(free) + own))
+        addition = "" if free == held else f"; of a held carrier {', '.join(held)}"
+        wants.append((want, ", ".join(needs_of(want)), ", ".join(free) + addition))
     return {
         "A state": [("key", "numbers", "unit", "if missing", "what"), *states],
         "Wants": [("want", "needs", "answers"), *wants],

@@ -60,7 +60,7 @@ _NAMES = {
 
 def tex(value: sp.Expr | sp.MatrixBase) -> str:
     """An expression or a matrix, by SymPy's own printer."""
-    names = {each: symbol(each.name) for each in sp.sympify(value).free_symbols}
+    names = {free: symbol(free.name) for free in sp.sympify(value).free_symbols}
     text = str(sp.latex(value, symbol_names=names, mat_str="bmatrix", mat_delim="", fold_short_frac=True))
     return re.sub(r"\\(cos|sin)\{\\left\((\w+|\\\w+) \\right\)\}", r"\\\1 \2", text)
 

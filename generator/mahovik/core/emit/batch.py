@@ -144,7 +144,7 @@ class _Printer:
         for text, a in rows:
             purpose = a.purpose.partition("; may overlap")[0]  # true of one state alone
             meaning = "; ".join(part for part in (a.unit, purpose) if part)
-            if a.name in PREPARED and batch.each:
+            if a.name in PREPARED and batch.own_table:
                 maker = "prepare_batch" if a.name == "mounting" else "tables"
                 meaning = f"what {self._names.function(maker)} made"
             direction = "out: " if a.direction != "in" else ""
@@ -155,7 +155,7 @@ class _Printer:
     def _argument_with_size(self, a: Argument, batch: Batch) -> str:
         """An argument with its size: x[29 n], tau[8 n], locked[8]."""
         if a.name in PREPARED:
-            return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.each else a.name
+            return f"{a.name}s[(n + {self._made.lanes - 1}) / {self._made.lanes}]" if batch.own_table else a.name
         if isinstance(a.type, Struct):
             return f"{a.name}[{reals(a.type) * _length(a)} n]"
         if not a.shape:
@@ -173,7 +173,7 @@ class _Printer:
         if a.name in PREPARED:
             assert isinstance(a.type, Struct)
             wide = f"const {self._names.prefix}_wide_{a.type.name} {a.name}s[]"
-            return wide if batch.each else f"const {self._names.type(a.type)} *{a.name}"
+            return wide if batch.own_table else f"const {self._names.type(a.type)} *{a.name}"
         const = "const " if a.direction == "in" and (a.shape or isinstance(a.type, Struct)) else ""
         if _varies(a):
             return f"{const}{self._names.type(Kind.REAL)} {a.name}[]"
@@ -181,7 +181,7 @@ class _Printer:
 
     def _batch(self, batch: Batch) -> dict[str, Any]:
         """Values of the template for a batch."""
-        tables = PREPARED if batch.each else {}
+        tables = PREPARED if batch.own_table else {}
         texts = {a.name: f"{a.name}s" if a.name in tables else a.name for a in batch.narrow.arguments}
         pointers = [texts[a.name] for a in pointer_arguments(batch.narrow)]
         varying = [a for a in batch.narrow.arguments if _varies(a)]
@@ -205,7 +205,7 @@ class _Printer:
         if a.name == "refused":
             return "&refused"
         if a.name in PREPARED:
-            return f"&{a.name}s[first / {self._made.lanes}]" if batch.each else a.name
+            return f"&{a.name}s[first / {self._made.lanes}]" if batch.own_table else a.name
         narrow = next(b for b in batch.narrow.arguments if b.name == a.name)
         if not _varies(narrow):
             return a.name
@@ -236,7 +236,7 @@ class _Printer:
 
 
 def _name(batch: Batch) -> str:
-    return f"{batch.narrow.name}_batch{'_of' if batch.each else ''}"
+    return f"{batch.narrow.name}_batch{'_of' if batch.own_table else ''}"
 
 
 def _varies(a: Argument) -> bool:

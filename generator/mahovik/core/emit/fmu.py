@@ -18,7 +18,7 @@ from mahovik.core.emit.templates import source_text, template
 from mahovik.core.lower.coordinates import Ways
 from mahovik.core.lower.fmu import has_angle, lower_fmu
 from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws, unique
-from mahovik.core.lower.freedoms import own_coordinates, turns_about_point
+from mahovik.core.lower.freedoms import scalar_coordinates, turns_about_point
 from mahovik.core.lower.units import DISPLAY, NONE, Unit
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
@@ -120,7 +120,7 @@ class _Printer:
         layout = self._layout
         if not layout.coordinates:
             return None
-        count, ways = len(own_coordinates(layout.ways)), Ways(layout.ways)
+        count, ways = len(scalar_coordinates(layout.ways)), Ways(layout.ways)
         first = f"&model->value[{self._stand.name.upper()}_AT_COORDINATES"
         places = ([0] if count else []) + ([count] if turns_about_point(layout.ways) else [])
         places.append(count + (4 if turns_about_point(layout.ways) else 0))
@@ -203,9 +203,9 @@ class _Printer:
         layout = self._layout
         types = [layout.parameters, *(f.type for f in measured_laws(layout))]
         rows = [row for f in measured_laws(layout) for row in _read(f)]
-        if layout.own_damped:
+        if layout.local_damped:
             types.append(layout.damper)
-            rows = [*_read(Field("frame", layout.frame, (len(layout.own),)), ".damper", layout.damper), *rows]
+            rows = [*_read(Field("frame", layout.frame, (len(layout.local_bodies),)), ".damper", layout.damper), *rows]
         structs = {
             s.name: s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs() if _reals(s)
         }

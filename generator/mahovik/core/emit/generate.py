@@ -199,7 +199,7 @@ class _Printer:
             "flywheel": [s.name for s in stand.flywheels],
             "instrument": [p.name for p in stand.instruments],
             "sensor": list(self._layout.sensors),
-            "frame": [stand.bodies[o.index].name for o in self._layout.own],
+            "frame": [stand.bodies[o.index].name for o in self._layout.local_bodies],
         }
 
 

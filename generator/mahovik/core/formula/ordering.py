@@ -45,9 +45,9 @@ def to_formulas(value: Any) -> Any:
         rows, columns = value.shape
         return Matrix(rows, columns, [_formula(x) for x in value])
     if isinstance(value, tuple):
-        return [to_formulas(each) for each in value]
+        return [to_formulas(element) for element in value]
     if isinstance(value, dict):
-        return {name: to_formulas(each) for name, each in value.items()}
+        return {name: to_formulas(element) for name, element in value.items()}
     if is_dataclass(value):
         return {"record": {f.name: to_formulas(getattr(value, f.name)) for f in fields(value)}}
     return _formula(sp.sympify(value))

@@ -25,11 +25,11 @@ BOTH = (False, True)
 
 @dataclass(frozen=True)
 class Batch:
-    """One function for n states: `narrow` as for one state, `wide` for a block; `each`: one table per state."""
+    """One function for n states: `narrow` as for one state, `wide` for a block; `own_table`: one table per state."""
 
     narrow: Function
     wide: Function
-    each: bool
+    own_table: bool
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,12 @@ class Batches:
         return self.widener.wide.lanes
 
 
-def batches(whole: Program, each: tuple[bool, ...] = BOTH) -> Batches:
-    """Wide forms of the functions of a program that have a batch; `each`: of one stand, of n stands, or BOTH."""
+def batches(whole: Program, own_tables: tuple[bool, ...] = BOTH) -> Batches:
+    """Wide forms of the functions of a program that have a batch; `own_tables`: of one stand, of n stands, or BOTH."""
     program = _apart(replace(whole, functions=tuple(map(without_missing, whole.functions))))
     public = {f.name: f for f in program.functions if f.public}
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
-    preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in each else []
+    preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in own_tables else []
     needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))
     refusing = without_returns(tuple(program.function(f.name) for f in needed), program.precision)
     inliner = Inliner(refusing, RESERVED)
@@ -63,32 +63,32 @@ def batches(whole: Program, each: tuple[bool, ...] = BOTH) -> Batches:
     def batch(narrow: Function, varying: Iterable[str], own_table: bool) -> Batch:
         return Batch(narrow, widener.function(inliner[narrow.name], varying), own_table)
 
-    found = []
-    for own_table in each:
+    all_batches = []
+    for own_table in own_tables:
         for narrow in entries:
             varying = [a.name for a in narrow.arguments if not is_shared(a.name) or (own_table and a.name in PREPARED)]
-            found.append(batch(narrow, varying, own_table))
+            all_batches.append(batch(narrow, varying, own_table))
     made = tuple(batch(f, [a.name for a in f.arguments], True) for f in preparing)
     wide = Program(program.name, program.precision, (), (), widener.functions)
-    return Batches(wide, tuple(found), made, widener)
+    return Batches(wide, tuple(all_batches), made, widener)
 
 
 def _apart(program: Program) -> Program:
     """The program with the calls of APART in place of those that they stand for."""
     spare = {f.name: f for f in program.spare}
 
-    def body(given: Statements) -> Statements:
-        found: list[Statement] = []
-        for s in given:
-            last = found[-1] if found else None
+    def body(block: Statements) -> Statements:
+        statements: list[Statement] = []
+        for s in block:
+            last = statements[-1] if statements else None
             if isinstance(s, Do) and isinstance(last, Do):
                 pair = APART.get((last.call.signature.name, s.call.signature.name))
                 if pair is not None:
-                    found.pop()
+                    statements.pop()
                     calls = zip(pair, (last.call, s.call), strict=True)
-                    found += [Do(Call(spare[name].signature, call.arguments)) for name, call in calls]
+                    statements += [Do(Call(spare[name].signature, call.arguments)) for name, call in calls]
                     continue
-            found.append(with_blocks(s, body))
-        return tuple(found)
+            statements.append(with_blocks(s, body))
+        return tuple(statements)
 
     return replace(program, functions=(*program.spare, *(replace(f, body=body(f.body)) for f in program.functions)))

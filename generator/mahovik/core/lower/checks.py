@@ -152,13 +152,13 @@ def add_checks(lib: Library) -> None:
             return OK
 
     if lib.layout.sine_input:
-        turns: Any = lib.given_turns()
+        turns: Any = lib.turn_arguments()
 
         @lib.kernel()
         def check_turns(sine: Reals = turns[0], cosine: Reals = turns[1]) -> Status:
             """Are sines and cosines finite, and is s^2 + c^2 between 0.999^2 and 1.001^2?"""
-            for given in (sine, cosine):
-                lib["within"](given, N, 2)
+            for numbers in (sine, cosine):
+                lib["within"](numbers, N, 2)
             for s in range(N):
                 norm2 = sine[s] * sine[s] + cosine[s] * cosine[s]
                 if not unit_square(norm2):

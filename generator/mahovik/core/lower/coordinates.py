@@ -17,8 +17,8 @@ from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedoms import (
     columns,
     in_words,
-    own_coordinates,
     rates_in_words,
+    scalar_coordinates,
     slides,
     speeds,
     turns_about_point,
@@ -80,10 +80,10 @@ def sines_and_cosines(lib: Library, angles: list[Any]) -> dict[str, Expr]:
 
 def quaternion(lib: Library) -> Function:
     """Unit quaternion of three angles."""
-    given: Any = angles_argument(lib)
+    psi_theta_phi: Any = angles_argument(lib)
 
     @kernel(statuses=STATE_STATUSES, public=True)
-    def quaternion(angles: Reals = given, attitude: Reals = result("unit quaternion, w first", 4)) -> Status:
+    def quaternion(angles: Reals = psi_theta_phi, attitude: Reals = result("unit quaternion, w first", 4)) -> Status:
         """Attitude quaternion of three angles."""
         check_vector(lib, angles, lib.limit("MAX_PHASE"))
         numbers = sines_and_cosines(lib, [0.5 * angle for angle in angles])
@@ -96,12 +96,12 @@ def quaternion(lib: Library) -> Function:
 def add_state_from_coordinates(lib: Library) -> None:
     """Adds V = A q_dot, V_dot = A q_ddot + D q_dot (10)."""
     layout, sequence = lib.layout, lib.layout.structure.angles
-    given: Any = angles_argument(lib)
+    psi_theta_phi: Any = angles_argument(lib)
 
     @lib.kernel(equation="(10)", statuses=(*STATE_STATUSES, "SINGULAR_ATTITUDE"), public=True)
     def state_from_coordinates(
         position: Reals = argument("position of O1, in E0", 3, unit="m"),
-        angles: Reals = given,
+        angles: Reals = psi_theta_phi,
         q_dot: Reals = argument("rates of position and of the angles", 6, unit="m/s, rad/s"),
         q_ddot: Reals = argument("rates of q_dot", 6, unit="m/s2, rad/s2"),
         x: Any = changed("its position, attitude and V are written; phases and speeds are kept", struct=layout.state),
@@ -141,7 +141,7 @@ def add_state_from_coordinates(lib: Library) -> None:
 def add_generalized(lib: Library) -> None:
     """Adds the generalized-coordinate form at a state given by angles."""
     layout, sequence = lib.layout, lib.layout.structure.angles
-    given: Any = angles_argument(lib)
+    psi_theta_phi: Any = angles_argument(lib)
 
     @lib.kernel(equation="(11)")
     def products(m: Any = argument(struct=layout.matrices), out: Any = changed(struct=layout.generalized)) -> None:
@@ -164,7 +164,7 @@ def add_generalized(lib: Library) -> None:
     def generalized(
         table: Any = lib.table,
         x: Any = argument("state; its attitude is ignored, `angles` replaces it", struct=layout.state),
-        angles: Reals = given,
+        angles: Reals = psi_theta_phi,
         phi_ddot: Any = lib.phi_ddot,
         wrench: Any = lib.wrench,
         out: Any = result("A, D, I0, J0, q_dot, q_ddot", struct=layout.generalized),
@@ -229,7 +229,7 @@ class Ways:
 
     def number(self, k: int) -> int:
         """Place in q."""
-        return own_coordinates(self.ways).index(self.ways[k])
+        return scalar_coordinates(self.ways).index(self.ways[k])
 
     def direction(self, k: int, S: Any) -> Vector:
         """Three numbers, in E1: 0 and 1 of a named freedom."""
@@ -255,7 +255,7 @@ class Target:
 def add_held_coordinates(lib: Library) -> None:
     """Adds both functions."""
     layout, freedoms, m, ways = lib.layout, Ways(lib.layout.ways), lib.layout.freedoms, lib.layout.ways
-    count = len(own_coordinates(ways))
+    count = len(scalar_coordinates(ways))
     rates: Any = argument(rates_in_words(ways), m, unit="m/s, rad/s")
 
     @lib.kernel(equation="(10)", statuses=STATE_STATUSES, public=True)
@@ -333,16 +333,16 @@ def add_held_coordinates(lib: Library) -> None:
             b[:] = freedoms.spread(table.S, u_dot)
             whole = reals(3)  # u_dot + omega x u
             whole[:] = -cross(a, x.V[3:6]) + b
-            for name, own in (("q_dot", a), ("q_ddot", whole)):
-                turn_rates(freedoms, table, R, own, name, out)
+            for name, in_E1 in (("q_dot", a), ("q_ddot", whole)):
+                turn_rates(freedoms, table, R, in_E1, name, out)
         return OK
 
 
 @inline
-def turn_rates(freedoms: Ways, table: Any, R: Any, own: Any, name: str, out: Any) -> None:
+def turn_rates(freedoms: Ways, table: Any, R: Any, in_E1: Any, name: str, out: Any) -> None:
     """Rates of what slides from the axes of E1 to those of the home pose."""
     rate = local(f"{name}_home", 3, comment="in the axes of the home pose")
-    rate[:] = R @ own
+    rate[:] = R @ in_E1
     for k in freedoms.slides:
         out.member(name)[k] = dot(freedoms.direction(k, table.S), rate)
 
@@ -390,7 +390,7 @@ def read_slides(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> N
 def check_coordinates(lib: Library, freedoms: Ways, q: Any, orientation: Any) -> Any:
     """Ranges: of coordinates those of positions, in float of an angle that of phases, a quaternion of unit length."""
     angle = "MAX_PHASE" if lib.layout.precision.name == "float" else "MAX_POSITION"  # the narrower of both
-    for way in own_coordinates(freedoms.ways):
+    for way in scalar_coordinates(freedoms.ways):
         k = freedoms.ways.index(way)
         check_number(lib, q[freedoms.number(k)], lib.limit("MAX_POSITION" if k in freedoms.slides else angle))
     if orientation is not None:

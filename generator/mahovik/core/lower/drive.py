@@ -40,23 +40,23 @@ def drive_torques(
     drive = record(lib.layout.coupling)
     for s in range(lib.layout.count):
         couple_flywheel(lib, table, s, seen, common, drive)
-        tau[s] = less_own(along(drive.I, moving) + table.flywheel[s].spin * phi_ddot[s] + drive.bias, seen.own, s)
+        tau[s] = less_moment(along(drive.I, moving) + table.flywheel[s].spin * phi_ddot[s] + drive.bias, seen.own, s)
 
 
-def less_own(torque: Any, own: Any, s: Any) -> Any:
+def less_moment(torque: Any, wrenches: Any, s: Any) -> Any:
     """A torque less what the flywheel's own wrench gives, where it has such."""
-    return torque if own is None else torque - own[s * 6 + 3]
+    return torque if wrenches is None else torque - wrenches[s * 6 + 3]
 
 
-def with_own(torque: Any, own: Any, s: Any) -> Any:
+def with_moment(torque: Any, wrenches: Any, s: Any) -> Any:
     """A torque and what the flywheel's own wrench gives, where it has such."""
-    return torque if own is None else torque + own[s * 6 + 3]
+    return torque if wrenches is None else torque + wrenches[s * 6 + 3]
 
 
 def add_torque(lib: Library) -> None:
     """Adds the drive torques for given V_dot, phi_ddot."""
     layout, N = lib.layout, lib.layout.count
-    turns: Any = lib.given_turns() or (None, None)
+    turns: Any = lib.turn_arguments() or (None, None)
     tau_result: Any = result("drive torques, mount on flywheel, about the spin axis", N, unit="N m")
     wanted: Any = argument("derivative of the components of V", 6, unit="m/s2, rad/s2")
 
@@ -99,7 +99,7 @@ def add_torque(lib: Library) -> None:
 def add_coupled(lib: Library) -> None:
     """Adds V_dot and phi_ddot for given tau, from checked inputs, and with checks."""
     layout, N = lib.layout, lib.layout.count
-    turns: Any = lib.given_turns() or (None, None)
+    turns: Any = lib.turn_arguments() or (None, None)
     torques: Any = argument("drive torques, mount on flywheel", N, unit="N m")
     motion: Any = result("derivative of the components of V", 6, unit="m/s2, rad/s2")
     spins: Any = result("flywheel accelerations", N, unit="rad/s2")
@@ -211,9 +211,9 @@ def share_of(columns: Any, drive: Any, s: Any, u_dot: Any, V_dot: Any) -> Any:
     return along(drive[s].I, V_dot) if drive.shape else real(0)
 
 
-def left_for(tau: Any, drive: Any, own: Any, s: Any, drift: Any) -> Any:
+def left_for(tau: Any, drive: Any, wrenches: Any, s: Any, drift: Any) -> Any:
     """What torques leave for phi_ddot at V_dot = 0: tau - bias, own moment added, less I_s . (drift, 0)."""
-    return without(with_own(tau - drive.bias, own, s), drive.I, drift)
+    return without(with_moment(tau - drive.bias, wrenches, s), drive.I, drift)
 
 
 def without(torque: Any, coupling: Any, drift: Any) -> Any:

@@ -9,7 +9,7 @@ from mahovik.core import routines
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.lower import checks, rotation
 from mahovik.core.lower.coordinates import Target, Ways, read_slides, read_turn
-from mahovik.core.lower.freedoms import TURNS, columns, own_coordinates, speeds, turns_about_point
+from mahovik.core.lower.freedoms import TURNS, columns, scalar_coordinates, speeds, turns_about_point
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library, unit_square
 from mahovik.core.lower.step import check_length
@@ -164,14 +164,14 @@ def add_off_hold(lib: Library) -> None:
 @inline
 def take_freedom(rest: Reals, column: Sequence[Any], number: int, before: Sequence[Any]) -> Any:
     """Takes from six numbers their part along a column of S, made orthogonal to those before it; gives that."""
-    own = local(f"s{number}", 6, comment=f"freedom {number}, orthogonal to those before it")
-    own[:] = column
+    direction = local(f"s{number}", 6, comment=f"freedom {number}, orthogonal to those before it")
+    direction[:] = column
     for j, other in enumerate(before):
-        share = let(f"share{number}{j + 1}", dot(own, other) / dot(other, other))
-        own -= share * other
-    along = let(f"along{number}", dot(own, rest) / dot(own, own))
-    rest -= along * own
-    return own
+        share = let(f"share{number}{j + 1}", dot(direction, other) / dot(other, other))
+        direction -= share * other
+    along = let(f"along{number}", dot(direction, rest) / dot(direction, direction))
+    rest -= along * direction
+    return direction
 
 
 @inline
@@ -205,9 +205,9 @@ def blocked_pose(lib: Library, table: Any, x: Any, off: Reals) -> None:
 
 
 @inline
-def check_blocked(most: Result, given: Reals, off: Reals) -> Any:
+def check_blocked(most: Result, whole: Reals, off: Reals) -> Any:
     """RANGE where a part is larger than a share of what is given."""
-    for value in given:
+    for value in whole:
         if ALLOWED * abs(value) > most.value:
             most.value = ALLOWED * abs(value)
     for value in off:
@@ -233,7 +233,7 @@ def turning_axis(ways: Sequence[str], table: Any) -> Sequence[Any]:
 def add_coordinates(lib: Library) -> None:
     """Adds numbers q, the quaternion of three turns, and u of V = S u; of an angle `count_turns`."""
     ways = lib.layout.ways
-    freedoms, count = Ways(ways), len(own_coordinates(ways))
+    freedoms, count = Ways(ways), len(scalar_coordinates(ways))
     whole: Any = argument("whole turns of the angle, counted from the start") if has_angle(ways) else None
     numbers: Any = result("coordinates of the freedoms, zero in the home pose", count, unit="m, rad") if count else None
     turned: Any = result("quaternion from the home pose, w first", 4) if turns_about_point(ways) else None

@@ -83,8 +83,8 @@ class Form:
 
     def group(self, name: str) -> tuple[Variable, ...]:
         """The variables of a group."""
-        found = self.groups[name]
-        return self.variables[found.first : found.end]
+        group = self.groups[name]
+        return self.variables[group.first : group.end]
 
 
 @dataclass(frozen=True)
@@ -108,16 +108,16 @@ def parameters(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]
         "flywheel": [s.name for s in stand.flywheels],
         "point": [p.name for p in stand.points],
     }
-    given = values.parameters
+    numbers = values.parameters
     for f in layout.parameters.fields:
         if f.name == "added_mass":
-            yield from matrix("added_mass", f, given[f.name], units.added_mass, "added mass Lambda, about O1 in E1")
+            yield from matrix("added_mass", f, numbers[f.name], units.added_mass, "added mass Lambda, about O1 in E1")
         elif f.name == "carrier":
             assert isinstance(f.type, Struct)
-            yield from members("carrier", f.type, given[f.name])
+            yield from members("carrier", f.type, numbers[f.name])
         else:
             assert isinstance(f.type, Struct)
-            for name, value in zip(named[f.name], given[f.name], strict=True):
+            for name, value in zip(named[f.name], numbers[f.name], strict=True):
                 yield from members(name, f.type, value)
 
 
@@ -130,24 +130,24 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
     """All reals of the table that `prepare` does not touch, depth first."""
     table = values.table
     of_arrays = {law.array: law for law in parts("program", BodyProgram, BODY_LAWS)}
-    for k, own in enumerate(layout.own if layout.own_damped else ()):
+    for k, local_body in enumerate(layout.local_bodies if layout.local_damped else ()):
         assert layout.frame.field("damper") is not None
-        name = stand.bodies[own.index].name
+        name = stand.bodies[local_body.index].name
         yield from _damper_members(name, layout, member(member(table, "frame")[k], "damper"))
     for f in measured_laws(layout):
-        given = member(table, f.name)
+        value = member(table, f.name)
         if f.name in ("gravity", "stream"):
             what = {"gravity": "gravity in E0", "stream": "velocity of the fluid in E0"}[f.name]
-            yield from vector(f.name, f, given, what)
+            yield from vector(f.name, f, value, what)
         elif f.name == stream_profile.NAME:
-            yield from stream_profile.members(given)
+            yield from stream_profile.members(value)
         elif f.name == "damper":
-            yield from _damper_members("carrier", layout, given)
+            yield from _damper_members("carrier", layout, value)
         elif f.name in of_arrays:
-            yield from of_arrays[f.name].array_members(stand, given)
+            yield from of_arrays[f.name].array_members(stand, value)
         else:
             law = next(law for law in layout.law_tables if f in law.fields(layout.structure))
-            yield from law.members(stand, f, given)
+            yield from law.members(stand, f, value)
 
 
 def _damper_members(body: str, layout: Layout, value: Any) -> Iterator[Member]:
@@ -411,9 +411,9 @@ def _member(of: str, name: str) -> str:
 
 def unique(variables: Sequence[Variable]) -> dict[str, int]:
     """Value references by name. Raises ValueError where two variables have one name."""
-    found: dict[str, Any] = {}
+    references: dict[str, Any] = {}
     for reference, variable in enumerate(variables):
-        if variable.name in found:
+        if variable.name in references:
             raise ValueError(f"two variables are called {variable.name}")
-        found[variable.name] = reference
-    return found
+        references[variable.name] = reference
+    return references

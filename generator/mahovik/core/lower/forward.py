@@ -98,7 +98,7 @@ def scene(lib: Library, table: Any, x: Any, attitude: bool = False, turns: Any =
             lib["turn_back"](x.attitude, table.gravity, g)
         else:
             lib["rotate_back"](C, table.gravity, g)
-    if layout.own_turning:
+    if layout.local_turning:
         own = reals(6 * int(layout.count))  # own wrenches of the flywheels, six numbers each
     sum_ = record(layout.sums)
     return Scene(C, V, u, g, sum_, own, turns or turns_of(lib, x))
@@ -141,11 +141,11 @@ def relative_rate(x: Any, V_dot: Any, stream: Any) -> Any:
 
 
 @inline
-def all_turns(lib: Library, x: Any, given: Any) -> Any:
+def all_turns(lib: Library, x: Any, turns: Any) -> Any:
     """Sines and cosines as internal functions take them: those of arguments that a caller gives, or of the phases."""
-    if not given:
+    if not turns:
         return turns_of(lib, x)
-    sine, cosine = given
+    sine, cosine = turns
     sines = reals(lib.layout.count)
     cosines = reals(lib.layout.count)
     if Present(sine):  # the phases of x are checked, but not used
@@ -206,7 +206,7 @@ def add_forward(lib: Library) -> None:
     """Adds V_dot for given phi_ddot by (8), from checked inputs, and with checks."""
     layout = lib.layout
     statuses = (*STATE_STATUSES, "NOT_POSITIVE_DEFINITE")
-    turns: Any = lib.given_turns() or (None, None)
+    turns: Any = lib.turn_arguments() or (None, None)
     purpose = (
         "u_dot of S^T K S u_dot = S^T (F - M V - sum(I phi_ddot + J phi_dot)), inputs checked; valid if OK."
         if layout.held
@@ -263,14 +263,14 @@ def add_forward(lib: Library) -> None:
         u_dot: Any = lib.u_dot,
     ) -> Status:
         """Acceleration of the carrier."""
-        given = () if sine is None else (sine, cosine)
-        check_inputs(lib, table, x, phi_ddot, wrench, given)
+        sine_and_cosine = () if sine is None else (sine, cosine)
+        check_inputs(lib, table, x, phi_ddot, wrench, sine_and_cosine)
         at_once = layout.held or not (layout.stream or layout.added_mass)  # V_dot is written last, after all is read
         written = V_dot if at_once else local("result", 6)
         u_dot_result = None
         if layout.freedoms:
             u_dot_result = reals(layout.freedoms)
-        turned = all_turns(lib, x, given) or (None, None)
+        turned = all_turns(lib, x, sine_and_cosine) or (None, None)
         lib["accelerate"](table, x, *turned, phi_ddot, wrench, written, u_dot_result)
         if layout.held:  # all inputs have been read
             write_twist(lib, table, [u_dot_result] if layout.freedoms else [], written)

@@ -41,8 +41,8 @@ def speeds(ways: Sequence[str], S: Sequence[Vector], V: Any) -> list[Any]:
     turning = {k: V[3 + axes[k]] for k, way in enumerate(ways) if way in TURNS}
     rates: list[Any] = []
     for k, axis in enumerate(axes):  # what slides is what the turning does not give
-        given = [S[j][axis] for j in turning]
-        rates.append(turning[k] if k in turning else dot((1, *[-x for x in given]), (V[axis], *turning.values())))
+        arms = [S[j][axis] for j in turning]
+        rates.append(turning[k] if k in turning else dot((1, *[-x for x in arms]), (V[axis], *turning.values())))
     return rates
 
 
@@ -62,8 +62,8 @@ def are_closed(ways: Sequence[str]) -> bool:
         return ways[0] != "twist"
     if not all(way in FREEDOMS for way in ways):
         return False
-    found = (bracket(one, other) for one in ways for other in ways)
-    return all(each is None or each[0] in ways for each in found)
+    brackets = (bracket(one, other) for one in ways for other in ways)
+    return all(pair is None or pair[0] in ways for pair in brackets)
 
 
 def turning_force(ways: Sequence[str], u: Any, momentum: Mapping[str, Any]) -> list[Any]:
@@ -73,7 +73,7 @@ def turning_force(ways: Sequence[str], u: Any, momentum: Mapping[str, Any]) -> l
     """
     forces = []
     for way in ways:
-        brackets = [(u[j], found) for j, one in enumerate(ways) if (found := _bracket_of(ways, one, way))]
+        brackets = [(u[j], pair) for j, one in enumerate(ways) if (pair := _bracket_of(ways, one, way))]
         forces.append(dot([sign for _, (_, sign) in brackets], [rate * momentum[name] for rate, (name, _) in brackets]))
     return forces
 
@@ -87,8 +87,8 @@ def momenta_needed(ways: Sequence[str]) -> list[str]:
     """Freedoms whose momenta enter `turning_force`."""
     if len(ways) == 1:
         return []
-    found = {each[0] for one in ways for other in ways if (each := bracket(one, other))}
-    return [way for way in ways if way in found]
+    needed = {pair[0] for one in ways for other in ways if (pair := bracket(one, other))}
+    return [way for way in ways if way in needed]
 
 
 def slides(way: str) -> bool:
@@ -130,7 +130,7 @@ def turns_about_point(ways: Sequence[str]) -> bool:
     return all(way in ways for way in TURNS)
 
 
-def own_coordinates(ways: Sequence[str]) -> tuple[str, ...]:
+def scalar_coordinates(ways: Sequence[str]) -> tuple[str, ...]:
     """Freedoms with a number of their own among the coordinates: all but turns about a point."""
     return tuple(way for way in ways if not (turns_about_point(ways) and way in TURNS))
 
@@ -144,7 +144,7 @@ def turns_slides(ways: Sequence[str]) -> bool:
 
 def in_words(ways: Sequence[str]) -> str:
     """The numbers q in words."""
-    return ", ".join(_WORDS[way] for way in own_coordinates(ways)) + "; zero in the home pose"
+    return ", ".join(_WORDS[way] for way in scalar_coordinates(ways)) + "; zero in the home pose"
 
 
 def rates_in_words(ways: Sequence[str]) -> str:
@@ -157,8 +157,10 @@ def rates_in_words(ways: Sequence[str]) -> str:
 def coordinates_struct(ways: Sequence[str]) -> Struct:
     """Coordinates of freedoms that are closed, with their rates."""
     fields = []
-    if own := own_coordinates(ways):
-        fields.append(Field("q", Kind.REAL, (len(own),), "m, rad", in_words(ways) + ", an angle within half a turn"))
+    if scalars := scalar_coordinates(ways):
+        fields.append(
+            Field("q", Kind.REAL, (len(scalars),), "m, rad", in_words(ways) + ", an angle within half a turn")
+        )
     if turns_about_point(ways):
         text = "attitude from the home pose, quaternion, w first and not negative"
         fields.append(Field("orientation", Kind.REAL, (4,), "", text))

@@ -88,10 +88,10 @@ class FunctionSet:
 
     def arguments_of(self, function: str, **named: Operand | None) -> list[Operand]:
         """The arguments of a function in its order, by name; unused ones are left out."""
-        found = [named[a.name] for a in self[function].arguments]
-        if any(value is None for value in found):
+        values = [named[a.name] for a in self[function].arguments]
+        if any(value is None for value in values):
             raise TypeError(f"{function} needs an argument that the caller does not give")
-        return [value for value in found if value is not None]
+        return [value for value in values if value is not None]
 
     def taken(self, function: str) -> list[str]:
         """Names of the arguments of a function."""

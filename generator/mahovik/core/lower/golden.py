@@ -79,10 +79,10 @@ def fnv1a(data: bytes, start: int = _FNV_OFFSET) -> int:
 
 def fnv1a_words(words: Iterable[int], start: int = _FNV_OFFSET) -> int:
     """FNV-1a hash of numbers that may be larger than a byte."""
-    found = start
+    digest = start
     for word in words:
-        found = (found ^ word) * _FNV_PRIME & 0xFFFFFFFF
-    return found
+        digest = (digest ^ word) * _FNV_PRIME & 0xFFFFFFFF
+    return digest
 
 
 def golden(program: Program, values: Values) -> Golden:
@@ -92,9 +92,9 @@ def golden(program: Program, values: Values) -> Golden:
     cases = tuple(_cases(planned, program.precision))
     answers: dict[str, list[Answer]] = {f.name: [] for f in public}
     for case in cases:
-        given = player.arguments(case)
+        values_of_case = player.arguments(case)
         for f in public:
-            status, written = player.play(f, given)
+            status, written = player.play(f, values_of_case)
             answers[f.name].append(
                 Answer(
                     status, fnv1a(_bytes(status, written, program.precision)), tuple(islice(_reals(written), LISTED))
@@ -104,7 +104,7 @@ def golden(program: Program, values: Values) -> Golden:
         planned,
         options_plan(program),
         cases,
-        {name: tuple(found) for name, found in answers.items()},
+        {name: tuple(rows) for name, rows in answers.items()},
         player.sweep(SWEPT),
         trials(program, public, player.trial(cases[0])),
     )
@@ -160,13 +160,13 @@ class Player:
         generator = Generator()
         hashes = {f.name: _FNV_OFFSET for f in self.functions}
         for state in range(states):
-            given = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
+            inputs = self.arguments(draw(self.plan, generator, precision, sweep_factors(state)))
             if state % OPTIONS_EVERY == OPTIONS_EVERY - 1:
                 drawn = draw(self._options_plan, generator, precision)
-                given |= {name: {**given[name], **options} for name, options in drawn.items()}
+                inputs |= {name: {**inputs[name], **options} for name, options in drawn.items()}
             omitted = state % OMITTED_EVERY == OMITTED_EVERY - 1
             for f in self.functions:
-                hashes[f.name] = fnv1a(_bytes(*self.play(f, given, omitted), precision), hashes[f.name])
+                hashes[f.name] = fnv1a(_bytes(*self.play(f, inputs, omitted), precision), hashes[f.name])
         return hashes
 
     def trial(self, case: Mapping[str, Any]) -> Play:
@@ -175,12 +175,12 @@ class Player:
         prepare = next((f for f in self._program.functions if f.name == "prepare"), None)
 
         def play(function: Function, changes: Changes) -> tuple[int, int, Mapping[str, Any]]:
-            given = dict(base)
+            inputs = dict(base)
             for path, value in changes.items():
-                given[str(path[0])] = _with_number(given[str(path[0])], path[1:], value)
+                inputs[str(path[0])] = _with_number(inputs[str(path[0])], path[1:], value)
             if prepare is not None and is_prepared(function, changes):
-                given["table"] = self.play(prepare, given)[1][0][1]
-            status, written = self.play(function, given)
+                inputs["table"] = self.play(prepare, inputs)[1][0][1]
+            status, written = self.play(function, inputs)
             digest = fnv1a(_bytes(status, written, self._program.precision)) if status >= 0 else 0
             return status, digest, {a.name: value for a, value in written}
 
@@ -194,20 +194,20 @@ class Player:
         return {"options": self._values.options, **drawn, "parameters": parameters}
 
     def play(
-        self, function: Function, given: Mapping[str, Any], omitted: bool = False
+        self, function: Function, inputs: Mapping[str, Any], omitted: bool = False
     ) -> tuple[int, list[tuple[Argument, Any]]]:
         """Status and outputs; after a refusal only the outputs that are also inputs.
 
         `omitted`: arguments that may be null are; a result among them stays as it was.
         """
         taken = {
-            a.name: self._interpreter.argument(a) if a.optional and omitted else self._argument_value(a, given)
+            a.name: self._interpreter.argument(a) if a.optional and omitted else self._argument_value(a, inputs)
             for a in function.arguments
             if a.direction != "out"
         }
         value, outputs = self._interpreter.run(function.name, taken)
         left = (a for a in function.arguments if a.direction == "inout" and a.name not in outputs)
-        outputs |= {a.name: plain(self._argument_value(a, given)) for a in left}
+        outputs |= {a.name: plain(self._argument_value(a, inputs)) for a in left}
         status = int(value) if function.returns is Kind.STATUS else STATUS_VALUES["OK"]
         written = [
             (a, outputs[a.name])
@@ -218,11 +218,11 @@ class Player:
             written.append((Argument("value", Kind.REAL), value))
         return status, written
 
-    def _argument_value(self, a: Argument, given: Mapping[str, Any]) -> Any:
-        if isinstance(a.type, Struct) and a.type.name in self._constants and given.get(a.name) is None:
+    def _argument_value(self, a: Argument, inputs: Mapping[str, Any]) -> Any:
+        if isinstance(a.type, Struct) and a.type.name in self._constants and inputs.get(a.name) is None:
             kept = a.direction == "in"
             return self._filled[a.type.name] if kept else self._constants[a.type.name]
-        return first_of(a, given[a.name])
+        return first_of(a, inputs[a.name])
 
 
 def is_prepared(function: Function, changes: Changes) -> bool:
@@ -235,7 +235,7 @@ def _with_number(value: Any, path: Path, new: float) -> Any:
     if not path:
         return new
     if path[0] == ALL:
-        return [_with_number(each, path[1:], new) for each in value]
+        return [_with_number(element, path[1:], new) for element in value]
     copy: Any = dict(value) if isinstance(value, Mapping) else list(value)
     copy[path[0]] = _with_number(copy[path[0]], path[1:], new)
     return copy
@@ -244,12 +244,12 @@ def _with_number(value: Any, path: Path, new: float) -> Any:
 def _scale_masses(struct_: Struct, value: Mapping[str, Any], factor: Any, precision: Precision) -> dict[str, Any]:
     """Parameters with every mass and inertia multiplied."""
 
-    def scale(type_: Kind | Struct, shape: tuple[Any, ...], given: Any, name: str) -> Any:
+    def scale(type_: Kind | Struct, shape: tuple[Any, ...], data: Any, name: str) -> Any:
         if shape:
-            return [scale(type_, shape[1:], each, name) for each in given]
+            return [scale(type_, shape[1:], element, name) for element in data]
         if isinstance(type_, Struct):
-            return {f.name: scale(f.type, f.shape, given[f.name], f.name) for f in type_.fields}
-        number = filled_value(type_, (), given, precision)
+            return {f.name: scale(f.type, f.shape, data[f.name], f.name) for f in type_.fields}
+        number = filled_value(type_, (), data, precision)
         return number * factor if name in SCALED else number
 
     return {f.name: scale(f.type, f.shape, value[f.name], f.name) for f in struct_.fields}
@@ -259,11 +259,11 @@ def _bytes(status: int, written: list[tuple[Argument, Any]], precision: Precisio
     """Bits of a status and of outputs, the lowest byte first: what is hashed."""
     real = f"<f{precision.width // 8}"
     kinds = {Kind.REAL: real, Kind.INT: "<i4"}
-    found = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
-    return struct.pack("<i", status) + b"".join(np.array(value, dtype=kinds[kind]).tobytes() for kind, value in found)
+    values = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
+    return struct.pack("<i", status) + b"".join(np.array(value, dtype=kinds[kind]).tobytes() for kind, value in values)
 
 
 def _reals(written: list[tuple[Argument, Any]]) -> Iterator[Any]:
     """The reals of outputs in the order in which they are hashed."""
-    found = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
-    return (value for kind, value in found if kind is Kind.REAL)
+    values = (leaf for a, value in written for leaf in leaves(a.type, a.shape, value))
+    return (value for kind, value in values if kind is Kind.REAL)

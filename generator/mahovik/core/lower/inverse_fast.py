@@ -142,7 +142,7 @@ def add_inverse_fast(lib: Library, task: Rows | None = None) -> None:
         else ("weights and damping; `near_singular` and `limit` are ignored")
     )
     direct = task is not None and task.whole_turning and int(N) >= 3
-    sine, cosine = lib.given_turns() or (None, None)
+    sine, cosine = lib.turn_arguments() or (None, None)
 
     @lib.kernel(
         name,

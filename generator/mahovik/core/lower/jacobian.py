@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.lower.drive import with_own, without
+from mahovik.core.lower.drive import with_moment, without
 from mahovik.core.lower.flywheels import common_terms, couple_flywheel, named_turns, terms_of, weights
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
@@ -78,9 +78,9 @@ def _add_flywheel(lib: Library, tangents: Tangents) -> None:
     lib.add(partials(flat[share.name], "flywheel_share_by_phase", "phi, phi_dot and phi_ddot", by))
     by = {name: {"V": _unit(j)} for j, name in enumerate(TWIST)} | {"phi": _turning(torque)}
     lib.add(partials(flat[torque.name], "flywheel_torque_by_motion", "V and phi", by))
-    if lib.layout.own_turning:
+    if lib.layout.local_turning:
         tangents.derivative("own_wrench", "phi", _turning(lib["own_wrench"]))
-    if lib.layout.own_turning and lib.layout.own_damped:
+    if lib.layout.local_turning and lib.layout.local_damped:
         tangents.derivative("own_wrench", "phi_dot", {"x.phi_dot": lambda _: real(1)})
 
 
@@ -160,7 +160,7 @@ class System:
     R       what is left of (8) (6);  side  its part along the freedoms of a hold (count), else R;  y  solution (count)
     K       mass matrix, along the freedoms of a hold;  factors  of it, or its inverse
     drives  columns of I, where the flywheels are eliminated;  shares  their part along the freedoms
-    own     changes of own wrenches of the flywheels
+    d_own   changes of own wrenches of the flywheels
     drift   omega x C^T u of a held carrier in a stream, for which K drift is taken from R
     """
 
@@ -173,7 +173,7 @@ class System:
     factors: Any
     drives: Any
     shares: Any
-    own: Any
+    d_own: Any
     drift: Any
 
     def call(self, lib: Library, function: str, **named: Any) -> None:
@@ -192,7 +192,7 @@ def set_up(lib: Library, table: Any, x: Any, phi_ddot: Any, wrench: Any, elimina
     K, drives, shares, d_own, drift = None, None, None, None, None
     if eliminated:
         drives = record(layout.coupling, N)
-    if any(changes_own(lib, by) for by in OWN_BY):
+    if any(changes_moments(lib, by) for by in OWN_BY):
         d_own = reals(6 * int(N))  # changes of own wrenches
     external_wrench(lib, table, x, seen, wrench, R)
     lib["subtract_rates"](table, seen.sums, seen.V, R)
@@ -299,7 +299,7 @@ def change_by_speed(lib: Library, table: Any, at: System, slopes: Any, j: int) -
     held, wrench = lib.layout.held, has_changing_wrench(lib)
     d_V = change_of_twist(lib, table, j) if held or wrench else NOTHING
     if wrench:
-        at.call(lib, "external_by_V", d_V=d_V, d_F=at.R, d_own=at.own)
+        at.call(lib, "external_by_V", d_V=d_V, d_F=at.R, d_own=at.d_own)
         for i in range(6):
             at.R[i] += dot(slopes[:, i], d_V) if held else slopes[j][i]
     elif held:
@@ -317,7 +317,7 @@ OWN_BY = ("external_by_V", "own_wrench_by_phi", "own_wrench_by_phi_dot")
 """Derivatives that may have changes of own wrenches of the flywheels."""
 
 
-def changes_own(lib: Library, derivative: str) -> bool:
+def changes_moments(lib: Library, derivative: str) -> bool:
     """Whether own wrenches of the flywheels change in a derivative: run-time wrenches alone do not."""
     return derivative in lib and "d_own" in lib.taken(derivative)
 
@@ -351,11 +351,11 @@ def change_by_phase(lib: Library, table: Any, at: System, slopes: Reals, s: int,
     at.R[:] = slopes
     changed = None
     if f"own_wrench_by_{by}" in lib:
-        for k in range(len(lib.layout.own)):
+        for k in range(len(lib.layout.local_bodies)):
             if table.frame[k].flywheel == s:
-                at.call(lib, f"own_wrench_by_{by}", frame=table.frame[k], d_F=at.R, d_own=at.own)
-        if changes_own(lib, f"own_wrench_by_{by}"):
-            changed = at.own[s * 6 + 3]
+                at.call(lib, f"own_wrench_by_{by}", frame=table.frame[k], d_F=at.R, d_own=at.d_own)
+        if changes_moments(lib, f"own_wrench_by_{by}"):
+            changed = at.d_own[s * 6 + 3]
     if lib.layout.held:
         lib["project_wrench"](table, at.R, at.side)
     return changed
@@ -430,20 +430,20 @@ def reduce_by(lib: Library, at: System, t: int, side: float, inverse: Reals) -> 
         at.side[i] -= share_of(lib, at, t)[i] * share
 
 
-def side_of(by: str, own: Any, slope: Any) -> Any:
+def side_of(by: str, moment: Any, slope: Any) -> Any:
     """Change of the right-hand side of a drive with its phase, its speed or its torque; None: there is none."""
     if by == "tau":
         return real(1)
     if by == "phi_dot":
-        return own
-    return -slope if own is None else own - slope
+        return moment
+    return -slope if moment is None else moment - slope
 
 
 def left_by_speed(lib: Library, at: System, torque: Any, d_V: Any, d_drift: Any, j: Any, t: Any) -> Any:
     """Change of the right-hand side of drive t with component j of the speeds."""
     slope = -dot(torque[0:6], d_V) if lib.layout.held else -torque[j]
-    own = at.own if changes_own(lib, "external_by_V") else None
-    return without(with_own(slope, own, t), at.drives[t].I, d_drift)
+    moments = at.d_own if changes_moments(lib, "external_by_V") else None
+    return without(with_moment(slope, moments, t), at.drives[t].I, d_drift)
 
 
 def left_of_drive(side: Any, t: Any, s: Any, back: Any) -> Any:
@@ -480,7 +480,7 @@ def add_coupled_jacobian(lib: Library) -> None:
             couple_flywheel(lib, table, s, at.seen, common, at.drives[s])
             inverse[s] = table.flywheel[s].spin_inv if locked[s] == 0 else 0
             drive = at.drives[s]
-            spins[s] = without(with_own(tau[s] - drive.bias, at.seen.own, s), drive.I, at.drift) * inverse[s]
+            spins[s] = without(with_moment(tau[s] - drive.bias, at.seen.own, s), drive.I, at.drift) * inverse[s]
             if layout.held:
                 lib["project_wrench"](table, drive.I, at.shares[s])
             lib["eliminate"](share_of(lib, at, s), inverse[s], spins[s], at.K, at.side)
@@ -512,12 +512,12 @@ def add_coupled_jacobian(lib: Library) -> None:
             rows = slopes_by_phase(lib, table, x, at, V_r_dot, spins, s)
             for number, by in enumerate(("phi", "phi_dot", "tau")):
                 with body().block():
-                    own = None
+                    moment = None
                     if by == "tau":
                         at.side[:] = [0] * m
                     else:
-                        own = change_by_phase(lib, table, at, rows[number], s, by)
-                    left = side_of(by, own, torques[s][6])
+                        moment = change_by_phase(lib, table, at, rows[number], s, by)
+                    left = side_of(by, moment, torques[s][6])
                     if left is not None:
                         reduce_by(lib, at, s, left, inverse)
                     solve(lib, table, at)

@@ -35,12 +35,12 @@ CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 def declared(data: type[Declared]) -> tuple[Field, ...]:
     """Members of a struct that are as a class of data declares them."""
     validators, kinds = data.marked(QuantityValidator), data.annotations()
-    found = []
+    fields = []
     for name, mark in data.marked(InC).items():
-        own = validators[name].dimension if name in validators else None
-        unit = own.si if mark.unit is None and isinstance(own, Dimension) else mark.unit or ""
-        found.append(Field(name, Kind.REAL, SHAPES.get(kinds[name][0], ()), unit, mark.comment))
-    return tuple(found)
+        dimension = validators[name].dimension if name in validators else None
+        unit = dimension.si if mark.unit is None and isinstance(dimension, Dimension) else mark.unit or ""
+        fields.append(Field(name, Kind.REAL, SHAPES.get(kinds[name][0], ()), unit, mark.comment))
+    return tuple(fields)
 
 
 class CarrierProgram:
@@ -145,7 +145,7 @@ class BodyProgram:
         """One element of the array."""
         raise NotImplementedError
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The elements of a body; those of other bodies are before them."""
         return []
 
@@ -155,8 +155,8 @@ class BodyProgram:
 
     def table_fields(self, structure: Structure) -> list[Field]:
         """The array, where it has elements."""
-        given = self.run_time_input(structure)
-        count = given.count if given else self.count(structure)
+        settable = self.run_time_input(structure)
+        count = settable.count if settable else self.count(structure)
         return [Field(self.array, self.struct(structure), (count,))] if int(count) else []
 
     def damper_fields(self, structure: Structure) -> list[Field]:
@@ -166,14 +166,14 @@ class BodyProgram:
         words = f"{self.plural} first_{self.array} .. last_{self.array} - 1 of the table"
         return [Field(f"first_{self.array}", Kind.INT, (), "", words), Field(f"last_{self.array}", Kind.INT)]
 
-    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """The members of a damper; the elements of the body are appended to the `rows` of the array."""
         if damper.field(f"first_{self.array}") is None:
             return {}
-        found = rows.setdefault(self.array, [])
-        first = len(found)
-        found += self.rows(own, found)
-        return {f"first_{self.array}": first, f"last_{self.array}": len(found)}
+        elements = rows.setdefault(self.array, [])
+        first = len(elements)
+        elements += self.rows(body, elements)
+        return {f"first_{self.array}": first, f"last_{self.array}": len(elements)}
 
     def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
         """Every real of the damper of a body of that name, for simulators."""

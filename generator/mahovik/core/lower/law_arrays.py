@@ -37,9 +37,9 @@ UNIT = np.eye(6).tolist()
 
 
 @lru_cache(maxsize=16)
-def law_functions(own: Structure) -> tuple[Library, Interpreter, Columns]:
+def law_functions(stand_structure: Structure) -> tuple[Library, Interpreter, Columns]:
     """The functions of the laws alone; `damped` adds up those of a body by its twist, `tied` those of the carrier."""
-    layout = Layout(own, DOUBLE)
+    layout = Layout(stand_structure, DOUBLE)
     lib = Library(layout)
     for routine in (routines.sincos, routines.square_root, routines.atan2):
         lib.add(routine(DOUBLE))
@@ -70,38 +70,40 @@ def law_functions(own: Structure) -> tuple[Library, Interpreter, Columns]:
         tangents.change("damped", {"V": ["V"]})
     if layout.law_tables:
         tangents.change("tied", {d: [path] for d, path in inputs.items() if path.split(".")[0] in lib.taken("tied")})
-    program = Program(own.name, DOUBLE, (), (), lib.functions)
+    program = Program(stand_structure.name, DOUBLE, (), (), lib.functions)
     return lib, Interpreter(program), Columns(program)
 
 
 def law_arrays(stand: Stand) -> LawArrays:
     """The laws of a stand, made once for its numbers. Raises StandError where one is out of range."""
-    own = structure(stand)
-    lib, interpreter, _ = law_functions(own)
+    stand_structure = structure(stand)
+    lib, interpreter, _ = law_functions(stand_structure)
     table = laws_of(stand, lib.layout, interpreter)
     for k, one in enumerate(parameters_of(stand, lib.layout)["instrument"] if stand.instruments else ()):
         axes = interpreter.run("frame_of_axes", {"axis": one["axis"], "zero": one["zero"]})[1]["R"]
         table.sensor[k].axes = axes
-    return _at_numbers(own, json.dumps(plain(table)))
+    return _at_numbers(stand_structure, json.dumps(plain(table)))
 
 
 @lru_cache(maxsize=64)
-def _at_numbers(own: Structure, numbers: str) -> LawArrays:
-    return LawArrays(own, json.loads(numbers))
+def _at_numbers(stand_structure: Structure, numbers: str) -> LawArrays:
+    return LawArrays(stand_structure, json.loads(numbers))
 
 
 class LawArrays:
     """The laws of a stand, at the numbers of its table."""
 
-    def __init__(self, own: Structure, numbers: dict[str, Any]) -> None:
-        self._lib, interpreter, self._columns = law_functions(own)
+    def __init__(self, stand_structure: Structure, numbers: dict[str, Any]) -> None:
+        self._lib, interpreter, self._columns = law_functions(stand_structure)
         layout = self._lib.layout
         self.table = table = interpreter.fill_storage(layout.table, numbers)
         dampers = ({0: table.damper} if layout.carrier_damped else {}) | {
-            body.index: table.frame[k].damper for k, body in enumerate(layout.own) if layout.own_damped
+            body.index: table.frame[k].damper for k, body in enumerate(layout.local_bodies) if layout.local_damped
         }
         acted_on = {i for law in parts("program", BodyProgram, BODY_LAWS) for i in law.bodies(layout.structure)}
-        self.bodies = tuple(TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(own.bodies)))
+        self.bodies = tuple(
+            TwistLaws(self, dampers[i]) if i in acted_on else None for i in range(len(stand_structure.bodies))
+        )
         """The laws of each body by its own twist; None where it has none."""
 
     def arrays(

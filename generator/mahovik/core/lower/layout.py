@@ -128,7 +128,7 @@ class Layout:
 
     @property
     def flywheel_input(self) -> bool:
-        return any(o.flywheel >= 0 and o.input >= 0 for o in self.own)
+        return any(o.flywheel >= 0 and o.input >= 0 for o in self.local_bodies)
 
     @property
     def sine_input(self) -> bool:
@@ -144,7 +144,7 @@ class Layout:
         return NamedCount("WRENCHES", len(self.inputs), "bodies with a run-time wrench")
 
     @cached_property
-    def own(self) -> tuple[LocalWrenchBody, ...]:
+    def local_bodies(self) -> tuple[LocalWrenchBody, ...]:
         """Instruments and flywheels that need their own frame at run time: damping or a run-time wrench."""
         inputs = self.structure.wrench_inputs
         indices = sorted({*self._damped_bodies, *inputs} - {0})
@@ -168,20 +168,20 @@ class Layout:
         return 0 in self._damped_bodies
 
     @property
-    def own_damped(self) -> bool:
+    def local_damped(self) -> bool:
         return any(i > 0 for i in self._damped_bodies)
 
     @property
-    def own_inputs(self) -> bool:
-        return any(o.input >= 0 for o in self.own)
+    def local_inputs(self) -> bool:
+        return any(o.input >= 0 for o in self.local_bodies)
 
     @property
-    def own_turning(self) -> bool:
-        return any(o.flywheel >= 0 for o in self.own)
+    def local_turning(self) -> bool:
+        return any(o.flywheel >= 0 for o in self.local_bodies)
 
     @property
-    def own_fixed(self) -> bool:
-        return any(o.instrument >= 0 for o in self.own)
+    def local_fixed(self) -> bool:
+        return any(o.instrument >= 0 for o in self.local_bodies)
 
     @property
     def attitude_needed(self) -> bool:
@@ -380,13 +380,13 @@ class Layout:
             Field("origin", REAL, (3,), "m", "of the body, in E1"),
             Field("axes", REAL, (9,), "", "C, row by row; of a flywheel at phi = 0"),
         ]
-        if self.own_turning:
+        if self.local_turning:
             fields.append(Field("flywheel", INT, (), "", "index of the flywheel whose phase turns the axes; -1: none"))
-        if self.own_fixed:
+        if self.local_fixed:
             fields.append(Field("instrument", INT, (), "", "index of the instrument; -1: none"))
-        if self.own_damped:
+        if self.local_damped:
             fields.append(Field("damper", self.damper))
-        if self.own_inputs:
+        if self.local_inputs:
             fields.append(Field("wrench", INT, (), "", "its row in the run-time wrenches; -1: none"))
         return Struct("frame", "A body with wrenches in its own frame.", tuple(fields))
 
@@ -422,8 +422,8 @@ class Layout:
             ]
         if self.flywheels:
             fields.append(Field("flywheel", self.row, (self.count,)))
-        if self.own:
-            fields.append(Field("frame", self.frame, (len(self.own),)))
+        if self.local_bodies:
+            fields.append(Field("frame", self.frame, (len(self.local_bodies),)))
         if self.sensors:
             fields.append(Field("sensor", self.sensor, (self.sensor_count,)))
         fields += self.laws
@@ -789,4 +789,4 @@ def _position(index: int, indices: tuple[int, ...]) -> int:
 def run_time_inputs(structure: Structure) -> tuple[RunTimeInput, ...]:
     """Inputs in the table that laws of the stand take at run time."""
     laws = parts("program", BodyProgram, BODY_LAWS)
-    return tuple(given for law in laws if (given := law.run_time_input(structure)) is not None)
+    return tuple(settable for law in laws if (settable := law.run_time_input(structure)) is not None)

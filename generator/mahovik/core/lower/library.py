@@ -78,7 +78,7 @@ class Library(FunctionSet):
         """Sums over all bodies."""
         return Argument("sum", self.layout.sums)
 
-    def given_turns(self) -> tuple[Argument, ...]:
+    def turn_arguments(self) -> tuple[Argument, ...]:
         """Sines and cosines of the phases from encoders, or none: `phase_input = "sincos"`."""
         if not self.layout.sine_input:
             return ()

@@ -26,7 +26,7 @@ class Limit:
 
 def limits(precision: Precision) -> dict[str, Limit]:
     """All bounds by name, and the largest finite number."""
-    table = [Limit(each.name, each.at(precision.name), each.unit, each.comment) for each in BOUNDS.values()]
+    table = [Limit(bound.name, bound.at(precision.name), bound.unit, bound.comment) for bound in BOUNDS.values()]
     table.append(Limit(precision.largest.name, precision.largest, "", precision.largest.comment))
     return {limit.name: limit for limit in table}
 

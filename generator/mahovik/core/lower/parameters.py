@@ -138,8 +138,8 @@ def add_added_mass(lib: Library) -> None:
         A_inv: Reals = result("", 6, unit="1/kg"),
     ) -> Status:
         """Constant translational block of K with added mass, A = m E + Lambda_11, and its inverse."""
-        own = parameters.added_mass
-        A[:] = [mass + own[i][j] if i == j else own[i][j] for i, j in SYMMETRIC]
+        Lambda = parameters.added_mass
+        A[:] = [mass + Lambda[i][j] if i == j else Lambda[i][j] for i, j in SYMMETRIC]
         invert_symmetric(lib, A, A_inv)
         return OK
 

@@ -164,13 +164,13 @@ def prepare_flywheels(lib: Library, work: Any, parameters: Any, table: Any) -> N
 def prepare_poses(lib: Library, work: Any, parameters: Any, table: Any) -> None:
     """Frames of the bodies that have wrenches in them; poses of instruments, then points."""
     layout = lib.layout
-    if layout.own:
+    if layout.local_bodies:
         # frames of the bodies with wrenches of their own
-        for k in range(len(layout.own)):
+        for k in range(len(layout.local_bodies)):
             frame = table.frame[k]
-            if layout.own_turning and frame.flywheel >= 0:
+            if layout.local_turning and frame.flywheel >= 0:
                 place(lib, work, parameters, parameters.flywheel[frame.flywheel])
-            if layout.own_fixed and frame.instrument >= 0:
+            if layout.local_fixed and frame.instrument >= 0:
                 place_instrument(lib, work, parameters.instrument[frame.instrument])
             frame.origin[:] = work.O
             frame.axes[:] = work.R

@@ -109,7 +109,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = (), slopes: bool = Tr
     if layout.flywheels:
         mounts.add_mounts(lib)
         lib.add(mounts.prepare_mounts(lib))
-    _add_others(lib)
+    _add_listed(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)
     if "identify_step" in chosen and layout.flywheels:
@@ -208,12 +208,12 @@ def _add_prepare(lib: Library) -> None:
     prepare.add_prepare(lib)
 
 
-def _add_others(lib: Library) -> None:
+def _add_listed(lib: Library) -> None:
     """Functions of the contract that are not added above: each is a file of its name in this folder."""
     for name, row in FUNCTIONS.items():
-        here = not row.needs or bool(getattr(lib.layout, row.needs))
-        here &= not (lib.layout.held and name in hold.OF_FREEDOMS | hold.OF_COORDINATES)
-        if name not in lib and here and find_spec(f"mahovik.core.lower.{name}"):
+        present = not row.needs or bool(getattr(lib.layout, row.needs))
+        present &= not (lib.layout.held and name in hold.OF_FREEDOMS | hold.OF_COORDINATES)
+        if name not in lib and present and find_spec(f"mahovik.core.lower.{name}"):
             lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 
 
@@ -230,16 +230,16 @@ def _add_wrenches(lib: Library) -> None:
 
 def _structs(lib: Library) -> tuple[Struct, ...]:
     """Struct types in an order in which each comes after those it holds."""
-    found: list[Struct] = []
+    ordered: list[Struct] = []
     layout = lib.layout
 
     def visit(struct: Struct) -> None:
-        if struct in found:
+        if struct in ordered:
             return
         for f in struct.fields:
             if isinstance(f.type, Struct):
                 visit(f.type)
-        found.append(struct)
+        ordered.append(struct)
 
     for struct in (
         layout.state,
@@ -266,4 +266,4 @@ def _structs(lib: Library) -> tuple[Struct, ...]:
         *((layout.estimate,) if "identify_step" in lib else ()),
     ):
         visit(struct)
-    return tuple(found)
+    return tuple(ordered)

@@ -65,11 +65,11 @@ class Player:
         outputs = [a for a in course.inner.arguments if a.direction != "in"]
         storage = [self._interpreter.argument(a) for a in outputs]
         table, scalar = self._tables[course.form.part], self._interpreter.fill_storage
-        found = np.empty((len(phases), len(outputs), int(course.form.count)))
-        for row, phase in zip(found, phases, strict=True):
+        answers = np.empty((len(phases), len(outputs), int(course.form.count)))
+        for row, phase in zip(answers, phases, strict=True):
             self._interpreter.call(course.inner.name, table, scalar(Kind.REAL, phase), *storage)
             row[:] = storage
-        return {a.name: found[:, k] for k, a in enumerate(outputs)}
+        return {a.name: answers[:, k] for k, a in enumerate(outputs)}
 
     def golden(self) -> Golden:
         """Answers for the self-test."""
@@ -89,8 +89,8 @@ class Player:
         """FNV-1a of all outputs of the programme at the phases of a clock."""
         kind = f"<f{self._precision.width // 8}"
         run = self._interpreter.run
-        _, found = run("programme_start", {"ticks": TICKS, "periods": PERIODS})
-        clock, total = found["clock"], fnv1a(b"")
+        _, outputs_of_start = run("programme_start", {"ticks": TICKS, "periods": PERIODS})
+        clock, total = outputs_of_start["clock"], fnv1a(b"")
         for _ in range(SWEEP):
             clock = run("programme_advance", {"clock": clock})[1]["clock"]
             phase = run("programme_phase", {"clock": clock})[1]["phase"]

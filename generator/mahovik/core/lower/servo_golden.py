@@ -104,10 +104,10 @@ def _servo(
         inputs["invalid"] = invalid = [int(is_lost(number, s)) for s in range(n)]
         for name in ("phi", "phi_dot"):
             inputs[name] = [precision.largest if bad else x for bad, x in zip(invalid, inputs[name], strict=True)]
-        status, found = interpreter.run("servo_step", inputs)
-        state = found["state"]
-        listed.append(tuple(precision.scalar(x) for x in found["tau"]))
-        total = _hash_answers(precision, total, int(status), found["tau"])
+        status, outputs = interpreter.run("servo_step", inputs)
+        state = outputs["state"]
+        listed.append(tuple(precision.scalar(x) for x in outputs["tau"]))
+        total = _hash_answers(precision, total, int(status), outputs["tau"])
     return tuple(listed[:LISTED]), total
 
 
@@ -122,8 +122,8 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
             q = drawn.reals(int(form.trim.measured), LARGEST["pose"])
         else:
             pose = drawn.reals(6, LARGEST["pose"])
-            given = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}
-            q = interpreter.run("trim_coordinates", given)[1]["q"]
+            place = {"position": pose[:3], "attitude": [1.0, *pose[3:]]}
+            q = interpreter.run("trim_coordinates", place)[1]["q"]
         inputs = {
             "design": filled,
             "state": state,
@@ -133,9 +133,9 @@ def _trim(interpreter: Interpreter, precision: Precision, form: ServoForm, desig
             "phi_dot": drawn.reals(n, LARGEST["phi_dot_ref"]),
             "tau": drawn.reals(n, LARGEST["tau_ff"]),
         }
-        status, found = interpreter.run("trim_step", inputs)
-        state = found["state"]
-        total = _hash_answers(precision, total, int(status), [*found["phi"], *found["phi_dot"], *found["tau"]])
+        status, outputs = interpreter.run("trim_step", inputs)
+        state = outputs["state"]
+        total = _hash_answers(precision, total, int(status), [*outputs["phi"], *outputs["phi_dot"], *outputs["tau"]])
     return total
 
 

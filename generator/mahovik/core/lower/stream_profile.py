@@ -50,18 +50,18 @@ def values(profile: StreamProfile) -> dict[str, Any]:
 
 def members(value: Any) -> list[Member]:
     """Every real of the struct, for simulators."""
-    found = []
+    listed = []
     for i, x in enumerate(member(value, "down")):
         text = f"direction of increasing depth in E0; component {i + 1}"
-        found.append(Member(f"{NAME}.down[{i + 1}]", units.NONE, text, float(x)))
+        listed.append(Member(f"{NAME}.down[{i + 1}]", units.NONE, text, float(x)))
     for k, x in enumerate(member(value, "depth")):
         text = f"depth of station {k + 1} of the stream"
-        found.append(Member(f"{NAME}.depth[{k + 1}]", units.METRE, text, float(x)))
+        listed.append(Member(f"{NAME}.depth[{k + 1}]", units.METRE, text, float(x)))
     for i, x in enumerate(member(value, "top")):
         text = f"velocity of the fluid at the first station, in E0; component {i + 1}"
-        found.append(Member(f"{NAME}.top[{i + 1}]", units.VELOCITY, text, float(x)))
+        listed.append(Member(f"{NAME}.top[{i + 1}]", units.VELOCITY, text, float(x)))
     for k, row in enumerate(member(value, "shear")):
         for i, x in enumerate(row):
             text = f"change of the velocity of the fluid with depth below station {k + 1}, in E0; component {i + 1}"
-            found.append(Member(f"{NAME}.shear[{k + 1},{i + 1}]", units.RATE, text, float(x)))
-    return found
+            listed.append(Member(f"{NAME}.shear[{k + 1},{i + 1}]", units.RATE, text, float(x)))
+    return listed

@@ -36,9 +36,9 @@ def translate(formula: Any, binding: Binding) -> Expr:
 
 def _place(name: str, binding: Binding) -> Expr:
     indexed = _INDEXED.fullmatch(name)
-    found = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
-    assert isinstance(found, Expr)
-    return found
+    operand = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
+    assert isinstance(operand, Expr)
+    return operand
 
 
 def formula(values: Any, **binding: Any) -> Any:

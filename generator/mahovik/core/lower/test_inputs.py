@@ -70,17 +70,17 @@ def inputs(program: Program) -> tuple[Argument, ...]:
     Arguments of one name are one input: the functions of a stand give one name to one thing. The demands of tasks
     differ in length: the longest is drawn, and a function takes its first numbers (`first_of`).
     """
-    found: dict[str, Argument] = {}
+    by_name: dict[str, Argument] = {}
     for function in program.functions:
         for a in function.arguments if function.public else ():
             if a.direction == "out" or (isinstance(a.type, Struct) and a.type.name in TABLES):
                 continue
-            known = found.setdefault(a.name, a)
+            known = by_name.setdefault(a.name, a)
             if a.name == DEMAND:
-                found[a.name] = longer(known, a)
+                by_name[a.name] = longer(known, a)
             elif (known.type, known.shape) != (a.type, a.shape):
                 raise ValueError(f"{function.name}: {a.name} is something else than in another function")
-    return tuple(found.values())
+    return tuple(by_name.values())
 
 
 def longer(one: Argument, other: Argument) -> Argument:
@@ -88,21 +88,21 @@ def longer(one: Argument, other: Argument) -> Argument:
     return other if one.name == DEMAND and int(other.shape[0]) > int(one.shape[0]) else one
 
 
-def first_of(a: Argument, given: Any) -> Any:
+def first_of(a: Argument, values: Any) -> Any:
     """Numbers of an input that an argument takes: of a demand as many as the task has rows, else all."""
-    return given[: int(a.shape[0])] if a.name == DEMAND else given
+    return values[: int(a.shape[0])] if a.name == DEMAND else values
 
 
 def plan(program: Program) -> tuple[Input, ...]:
     """All inputs in the order in which they are drawn."""
-    found = [each for a in inputs(program) for each in _inputs_of(a.name, a.type, a.shape, ())]
-    return (*found, Input((MASS_FACTOR,), Draw.FACTOR, (), 0.125))
+    rows = [row for a in inputs(program) for row in _inputs_of(a.name, a.type, a.shape, ())]
+    return (*rows, Input((MASS_FACTOR,), Draw.FACTOR, (), 0.125))
 
 
 def options_plan(program: Program) -> tuple[Input, ...]:
     """Options of `inverse` and the like in the order in which they are drawn; none where no function takes them."""
-    found = next((a for f in program.functions if f.public for a in f.arguments if a.name == OPTIONS), None)
-    return () if found is None else tuple(_inputs_of(OPTIONS, found.type, (), ()))
+    options = next((a for f in program.functions if f.public for a in f.arguments if a.name == OPTIONS), None)
+    return () if options is None else tuple(_inputs_of(OPTIONS, options.type, (), ()))
 
 
 def _inputs_of(name: str, type_: Kind | Struct, shape: tuple[Any, ...], within: tuple[str, ...]) -> Iterator[Input]:
@@ -159,22 +159,22 @@ def draw(
     planned: tuple[Input, ...], generator: Generator, precision: Precision, factors: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
     """Inputs by argument name. `factors` multiply those of a name, exactly where they are powers of two."""
-    found: dict[str, Any] = {}
-    for each in planned:
-        factor = (factors or {}).get(each.name, 1.0)
-        place = found
-        for name in each.path[:-1]:
+    drawn: dict[str, Any] = {}
+    for row in planned:
+        factor = (factors or {}).get(row.name, 1.0)
+        place = drawn
+        for name in row.path[:-1]:
             place = place.setdefault(name, {})
-        if each.rule is Draw.TURNS:
-            turns = [generator.turn(precision) for _ in range(each.count)]
+        if row.rule is Draw.TURNS:
+            turns = [generator.turn(precision) for _ in range(row.count)]
             place[SINE], place[COSINE] = [s * factor for s, _ in turns], [c * factor for _, c in turns]
         else:
-            place[each.name] = _value(each, generator, precision, factor)
-    return found
+            place[row.name] = _value(row, generator, precision, factor)
+    return drawn
 
 
-def _value(each: Input, generator: Generator, precision: Precision, factor: float) -> Any:
-    match each.rule:
+def _value(row: Input, generator: Generator, precision: Precision, factor: float) -> Any:
+    match row.rule:
         case Draw.ATTITUDE:
             return [float(x) * factor for x in generator.attitude(precision)]
         case Draw.ORDER:
@@ -184,14 +184,14 @@ def _value(each: Input, generator: Generator, precision: Precision, factor: floa
         case Draw.SHARE:
             return abs(generator.real(1.0))
         case Draw.FACTOR:
-            return (1.0 + generator.real(each.largest)) * factor
+            return (1.0 + generator.real(row.largest)) * factor
         case Draw.FLAGS:
-            numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(each.count)]
+            numbers: list[Any] = [int(generator.word() >> 30 == 0) for _ in range(row.count)]
         case Draw.POWER:
-            numbers = [each.largest * 2.0 ** (generator.word() >> 27) for _ in range(each.count)]
+            numbers = [row.largest * 2.0 ** (generator.word() >> 27) for _ in range(row.count)]
         case _:
-            numbers = [generator.real(each.largest) * factor for _ in range(each.count)]
-    return _reshape(numbers, each.shape)
+            numbers = [generator.real(row.largest) * factor for _ in range(row.count)]
+    return _reshape(numbers, row.shape)
 
 
 def _reshape(numbers: list[Any], shape: tuple[Any, ...]) -> Any:

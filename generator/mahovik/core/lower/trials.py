@@ -48,12 +48,12 @@ class Trial:
 
 def trials(program: Program, functions: Sequence[Function], play: Play) -> tuple[Trial, ...]:
     """All trials of the public functions of a program."""
-    found = [*_refusals(program, functions, play)]
+    listed = [*_refusals(program, functions, play)]
     for function in functions:
         for changes in _rare(program, function, play):
             status, digest, _ = play(function, changes)
-            found.append(Trial(changes, (function.name,), status, digest))
-    return tuple(found)
+            listed.append(Trial(changes, (function.name,), status, digest))
+    return tuple(listed)
 
 
 def takes(function: Function, name: str) -> bool:
@@ -135,7 +135,7 @@ def _hard_demands(program: Program, function: Function, play: Play) -> Iterator[
     near = next(name for name in known if name.startswith("near"))
     outputs = play(function, {})[2]
     structs = (value for value in outputs.values() if isinstance(value, Mapping))
-    known_answers = {name: value for each in (outputs, *structs) for name, value in each.items()}
+    known_answers = {name: value for mapping in (outputs, *structs) for name, value in mapping.items()}
 
     def largest(name: str) -> float:
         return max((abs(float(x)) for x in known_answers.get(name, ())), default=1.0)

@@ -29,8 +29,8 @@ class Unit:
     @property
     def exponents(self) -> dict[str, int]:
         """Exponents of the base units that are not zero."""
-        found = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad, "A": self.A}
-        return {name: exponent for name, exponent in found.items() if exponent}
+        powers = {"kg": self.kg, "m": self.m, "s": self.s, "rad": self.rad, "A": self.A}
+        return {name: exponent for name, exponent in powers.items() if exponent}
 
 
 NONE = Unit("1")
@@ -159,12 +159,12 @@ def members(prefix: str, struct: Struct, value: Any, of_freedom: Mapping[str, Un
     for f in struct.fields:
         if f.of_hold:
             continue
-        given = member(value, f.name)
+        numbers = member(value, f.name)
         if isinstance(f.type, Struct):
-            yield from members(prefix, f.type, given)
+            yield from members(prefix, f.type, numbers)
         elif f.type is Kind.REAL:
             what = f"{prefix}: {f.name.replace('_', ' ')}" + (f", {f.comment}" if f.comment else "")
-            yield from vector(f"{prefix}.{f.name}", f, given, what, (of_freedom or {}).get(f.name))
+            yield from vector(f"{prefix}.{f.name}", f, numbers, what, (of_freedom or {}).get(f.name))
 
 
 def vector(name: str, f: Field, value: Any, description: str, unit: Unit | None = None) -> Iterator[Member]:

@@ -82,31 +82,31 @@ class _Parameters:
     def read(self) -> dict[str, Any]:
         """Input of `prepare`, by the names of its struct."""
         layout, stand = self._layout, self._stand
-        found: dict[str, Any] = {"carrier": self._body(stand.carrier)}
+        numbers: dict[str, Any] = {"carrier": self._body(stand.carrier)}
         if layout.added_mass:
             parts = [p.added_mass for p in stand.instruments if p.added_mass is not None]
             if stand.carrier.added_mass is not None:
                 parts.insert(0, stand.carrier.added_mass)
-            found["added_mass"] = [[sum(part[i][j] for part in parts) for j in range(6)] for i in range(6)]
+            numbers["added_mass"] = [[sum(part[i][j] for part in parts) for j in range(6)] for i in range(6)]
         if stand.instruments:
-            found["instrument"] = [self._instrument(p) for p in stand.instruments]
+            numbers["instrument"] = [self._instrument(p) for p in stand.instruments]
         if stand.flywheels:
-            found["flywheel"] = [self._flywheel(s) for s in stand.flywheels]
+            numbers["flywheel"] = [self._flywheel(s) for s in stand.flywheels]
         if stand.points:
-            found["point"] = [self._point(p) for p in stand.points]
-        return found
+            numbers["point"] = [self._point(p) for p in stand.points]
+        return numbers
 
     def _body(self, b: Body) -> dict[str, Any]:
         inertia = [b.inertia[i][j] for i, j in SYMMETRIC]
         if b.inertia_about == "center_of_mass":
-            given = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
-            inertia = self._conversions.run("about_origin", given)[1]["J"]
-        found = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
+            properties = {"mass": b.mass, "rc": b.center_of_mass, "central": inertia}
+            inertia = self._conversions.run("about_origin", properties)[1]["J"]
+        numbers = {"mass": b.mass, "center_of_mass": list(b.center_of_mass), "inertia": inertia}
         dry = isinstance(b, Flywheel) and not self._layout.flywheel_displaces
         if self._layout.displaces and not dry:
             mass, center = next(iter(b.displaced), (0.0, (0.0, 0.0, 0.0)))
-            found |= {"displaced_mass": mass, "displaced_center": list(center)}
-        return found
+            numbers |= {"displaced_mass": mass, "displaced_center": list(center)}
+        return numbers
 
     def _axes(self, angles: tuple[float, float, float]) -> dict[str, Any]:
         return self._conversions.run("axes_of_angles", {"angles": angles})[1]
@@ -133,20 +133,20 @@ class _Parameters:
 
 def parameters_of(stand: Stand, layout: Layout) -> dict[str, Any]:
     """Input of `prepare` for a stand: masses, inertias, mountings. Raises StandError where a number is out of range."""
-    found = _Parameters(stand, layout).read()
-    _check_range(stand, layout, "parameters", found)
-    return found
+    numbers = _Parameters(stand, layout).read()
+    _check_range(stand, layout, "parameters", numbers)
+    return numbers
 
 
 def _check_range(stand: Stand, layout: Layout, name: str, value: Any) -> None:
     """StandError where a number could make products overflow in the element type."""
     largest, precision = thresholds(layout.precision).table, layout.precision.name
     if isinstance(value, dict):
-        for key, each in value.items():
-            _check_range(stand, layout, f"{name}.{key}", each)
+        for key, element in value.items():
+            _check_range(stand, layout, f"{name}.{key}", element)
     elif isinstance(value, list | tuple):
-        for number, each in enumerate(value):
-            _check_range(stand, layout, f"{name}[{number}]", each)
+        for number, element in enumerate(value):
+            _check_range(stand, layout, f"{name}[{number}]", element)
     elif isinstance(value, float | Column) and _exceeds(value, largest):
         raise StandError([f"stand {stand.name}: {name} is {value:.6g}, expected at most {largest:g} in {precision}"])
 
@@ -185,13 +185,17 @@ class _Laws:
         rows: dict[str, list[dict[str, Any]]] = {}
         if layout.carrier_damped:
             laws["damper"] = self._damper(stand.carrier, rows)
-        for k, own in enumerate(layout.own):
+        for k, local_body in enumerate(layout.local_bodies):
             frame = table.frame[k]
-            for name, value in (("flywheel", own.flywheel), ("instrument", own.instrument), ("wrench", own.input)):
+            for name, value in (
+                ("flywheel", local_body.flywheel),
+                ("instrument", local_body.instrument),
+                ("wrench", local_body.input),
+            ):
                 if layout.frame.field(name) is not None:
                     setattr(frame, name, value)
-            if layout.own_damped:
-                body = stand.bodies[own.index]
+            if layout.local_damped:
+                body = stand.bodies[local_body.index]
                 damper = self._damper(body, rows)
                 _check_range(stand, layout, f"{body.name}.damping", damper)
                 frame.damper = self._program.fill_storage(layout.damper, damper)
@@ -207,10 +211,10 @@ class _Laws:
 
     def _damper(self, body: Body, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """One damper; the rows that it has in arrays of the table are appended to `rows`, by name of the array."""
-        found: dict[str, Any] = {}
+        members: dict[str, Any] = {}
         for law in parts("program", BodyProgram, BODY_LAWS):
-            found |= law.damper_values(body, self._layout.damper, rows)
-        return found
+            members |= law.damper_values(body, self._layout.damper, rows)
+        return members
 
 
 def laws_of(stand: Stand, layout: Layout, program: Interpreter) -> Any:
@@ -263,8 +267,8 @@ class Values:
 
     def _mounting(self) -> dict[str, Any]:
         """prepare_mounts on the same parameters."""
-        found: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
-        return found
+        mounting: dict[str, Any] = self._program.run("prepare_mounts", {"parameters": self.parameters})[1]["mounting"]
+        return mounting
 
 
 def _abilities(stand: Stand, none: float) -> dict[str, list[float]]:
@@ -326,8 +330,8 @@ def reals(struct: Struct, value: Any) -> Iterator[Any]:
 
 def _elements(type_: Kind | Struct, value: Any, depth: int) -> Iterator[Any]:
     if depth:
-        for each in value:
-            yield from _elements(type_, each, depth - 1)
+        for element in value:
+            yield from _elements(type_, element, depth - 1)
     elif isinstance(type_, Struct):
         yield from reals(type_, value)
     elif type_ is Kind.REAL:
@@ -344,8 +348,8 @@ def columns(struct: Struct, value: Any, varied: Iterator[NDArray[Any] | None], n
 
 def _columns(type_: Kind | Struct, value: Any, depth: int, varied: Iterator[NDArray[Any] | None], n: int) -> Any:
     if depth:
-        found = [_columns(type_, each, depth - 1, varied, n) for each in value]
-        return np.stack(found) if found and type_ is Kind.REAL else found
+        elements = [_columns(type_, element, depth - 1, varied, n) for element in value]
+        return np.stack(elements) if elements and type_ is Kind.REAL else elements
     if isinstance(type_, Struct):
         return columns(type_, value, varied, n)
     if type_ is not Kind.REAL:

@@ -21,7 +21,7 @@ def add_laws(lib: Library) -> None:
     for body_law in parts("program", BodyProgram, BODY_LAWS):
         if body_law.bodies(lib.layout.structure):
             body_law.add_functions(lib)
-    if lib.layout.own:
+    if lib.layout.local_bodies:
         add_own_wrench(lib)
     for law in lib.layout.law_tables:
         law.add_functions(lib)
@@ -65,19 +65,19 @@ def add_external(lib: Library) -> None:
             damp(lib, table, table.damper, V, F)
         if layout.carrier_input:
             F += wrench[0:6]
-        if layout.own:
-            own_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
+        if layout.local_bodies:
+            local_wrenches(lib, table, x, (sine, cosine), V, wrench, F, own)
         for law in laws:
             law.act(lib, table, x, C, F)
 
 
 @inline
-def own_wrenches(lib: Library, table: Any, x: Any, turns: Any, V: Reals, wrench: Any, F: Reals, own: Any) -> None:
+def local_wrenches(lib: Library, table: Any, x: Any, turns: Any, V: Reals, wrench: Any, F: Reals, own: Any) -> None:
     """Adds the wrenches of all bodies that have some in their own frame to F; of the flywheels also to `own`."""
-    if lib.layout.own_turning:
+    if lib.layout.local_turning:
         for i in range(6 * int(lib.layout.count)):
             own[i] = 0
-    for k in range(len(lib.layout.own)):
+    for k in range(len(lib.layout.local_bodies)):
         lib["own_wrench"](table, table.frame[k], x, *turns, V, wrench, F, own)
 
 
@@ -87,13 +87,13 @@ def flywheel_wrenches(lib: Library, table: Any, x: Any, seen: Any, wrench: Any) 
     if seen.own is not None:
         scratch = reals(6)  # wrench on the carrier, not used here
         scratch[:] = [0] * 6
-        given = wrench
-        if lib.layout.own_inputs and given is None:
+        run_time = wrench
+        if lib.layout.local_inputs and run_time is None:
             none = reals(6 * len(lib.layout.inputs))  # wrenches on bodies that are no flywheels
             for i in range(len(none)):
                 none[i] = 0
-            given = none
-        own_wrenches(lib, table, x, seen.turns, seen.V, given, scratch, seen.own)
+            run_time = none
+        local_wrenches(lib, table, x, seen.turns, seen.V, run_time, scratch, seen.own)
 
 
 @inline
@@ -150,23 +150,23 @@ def add_own_wrench(lib: Library) -> None:
         P = reals(6)  # in the body's own frame
         axes[:] = frame.axes
         P[:] = [0] * 6
-        if layout.own_turning and frame.flywheel >= 0:
+        if layout.local_turning and frame.flywheel >= 0:
             s = sine[frame.flywheel]
             c = cosine[frame.flywheel]
             axes[:] = turned_axes(frame.axes, c, s)
-        if layout.own_damped:
+        if layout.local_damped:
             velocity = reals(3)  # of the body's origin, in E1
             twist = reals(6)  # of the body, in its own frame
             velocity[:] = -cross(frame.origin, V[3:6]) + V[0:3]
             twist[0:3] = axes.T @ velocity
             twist[3:6] = axes.T @ V[3:6]
-            if layout.own_turning and frame.flywheel >= 0:
+            if layout.local_turning and frame.flywheel >= 0:
                 twist[3] += x.phi_dot[frame.flywheel]  # L^T V + f phi_dot
             damp(lib, table, frame.damper, twist, P)
-        if layout.own_inputs and frame.wrench >= 0:
+        if layout.local_inputs and frame.wrench >= 0:
             for i in range(6):
                 P[i] += wrench[frame.wrench * 6 + i]
-        if layout.own_turning and frame.flywheel >= 0:
+        if layout.local_turning and frame.flywheel >= 0:
             for i in range(6):
                 own[frame.flywheel * 6 + i] = P[i]
         force = reals(3)  # in E1
@@ -183,12 +183,14 @@ def add_check_actuators(lib: Library) -> None:
     if not inputs:
         return
 
-    limits = [lib.limit(each.limit) if isinstance(each.limit, str) else real(each.limit) for each in inputs]
+    limits = [
+        lib.limit(actuator.limit) if isinstance(actuator.limit, str) else real(actuator.limit) for actuator in inputs
+    ]
 
-    @lib.kernel(purpose=f"Are {', '.join(each.words for each in inputs)} finite and in their ranges?")
+    @lib.kernel(purpose=f"Are {', '.join(actuator.words for actuator in inputs)} finite and in their ranges?")
     def check_actuators(table: Any = lib.table) -> Status:
         """Are inputs of laws in their ranges?"""
-        for each, limit in zip(inputs, limits, strict=True):
-            for k in range(each.count):
-                check_number(lib, table.member(each.array)[k].member(each.member), limit)
+        for actuator, limit in zip(inputs, limits, strict=True):
+            for k in range(actuator.count):
+                check_number(lib, table.member(actuator.array)[k].member(actuator.member), limit)
         return OK

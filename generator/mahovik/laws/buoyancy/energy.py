@@ -16,9 +16,9 @@ def numbers(body: Body) -> tuple[float, ...]:
     return (buoyancy.displaced_mass, *buoyancy.center) if buoyancy else (0.0,) * 4
 
 
-def energy(body: MovingBody, own: Expr, gravity: Expr) -> Expr:
+def energy(body: MovingBody, numbers: Expr, gravity: Expr) -> Expr:
     """m_displaced x_b . gravity (J), x_b the place of the centre of buoyancy: it rises where a weight falls."""
-    displaced_mass, center = own[0], own[1:]
+    displaced_mass, center = numbers[0], numbers[1:]
     return displaced_mass * ca.dot(body.place(center), gravity)
 
 

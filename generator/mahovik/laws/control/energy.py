@@ -33,12 +33,12 @@ def _size(body: Body, law: ControlDerivatives, velocity: Factor, V: Expr) -> Exp
     """A factor without its bars; the race is the excess of one speed ahead over another."""
     if isinstance(velocity, Velocity):
         return V[velocity.component]
-    given = body.inputs[velocity.source]
+    value = body.inputs[velocity.source]
     if velocity.what != "race":
-        return given
-    behind = ca.norm_2(ca.vertcat(V[0], given * law.race**0.5))
+        return value
+    behind = ca.norm_2(ca.vertcat(V[0], value * law.race**0.5))
     excess = behind - ca.fabs(V[0])
-    return excess if given > 0.0 else -excess if given < 0.0 else 0.0
+    return excess if value > 0.0 else -excess if value < 0.0 else 0.0
 
 
 LAW = BodyEnergy(wrench=wrench)

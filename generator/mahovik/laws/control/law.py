@@ -79,9 +79,9 @@ Factor = Velocity | Control
 
 
 def _factor(raw: Any) -> Factor:
-    given = text(raw)
-    bars = len(given) > 2 and given[0] == given[-1] == "|"
-    inner = given[1:-1] if bars else given
+    spelling = text(raw)
+    bars = len(spelling) > 2 and spelling[0] == spelling[-1] == "|"
+    inner = spelling[1:-1] if bars else spelling
     if inner in TWIST_LETTERS:
         return Velocity(TWIST_LETTERS.index(inner), bars)
     match = _INPUT.fullmatch(inner)
@@ -97,8 +97,8 @@ def _factor(raw: Any) -> Factor:
 
 def _factors(raw: Any) -> tuple[Factor, ...]:
     if not isinstance(raw, list) or not 1 <= len(raw) <= MOST_FACTORS:
-        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected one to four factors such as ["u", "r", "rudder.deflection"], found {found}')
+        shown = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected one to four factors such as ["u", "r", "rudder.deflection"], found {shown}')
     return tuple(map(_factor, raw))
 
 
@@ -116,7 +116,7 @@ class TermTable(Table):
 
     @model_validator(mode="after")
     def _value_in_si(self: Any) -> Any:
-        metres, radians, rates = (sum(each) for each in zip(*(f.powers for f in self.of), strict=True))
+        metres, radians, rates = (sum(column) for column in zip(*(f.powers for f in self.of), strict=True))
         powers = [("s", rates), ("m", -metres), ("rad", -radians)]
         unit = ["N m" if self.wrench >= 3 else "N", *(f"{unit}^{power}" for unit, power in powers if power)]
         try:
@@ -269,7 +269,7 @@ def _factors_of_inputs(body: Body) -> list[Factor]:
     for name in body.inputs:
         of, _, member = name.rpartition(".")
         what: tuple[Input, ...] = ("speed", "race") if member == "speed" else ("deflection",)
-        velocities += [Control(of, each, absolute) for each in what for absolute in (False, True)]
+        velocities += [Control(of, kind, absolute) for kind in what for absolute in (False, True)]
     return velocities
 
 

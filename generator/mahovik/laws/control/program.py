@@ -31,7 +31,7 @@ TWIST = 13
 
 def _inputs(structure: Structure) -> tuple[Fact, ...]:
     """The inputs among the factors, each once, in the order in which the derivatives name them."""
-    terms = (term for _, own in structure.law("control_derivatives") or () for term in own)
+    terms = (term for _, derivatives in structure.law("control_derivatives") or () for term in derivatives)
     return tuple(dict.fromkeys(fact for _, facts in terms for fact in facts if fact[0] != "velocity"))
 
 
@@ -71,12 +71,12 @@ class Steering(BodyProgram):
         )
         return Struct("control", "A control derivative.", fields)
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The derivatives of a body.
 
         Its inputs come after those of the bodies before it, as in `_inputs`: no two bodies share one.
         """
-        law, inputs, found = own.law(ControlDerivatives), dict[Factor, int](), []
+        law, inputs, rows = body.law(ControlDerivatives), dict[Factor, int](), []
         start = max((TWIST, *(row[name] + 1 for row in before for name in ORDER)))
 
         def place(factor: Factor) -> int:
@@ -86,19 +86,19 @@ class Steering(BodyProgram):
 
         for term in law.terms if law else ():
             places = [*map(place, term.of), *[0] * (MOST_FACTORS - len(term.of))]
-            found.append({"wrench": term.wrench, "value": term.value} | dict(zip(ORDER, places, strict=True)))
-        return found
+            rows.append({"wrench": term.wrench, "value": term.value} | dict(zip(ORDER, places, strict=True)))
+        return rows
 
     def damper_fields(self, structure: Structure) -> list[Field]:
         """The range of the derivatives, and the constant of races."""
         races = any(what == "race" for what, _, _ in _inputs(structure))
         return super().damper_fields(structure) + ([RACE] if races else [])
 
-    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """The range of the derivatives, and the constant of races."""
-        law = own.law(ControlDerivatives)
+        law = body.law(ControlDerivatives)
         constant = {"race": law.race if law else 0.0} if damper.field("race") is not None else {}
-        return super().damper_values(own, damper, rows) | constant
+        return super().damper_values(body, damper, rows) | constant
 
     def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
         """The constant of races; the derivatives follow in a table of their own."""
@@ -109,11 +109,11 @@ class Steering(BodyProgram):
     def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
         """The derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(ControlDerivatives)) for body in stand.bodies)
-        own = [(name, term) for name, law in laws if law is not None for term in law.terms]
-        for k, ((name, term), row) in enumerate(zip(own, rows, strict=True)):
+        derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
+        for k, ((name, term), row) in enumerate(zip(derivatives, rows, strict=True)):
             factors = " ".join(factor.text for factor in term.of)
             text = f"{name}: control derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
-            metres, radians, rates = (sum(each) for each in zip(*(f.powers for f in term.of), strict=True))
+            metres, radians, rates = (sum(power) for power in zip(*(f.powers for f in term.of), strict=True))
             unit = units.coefficient(term.wrench, metres, radians, rates)
             yield Member(f"control_derivative[{k + 1}]", unit, text, float(member(row, "value")))
 

@@ -23,7 +23,7 @@ def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Arra
     """Sum (6; N, N m): component `wrench` += value * product of its factors."""
     P = np.zeros(6)
     for term in law.terms:
-        P = P + np.eye(6)[term.wrench] * (term.value * math.prod(factor(body, law, each, V_r) for each in term.of))
+        P = P + np.eye(6)[term.wrench] * (term.value * math.prod(factor(body, law, one, V_r) for one in term.of))
     return P
 
 

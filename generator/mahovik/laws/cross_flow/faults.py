@@ -35,26 +35,26 @@ def law_terms(bodies: Sequence[Body], V_r: Array) -> Iterator[LawTerm]:
         for key, size in (("drag_y", law.height), ("drag_z", law.breadth))
     }
 
-    def wrench(own: str, velocities: Sequence[str], tables: Sequence[str]) -> Array:
+    def wrench(drag_key: str, velocities: Sequence[str], tables: Sequence[str]) -> Array:
         """(n, 6) along the direction of `own` by some parts of its velocity and some tables."""
-        speed = np.hypot(*across.values()) if law.together else np.abs(across[own])
+        speed = np.hypot(*across.values()) if law.together else np.abs(across[drag_key])
         drag = sum(of_table[key] for key in tables) * sum(moving[part] for part in velocities)
         force = np.divide(drag, speed, out=np.zeros_like(speed), where=speed > 0.0)
         result = np.zeros((len(force), 6))
-        i, arm, sign = (1, 5, 1.0) if own == "drag_y" else (2, 4, -1.0)
+        i, arm, sign = (1, 5, 1.0) if drag_key == "drag_y" else (2, 4, -1.0)
         result[:, i] = -law.density / 2 * force @ dx
         result[:, arm] = -sign * law.density / 2 * force @ (dx * x)
         return result
 
     path = f"{body.name}.cross_flow"
     name = "cross flow" if body.name == "carrier" else f"{body.name}: cross flow"
-    for still, turning, own in PLANES:
+    for still, turning, drag_key in PLANES:
         whole = f"({still} + {turning})" if still == "v" else f"({still} - {turning})"
-        acting = tuple(of_table) if law.together else (own,)
+        acting = tuple(of_table) if law.together else (drag_key,)
         for detail, words, of in ((0, whole, (still, turning)), (1, still, (still,)), (1, turning, (turning,))):
-            yield LawTerm(detail, f"{name} {words}", path, 1.0, wrench(own, of, acting))
+            yield LawTerm(detail, f"{name} {words}", path, 1.0, wrench(drag_key, of, acting))
             for key in acting:
-                yield LawTerm(detail + 2, f"{name} {words} of {key}", f"{path}.{key}", 1.0, wrench(own, of, [key]))
+                yield LawTerm(detail + 2, f"{name} {words} of {key}", f"{path}.{key}", 1.0, wrench(drag_key, of, [key]))
 
 
 LAW = LawParts(CrossFlow, law_terms)

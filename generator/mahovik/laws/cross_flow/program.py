@@ -34,7 +34,7 @@ class Strip:
 def strips_of(law: CrossFlow) -> tuple[Strip, ...]:
     """The strips of a body, from the first station on."""
     nodes, weights = np.polynomial.legendre.leggauss(law.points)
-    found = []
+    strips = []
     for k, (a, b) in enumerate(pairwise(law.x)):
         half = 0.5 * (b - a)
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
@@ -44,8 +44,8 @@ def strips_of(law: CrossFlow) -> tuple[Strip, ...]:
                 for table in (law.height, law.breadth, law.drag_y, law.drag_z)
             )
             scale = 0.5 * law.density * half * weight
-            found.append(Strip(x, scale * drag_y * height, scale * drag_z * breadth))
-    return tuple(found)
+            strips.append(Strip(x, scale * drag_y * height, scale * drag_z * breadth))
+    return tuple(strips)
 
 
 def _together(structure: Structure) -> bool:
@@ -82,16 +82,16 @@ class Strips(BodyProgram):
             )
         return Struct("strip", "A strip of a slender body in cross flow.", tuple(fields))
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The strips of a body."""
-        law = own.law(CrossFlow)
+        law = body.law(CrossFlow)
         return [asdict(strip) | {"together": int(law.together)} for strip in strips_of(law)] if law else []
 
     def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
         """The strips, with their bodies."""
         laws = ((body.name, body.law(CrossFlow)) for body in stand.bodies)
-        own = [(name, k) for name, law in laws if law for k in range(len(strips_of(law)))]
-        for number, ((name, k), row) in enumerate(zip(own, rows, strict=True)):
+        strips = [(name, k) for name, law in laws if law for k in range(len(strips_of(law)))]
+        for number, ((name, k), row) in enumerate(zip(strips, rows, strict=True)):
             for key, unit, what in (
                 ("x", units.METRE, "place along its first axis"),
                 ("y", units.law(1, (1, 1)), "drag over the square of its velocity along y"),

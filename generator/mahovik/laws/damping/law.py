@@ -36,8 +36,8 @@ class Factor:
 
 def _factors(raw: Any) -> tuple[Factor, Factor]:
     if not isinstance(raw, list) or len(raw) != 2:
-        found = f"{len(raw)}" if isinstance(raw, list) else show(raw)
-        raise QuantityError(f'expected two factors such as ["r", "|v|"], found {found}')
+        shown = f"{len(raw)}" if isinstance(raw, list) else show(raw)
+        raise QuantityError(f'expected two factors such as ["r", "|v|"], found {shown}')
     factors = []
     for item in raw:
         bars = len(text(item)) == 3 and item[0] == item[2] == "|"
@@ -250,7 +250,7 @@ def _products(stand: Stand) -> list[str]:
         for (i, j, k), value in published.items()
         if (product := float(products[i, j, k])) and abs(value - product) <= NEAR * abs(product)
     ]
-    same = [found for found in near if found[3] <= SAME]
+    same = [row for row in near if row[3] <= SAME]
     if not same and len(near) < SEVERAL:
         return []
     name, value, product, _ = (same or near)[0]

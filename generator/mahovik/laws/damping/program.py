@@ -57,13 +57,13 @@ class DampingProgram(BodyProgram):
         """One derivative."""
         return TERM
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The derivatives of a body."""
-        found, law = [], own.law(Damping)
+        rows, law = [], body.law(Damping)
         for term in law.terms if law else ():
             first, second = (f.component + 6 * f.absolute for f in term.of)
-            found.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
-        return found
+            rows.append({"wrench": term.wrench, "first": first, "second": second, "value": term.value})
+        return rows
 
     def damper_fields(self, structure: Structure) -> list[Field]:
         """Members that some body has."""
@@ -72,20 +72,20 @@ class DampingProgram(BodyProgram):
         contained = [CONTAINED] if structure.law("products_in_derivatives") else []
         return [*matrices, *super().damper_fields(structure), *contained]
 
-    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """Matrices and the range of the derivatives; zeros where the body has none."""
-        law = own.law(Damping)
-        given = dict(law.matrices) if law else {}
+        law = body.law(Damping)
+        matrices = dict(law.matrices) if law else {}
         if law is not None and law.contains_products:
-            given["contained"] = getattr(own, "added_mass", None) or ZERO6
-        found = {f.name: given.get(f.name, ZERO6) for f in (LINEAR, QUADRATIC, CONTAINED) if damper.field(f.name)}
-        return found | super().damper_values(own, damper, rows)
+            matrices["contained"] = getattr(body, "added_mass", None) or ZERO6
+        members = {f.name: matrices.get(f.name, ZERO6) for f in (LINEAR, QUADRATIC, CONTAINED) if damper.field(f.name)}
+        return members | super().damper_values(body, damper, rows)
 
     def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
         """Matrices of damping; the hydrodynamic derivatives follow in a table of their own."""
-        own = "of its own twist relative to the fluid, in its own frame"
+        twist = "of its own twist relative to the fluid, in its own frame"
         for field, words, unit in (
-            (LINEAR, f"linear damping, {own}", lambda i, j: units.law(i, (j,))),
+            (LINEAR, f"linear damping, {twist}", lambda i, j: units.law(i, (j,))),
             (QUADRATIC, "damping quadratic in its own twist relative to the fluid, in its own frame",
              lambda i, j: units.law(i, (j, j))),
             (CONTAINED, "added mass whose products its derivatives contain", units.added_mass),
@@ -97,8 +97,8 @@ class DampingProgram(BodyProgram):
     def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
         """Hydrodynamic derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(Damping)) for body in stand.bodies)
-        own = [(name, term) for name, law in laws if law is not None for term in law.terms]
-        for k, ((name, term), row) in enumerate(zip(own, rows, strict=True)):
+        derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
+        for k, ((name, term), row) in enumerate(zip(derivatives, rows, strict=True)):
             factors = " ".join(factor.letter for factor in term.of)
             text = f"{name}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
             unit = units.law(term.wrench, tuple(f.component for f in term.of))

@@ -35,11 +35,11 @@ class Fading(BodyProgram):
         """Matrix and rate, where any body has them."""
         return [LINEAR, RATE] if self.bodies(structure) else []
 
-    def damper_values(self, own: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
+    def damper_values(self, body: Body, damper: Struct, rows: dict[str, list[dict[str, Any]]]) -> dict[str, Any]:
         """Matrix and rate; zeros where the body has no such damping."""
         if damper.field("fading") is None:
             return {}
-        law = own.law(FadingDamping)
+        law = body.law(FadingDamping)
         return {"fading": law.linear if law else ZERO6, "fading_rate": law.rate if law else 0.0}
 
     def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
@@ -47,8 +47,8 @@ class Fading(BodyProgram):
         if damper.field("fading") is None:
             return
         what = f"{name}: linear damping that fades, of its own twist relative to the fluid, in its own frame"
-        given = member(value, "fading")
-        yield from matrix(f"{name}.fading_damping.linear", LINEAR, given, lambda i, j: units.law(i, (j,)), what)
+        rows = member(value, "fading")
+        yield from matrix(f"{name}.fading_damping.linear", LINEAR, rows, lambda i, j: units.law(i, (j,)), what)
         text, rate = f"{name}: rate at which that damping falls with its speed", float(member(value, "fading_rate"))
         yield Member(f"{name}.fading_damping.rate", units.SECOND_PER_METRE, text, rate, positive=True)
 

@@ -118,20 +118,20 @@ class Fin(Declared):
         return super().of_table(table, lift_slope=_slope(table), induced=_induced_drag(table), **more)
 
 
-def _slope(given: Any) -> float:
+def _slope(table: Any) -> float:
     """Slope of the lift: as given, or of a wing of low aspect ratio A, pi A/(1 + sqrt(1 + (A/2)^2)) (Beard, McLain)."""
-    if given.lift_slope is not None:
-        return given.lift_slope  # type: ignore[no-any-return]  # of the table
-    slope: float = math.pi * given.aspect / (1.0 + hypot(1.0, given.aspect / 2.0))
+    if table.lift_slope is not None:
+        return table.lift_slope  # type: ignore[no-any-return]  # of the table
+    slope: float = math.pi * table.aspect / (1.0 + hypot(1.0, table.aspect / 2.0))
     return slope
 
 
-def _induced_drag(given: Any) -> float:
+def _induced_drag(table: Any) -> float:
     """Induced drag: as given, else 1/(pi e A) with the efficiency e, 0.7 by default; 0 without aspect ratio."""
-    if given.induced is not None:
-        return given.induced  # type: ignore[no-any-return]  # of the table
-    efficiency = 0.7 if given.efficiency is None else given.efficiency
-    return 0.0 if given.aspect is None else 1.0 / (math.pi * efficiency * given.aspect)
+    if table.induced is not None:
+        return table.induced  # type: ignore[no-any-return]  # of the table
+    efficiency = 0.7 if table.efficiency is None else table.efficiency
+    return 0.0 if table.aspect is None else 1.0 / (math.pi * efficiency * table.aspect)
 
 
 @dataclass(frozen=True)
@@ -165,9 +165,11 @@ class Fins(BodyLaw):
         """Fins by name."""
         return {fin.name: Actuator("deflection, rad", MOST_DEFLECTION, USUAL) for fin in self.fins}
 
-    def actuated(self, given: Mapping[str, float]) -> Self:
+    def actuated(self, deflections: Mapping[str, float]) -> Self:
         """The fins with other deflections, rad, by name."""
-        return type(self)(tuple(replace(fin, deflection=given.get(fin.name, fin.deflection)) for fin in self.fins))
+        return type(self)(
+            tuple(replace(fin, deflection=deflections.get(fin.name, fin.deflection)) for fin in self.fins)
+        )
 
     @classmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:

@@ -89,16 +89,16 @@ class LiftingFins(BodyProgram):
         kinds = _kinds(structure)
         return fin_struct(any(stalls for *_, stalls in kinds), any(incidence for _, incidence, _ in kinds))
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The fins of a body."""
-        found, law = [], own.law(Fins)
+        rows, law = [], body.law(Fins)
         for fin in law.fins if law else ():
             row: dict[str, Any] = {key: getattr(fin, key) for key in ("deflection", "lift_slope", "drag", "induced")}
             row |= {key: list(axis) for key, axis in zip(("chord", "span", "normal"), axes_of(fin), strict=True)}
             row |= {"position": list(fin.position), "size": 0.5 * fin.density * fin.area}
             row |= {"speed": SPEEDS.index(fin.speed), "incidence": int(fin.incidence)}
-            found.append(row | {"stall": 0.0 if fin.stall is None else fin.stall})
-        return found
+            rows.append(row | {"stall": 0.0 if fin.stall is None else fin.stall})
+        return rows
 
     def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
         """Every real of the fins."""

@@ -55,7 +55,7 @@ class Friction(FreedomItem):
         """The friction; without breakaway there is no rise."""
         viscous, coulomb, stribeck = (numbers[key] or 0.0 for key in ("viscous", "coulomb", "stribeck_speed"))
         smoothing = numbers["smoothing"] or SMOOTHING
-        breakaway = coulomb if (given := numbers["breakaway"]) is None else given
+        breakaway = coulomb if (torque := numbers["breakaway"]) is None else torque
         if problem := _problem(table, coulomb, breakaway, stribeck, smoothing, cls.dimensions[kind][-1].si):
             note(*problem)
             return None
@@ -129,7 +129,7 @@ class Frictions(HeldLaw):
         About rest friction is a damper of breakaway / smoothing, whose time is that.
         """
         dry = [friction for friction in self.frictions if friction.breakaway > 0.0]
-        return [(each.name, inertias[each.freedom] * each.smoothing / each.breakaway) for each in dry]
+        return [(one.name, inertias[one.freedom] * one.smoothing / one.breakaway) for one in dry]
 
 
 def frictions_of(stand: Stand) -> tuple[Friction, ...]:

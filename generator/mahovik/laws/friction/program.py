@@ -38,9 +38,11 @@ class FrictionProgram(CarrierProgram):
         """The numbers of the file, and the wrench along the freedom; without a rise any speed that is not zero."""
         assert stand.hold is not None
         along, rows = wrench_columns(stand.hold), []
-        for own in frictions_of(stand):
-            row = {f.name: getattr(own, f.name) for f in declared(Friction)} | {"direction": along[own.freedom]}
-            rows.append(row | ({"stribeck_speed": 1.0} if own.stribeck_speed is None else {}))
+        for friction in frictions_of(stand):
+            row = {f.name: getattr(friction, f.name) for f in declared(Friction)} | {
+                "direction": along[friction.freedom]
+            }
+            rows.append(row | ({"stribeck_speed": 1.0} if friction.stribeck_speed is None else {}))
         return {"friction": rows}
 
     def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, units.Unit]:

@@ -105,9 +105,9 @@ class Propellers(BodyLaw):
         usual = {p.name: abs(p.speed) or 4.0 * math.pi / p.diameter for p in self.propellers}
         return {name: Actuator("speed, rad/s", None, speed) for name, speed in usual.items()}
 
-    def actuated(self, given: Mapping[str, float]) -> Self:
+    def actuated(self, speeds: Mapping[str, float]) -> Self:
         """The propellers with other speeds, rad/s, by name."""
-        return type(self)(tuple(replace(p, speed=given.get(p.name, p.speed)) for p in self.propellers))
+        return type(self)(tuple(replace(p, speed=speeds.get(p.name, p.speed)) for p in self.propellers))
 
     @classmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:

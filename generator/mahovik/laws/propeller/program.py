@@ -104,9 +104,9 @@ class ScrewPropellers(BodyProgram):
             fields.append(Field("whole", INT, (), "", "1: u is the length of the velocity; 0: its part along the axis"))
         return Struct("propeller", "A propeller of which the speed is given.", tuple(fields))
 
-    def rows(self, own: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
         """The propellers of a body."""
-        law = own.law(Propellers)
+        law = body.law(Propellers)
         pairs = [(p, screw_of(p)) for p in law.propellers] if law else []
         return [
             {"speed": p.speed, "position": list(p.position), "axis": list(screw.axis), "thrust": list(screw.thrust),
@@ -116,8 +116,10 @@ class ScrewPropellers(BodyProgram):
 
     def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
         """The propellers, with their bodies and names."""
-        own = [(body.name, p.name) for body in stand.bodies if (law := body.law(Propellers)) for p in law.propellers]
-        for number, ((name, propeller), row) in enumerate(zip(own, rows, strict=True)):
+        propellers = [
+            (body.name, p.name) for body in stand.bodies if (law := body.law(Propellers)) for p in law.propellers
+        ]
+        for number, ((name, propeller), row) in enumerate(zip(propellers, rows, strict=True)):
             place, of = f"propeller[{number + 1}]", f"{name}: propeller {propeller}"
             yield Member(f"{place}.speed", units.ANGULAR_VELOCITY, f"{of}, speed", float(member(row, "speed")))
             for key, unit_of, what in (
@@ -126,8 +128,8 @@ class ScrewPropellers(BodyProgram):
                 ("thrust", _units(0), "thrust by |n| n, |n| u, |u| u"),
                 ("torque", _units(3), "torque by |n| n, |n| u, |u| u"),
             ):
-                for i, (each, value) in enumerate(zip(unit_of, member(row, key), strict=True)):
-                    yield Member(f"{place}.{key}[{i + 1}]", each, f"{of}, {what}; component {i + 1}", float(value))
+                for i, (dimension, value) in enumerate(zip(unit_of, member(row, key), strict=True)):
+                    yield Member(f"{place}.{key}[{i + 1}]", dimension, f"{of}, {what}; component {i + 1}", float(value))
 
     def add_functions(self, lib: FunctionSet) -> None:
         """Thrust and torque of the propellers of one body."""

@@ -127,9 +127,9 @@ def _range_problem(stops: list[Stop], hold: Hold) -> str | None:
     highest = min((stop.at for stop in stops if stop.above), default=math.inf)
     lowest = max((stop.at for stop in stops if not stop.above), default=-math.inf)
     if kind == "turn" and math.isinf(highest - lowest):
-        given, missing = ("above", "below") if math.isinf(lowest) else ("below", "above")
+        side, missing = ("above", "below") if math.isinf(lowest) else ("below", "above")
         return (
-            f'only side = "{given}" of {name} has a stop: turning the other way it would be met from behind, half a '
+            f'only side = "{side}" of {name} has a stop: turning the other way it would be met from behind, half a '
             f'turn from home, where the angle begins again; expected one of side = "{missing}" too'
         )
     if lowest > highest:

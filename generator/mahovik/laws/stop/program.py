@@ -65,8 +65,8 @@ class StopsProgram(CarrierProgram):
 
     def arrays(self, structure: Structure) -> list[tuple[Struct, int, str]]:
         """One struct per stop."""
-        given = ((SLIDE_STOP, "slide_stops", "stop_slide"), (TURN_STOP, "turn_stops", "stop_turn"))
-        return [(struct, count, name) for struct, key, name in given if (count := structure.law(key))]
+        kinds = ((SLIDE_STOP, "slide_stops", "stop_slide"), (TURN_STOP, "turn_stops", "stop_turn"))
+        return [(struct, count, name) for struct, key, name in kinds if (count := structure.law(key))]
 
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
         """The numbers of the file, the wrench along the freedom, and its home pose."""
@@ -127,12 +127,12 @@ LAW = StopsProgram()
 
 def _row(stop: Stop, hold: Hold, kind: str, direction: list[Any], C0: list[Any]) -> dict[str, Any]:
     """Numbers of one stop; the moment of what turns is its axis."""
-    own = {"direction": direction, "at": stop.at, "side": 1.0 if stop.above else -1.0}
-    own |= {"stiffness": stop.stiffness, "damping": stop.damping}
+    row = {"direction": direction, "at": stop.at, "side": 1.0 if stop.above else -1.0}
+    row |= {"stiffness": stop.stiffness, "damping": stop.damping}
     if kind == "turn":
-        return own | {"axis": direction[3:], "C0": list(C0)}
+        return row | {"axis": direction[3:], "C0": list(C0)}
     home = [place + arm for place, arm in zip(hold.position, _rotate(C0, list(hold.pivot)), strict=True)]
-    return own | {"axis": _rotate(C0, direction[:3]), "home": home}
+    return row | {"axis": _rotate(C0, direction[:3]), "home": home}
 
 
 def _rotate(C: list[Any], a: list[Any]) -> list[Any]:

@@ -20,8 +20,8 @@ def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:
     """Wrench (6; N, N m) of every stop on the carrier about O1 in E1, by its name in (7)."""
     if stand.hold is None:
         return {}
-    given = enumerate(stops_of(stand))
-    return {f"stop {number}": wrench(stop, stand.hold, stand.angles, at) for number, stop in given}
+    stops = enumerate(stops_of(stand))
+    return {f"stop {number}": wrench(stop, stand.hold, stand.angles, at) for number, stop in stops}
 
 
 def wrench(stop: Stop, hold: Hold, sequence: Sequence, at: Pose) -> Array:

@@ -107,9 +107,9 @@ def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed
     and the reason where they cannot.
     """
     for isolator in isolators:
-        given = [key for key in ("damping", "ratio", "loss") if getattr(isolator, key) is not None]
-        if len(given) > 1:
-            raise QuantityError(f"isolator {isolator.name}", given[1], f"given beside {given[0]}: expected one of them")
+        keys = [key for key in ("damping", "ratio", "loss") if getattr(isolator, key) is not None]
+        if len(keys) > 1:
+            raise QuantityError(f"isolator {isolator.name}", keys[1], f"given beside {keys[0]}: expected one of them")
     return by_sample(lambda of: _summed(*of), (tuple(isolators), preload, stand))
 
 

@@ -52,8 +52,8 @@ class SuspensionProgram(CarrierProgram):
         for f, unit in ((stiffness, units.stiffness), (damping, lambda i, j: units.law(i, (j,)))):
             text = f"{f.name} of the suspension, wrench on the carrier at O1 in E1"
             yield from matrix(f"suspension.{f.name}", f, member(value, f.name), unit, text)
-        given = member(value, "position")
-        yield from vector("suspension.position", position, given, f"suspension: {position.comment}")
+        place = member(value, "position")
+        yield from vector("suspension.position", position, place, f"suspension: {position.comment}")
         for i, number in enumerate(member(value, "attitude")):
             text = f"equilibrium attitude of the suspension, unit quaternion, {'wxyz'[i]}"
             yield Member(f"suspension.attitude[{i + 1}]", units.NONE, text, float(number))

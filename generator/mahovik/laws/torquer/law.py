@@ -56,11 +56,12 @@ class Torquers(CarrierLaw):
     @classmethod
     def random_of(cls, draw: Draw, count: int | None, mounts: Sequence[str]) -> Self | None:
         """The given number of torquers, by default none. They have their own generator: the rest of a stand stays."""
-        own = Draw(draw.rng.spawn(1)[0])
+        spawned = Draw(draw.rng.spawn(1)[0])
         torquers = tuple(
-            Torquer(f"m{k + 1}", mounts[int(own.rng.integers(len(mounts)))], own.vec3(3.0)) for k in range(count or 0)
+            Torquer(f"m{k + 1}", mounts[int(spawned.rng.integers(len(mounts)))], spawned.vec3(3.0))
+            for k in range(count or 0)
         )
-        return cls(own.vec3(0.5), torquers) if torquers else None
+        return cls(spawned.vec3(0.5), torquers) if torquers else None
 
 
 def mount_of(stand: Stand, torquer: Torquer) -> Instrument | None:

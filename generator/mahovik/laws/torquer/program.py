@@ -56,12 +56,12 @@ class TorquersProgram(CarrierProgram):
     def add_functions(self, lib: FunctionSet) -> None:
         """The moment of one torquer."""
         structure = lib.layout.structure
-        own: Any = argument(struct=torquer_struct(structure))
+        torquer_argument: Any = argument(struct=torquer_struct(structure))
 
         @lib.kernel(equation="(7)")
         def add_torquer(
             table: Any = lib.table,
-            torquer: Any = own,
+            torquer: Any = torquer_argument,
             field: Reals = argument("magnetic field in E1", 3, unit="T"),
             F: Reals = WRENCH,
         ) -> None:

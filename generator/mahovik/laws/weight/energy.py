@@ -14,7 +14,7 @@ def numbers(body: Body) -> tuple[float, ...]:
     return ()
 
 
-def energy(body: MovingBody, own: Expr, gravity: Expr) -> Expr:
+def energy(body: MovingBody, numbers: Expr, gravity: Expr) -> Expr:
     """-m x_c . gravity (J), x_c the place of the mass centre."""
     return -body.mass * ca.dot(body.place(body.center_of_mass), gravity)
 
