@@ -7,12 +7,14 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from random_stands import WHAT_MATTERS, random_stands
 
 from mahovik import stands
+from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.random import Features, random_stand
 from mahovik.core.stand.state import rest_state
@@ -22,9 +24,12 @@ from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fin.law import Fins
 from mahovik.laws.propeller.law import Propellers
 from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Report, conclusion
-from mahovik.proof.verify.harness import verify_c
+from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.proof.verify.judges import verify_judges
+from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
 from verify.build import everything
 from verify.holds import DRY, WET, random_held_stand
@@ -204,3 +209,19 @@ def test_exciters_of_the_shaker_cancel_across_the_rail() -> None:
     )
     assert across < 1e-12 * one_way
     assert math.isclose(one_way, 2 * 0.16 * speed**2 * math.sin(phase), rel_tol=1e-12)
+
+
+def slow_in_a_stream() -> Stand:
+    """A body with little added mass, in a fast stream."""
+    stand = load(NET / "random14.toml")
+    added: Any = (1e-5 * np.eye(6)).tolist()
+    return replace(stand, carrier=replace(stand.carrier, added_mass=added))
+
+
+@pytest.mark.parametrize("stand", [load(NET / "random14.toml"), slow_in_a_stream()], ids=["dry", "added mass"])
+def test_a_stream_costs_a_slow_body_no_digits_of_its_momentum(stand: Stand) -> None:
+    backend = CBackend(stand, "float")
+    slow = [(name, state) for name, state in draw(stand, 2, 20, "float") if "tiny" in name]
+    rows = judge(stand, backend, slow, ("momentum",), LIMITS["float"], scales=Scales(stand, "float"))
+    assert slow
+    assert [row for row in rows if row.verdict != "ok"] == []

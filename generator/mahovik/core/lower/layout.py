@@ -415,6 +415,8 @@ class Layout:
                 Field("A_inv", REAL, (6,), "1/kg", ""),
                 Field("G", REAL, (9,), "kg m", "Lambda_21, row by row"),
             ]
+            if self.stream:
+                fields.append(Field("Lambda_11", REAL, (6,), "kg", "11 22 33 12 13 23: for Z of the fluid alone"))
         if self.displaces:
             fields += [
                 Field("weight_mass", REAL, (), "kg", "mass minus displaced mass"),

@@ -97,9 +97,14 @@ def add_momentum(lib: Library) -> None:
         check_inputs(lib, table, x)
         seen = scene(lib, table, x, attitude=True)
         sum_up(lib, table, x, seen, None)
-        C, V, sums = seen.C, seen.V, seen.sums
+        C, V, sums = seen.C, x.V, seen.sums
+        fluid = layout.stream and layout.added_mass
         Z = reals(6)  # momentum screw (2)
-        lib["momentum_screw"](table, sums, V, Z)
+        if fluid:
+            Z[0:3] = momentum_of_bodies(table, sums, V)
+            Z[3:6] = symmetric(sums.J) @ V[3:6] + sums.h_rel + cross(sums.mu, V[0:3])
+        else:
+            lib["momentum_screw"](table, sums, V, Z)
         spin: float = 0.0  # sum phi_dot (I^T V + Theta_ff phi_dot)
         if layout.flywheels:
             for s in range(layout.count):
@@ -109,8 +114,8 @@ def add_momentum(lib: Library) -> None:
                 along = dot(column_of(row, s_phi, c_phi), V)  # I_s . V
                 spin += x.phi_dot[s] * (along + row.spin * x.phi_dot[s])
         energy: float = dot((*(0.5 * Z[3:6]), *(0.5 * Z[0:3]), 0.5), (*V[3:6], *V[0:3], spin))
-        if seen.stream is not None:
-            add_stream(table, V, seen.stream, sums, Z, energy)
+        if fluid:
+            add_fluid(table, V, seen.V, Z, energy)
         out.Z[:] = Z
         # Z0 = L1 Z of (1)
         out.Z0[0:3] = C @ Z[0:3]
@@ -118,8 +123,8 @@ def add_momentum(lib: Library) -> None:
         out.energy = energy
         out.center_of_mass[:] = sums.mu * table.mass_inverse
         v = reals(3)  # of the mass centre in E1, from the momentum of the bodies, without the fluid's
-        if layout.added_mass or layout.stream:
-            v[:] = momentum_of_bodies(table, sums, x.V)
+        if layout.added_mass:
+            v[:] = momentum_of_bodies(table, sums, V)
             v[:] = v * table.mass_inverse
         else:
             v[:] = Z[0:3] * table.mass_inverse
@@ -133,10 +138,12 @@ def momentum_of_bodies(table: Any, sums: Any, V: Any) -> Any:
 
 
 @inline
-def add_stream(table: Any, V: Any, u: Any, sums: Any, Z: Any, energy: Any) -> None:
-    """From V_r to V for the bodies; the fluid's share (Lambda) stays at V_r: Galilean change of frame."""
+def add_fluid(table: Any, V: Any, V_r: Any, Z: Any, energy: Any) -> None:
+    """Adds what the added mass has by V_r to Z and energy of the bodies, whose J has that of the added mass in it."""
     # bodies at V, added mass at V relative to the stream
-    p: Reals = momentum_of_bodies(table, sums, V)  # momentum of the bodies relative to the stream
-    energy += dot(p, u) + 0.5 * table.mass * dot(u, u)
-    Z[0:3] += table.mass * u
-    Z[3:6] += cross(sums.mu, u)
+    v, omega = V_r[0:3], V[3:6]
+    p: Reals = symmetric(table.Lambda_11) @ v + table.G.square.T @ omega  # momentum of the fluid
+    h: Reals = table.G.square @ v  # its moment, but for that of omega
+    energy += dot((*(0.5 * p), *(0.5 * h)), (*v, *omega))
+    Z[0:3] += p
+    Z[3:6] += h

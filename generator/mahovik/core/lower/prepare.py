@@ -246,6 +246,8 @@ def add_prepare(lib: Library) -> None:
             added = parameters.added_mass
             body().do(lib["translation_block"](parameters, mass, table.A, table.A_inv))
             table.G[:] = [added[i + 3][j] for i in range(3) for j in range(3)]
+            if layout.stream:
+                table.Lambda_11[:] = [added[i][j] for i, j in SYMMETRIC]
             inertia += [added[i + 3][j + 3] for i, j in SYMMETRIC]
         table.mass = mass
         table.mass_inverse = 1 / mass
