@@ -20,7 +20,7 @@ from mahovik.contract.quantities import BOUNDS, QUANTITIES, Bound
 from mahovik.contract.status import STATUSES
 from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.motion.motion_file import MotionTable, SlewTable
 from mahovik.core.motion.programme import ProgrammeTable
 from mahovik.core.motion.regime import DrivenTable

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive import accumulate, flywheel
-from mahovik.core.derive.symbols import matrix, symmetric, vector
+from mahovik.core.derive.screw import matrix, symmetric, vector
 
 Binding = dict[sp.Symbol, sp.Expr]
 

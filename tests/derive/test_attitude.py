@@ -6,12 +6,11 @@ import pytest
 import sympy as sp
 
 from derive.exact import remainders, rotation
+from mahovik.core.derive import SEQUENCES as BY_NAME
 from mahovik.core.derive import attitude as derived
-from mahovik.core.derive import order
-from mahovik.core.derive.screw import cross
-from mahovik.core.derive.symbols import matrix, vector
+from mahovik.core.derive.screw import cross, matrix, vector
 
-SEQUENCES = tuple(order.SEQUENCES)
+SEQUENCES = tuple(BY_NAME)
 ANGLES = sp.symbols("psi theta phi")
 TIME = sp.Symbol("t")
 CIRCLES = tuple(sp.Symbol(f"c_{n}") ** 2 + sp.Symbol(f"s_{n}") ** 2 - 1 for n in derived.ANGLES)

@@ -7,11 +7,9 @@ import sympy as sp
 
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
-from mahovik.core.derive import accumulate, carrier, flywheel
+from mahovik.core.derive import SYMMETRIC, accumulate, carrier, flywheel
 from mahovik.core.derive.document import in_mounting_axes, velocity_matrix
-from mahovik.core.derive.order import SYMMETRIC
-from mahovik.core.derive.screw import Phi, Theta, blocks, cross
-from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector
+from mahovik.core.derive.screw import Phi, Theta, blocks, cross, from_six, matrix, symmetric, vector
 
 W = flywheel.generic()
 PHI_DDOT = sp.Symbol("phi_ddot")

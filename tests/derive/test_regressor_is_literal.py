@@ -10,8 +10,7 @@ import sympy as sp
 
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import carrier, flywheel, regressor
-from mahovik.core.derive.screw import L, Phi, cross, elementary
-from mahovik.core.derive.symbols import vector
+from mahovik.core.derive.screw import L, Phi, cross, elementary, vector
 
 W = flywheel.generic()
 SO3 = (*circle(sp.Symbol("c"), sp.Symbol("s")), *rotation(W.R))

@@ -12,8 +12,7 @@ import sympy as sp
 from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
-from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary
-from mahovik.core.derive.symbols import from_six, six_of, symmetric, vector
+from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary, from_six, six_of, symmetric, vector
 
 W = flywheel.generic()
 CIRCLE = circle(sp.Symbol("c"), sp.Symbol("s"))

@@ -6,9 +6,8 @@ import pytest
 import sympy as sp
 
 from derive.exact import remainders, trigonometric
-from mahovik.core.derive import wrench as derived
-from mahovik.core.derive.screw import L, Phi, bracket, cross, e_bracket, elementary, f
-from mahovik.core.derive.symbols import matrix, vector
+from mahovik.core.derive import carrying as derived
+from mahovik.core.derive.screw import L, Phi, bracket, cross, e_bracket, elementary, f, matrix, vector
 
 
 def cross_product(a: sp.Matrix, b: sp.Matrix) -> sp.Matrix:

@@ -11,8 +11,7 @@ from emit.compiled import Compiled, bits, compiled
 from emit.stands import other_numbers
 from lower.refusals import NOT_FINITE, NumberPath, accepts, get, numbers, refuses, spoiled
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.lower.limits import limits
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS, limits
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.random import random_state
 from toolchain.quick import quick

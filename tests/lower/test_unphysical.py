@@ -17,7 +17,7 @@ from mahovik.core.lower import parameters as lowered
 from mahovik.core.lower.checks import add_checks
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision

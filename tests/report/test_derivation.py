@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from mahovik import __version__
+from mahovik.core.derive.carrying import weight
 from mahovik.core.derive.document import Formula, Table, sections, symbol
-from mahovik.core.derive.wrench import weight
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.random import Features, random_stand, random_state

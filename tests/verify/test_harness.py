@@ -17,7 +17,7 @@ from cli.run import DEMO3, refused, run
 from mahovik.contract.functions import WANTS
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.generate import generate, generate_all
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, ToolchainError, UsageError

@@ -15,7 +15,7 @@ from functools import cache
 
 import sympy as sp
 
-from mahovik.core.derive.symbols import vector
+from mahovik.core.derive.screw import vector
 
 c, s, c2, s2, dc, ds, dc2, ds2, ddc, dds = sp.symbols("c s c2 s2 dc ds dc2 ds2 ddc dds")
 phi_dot, phi_ddot = sp.symbols("phi_dot phi_ddot")

@@ -7,9 +7,8 @@ from functools import cache
 
 import sympy as sp
 
-from mahovik.core.derive.order import SEQUENCES
-from mahovik.core.derive.screw import blocks, cross, elementary
-from mahovik.core.derive.symbols import matrix, vector
+from mahovik.core.derive import SEQUENCES
+from mahovik.core.derive.screw import blocks, cross, elementary, matrix, vector
 
 ANGLES = ("psi", "theta", "phi")
 rates = sp.symbols("psi_dot theta_dot phi_dot")

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mahovik.core.derive.screw import Phi, blocks, cross
-from mahovik.core.derive.symbols import matrix, six_of, symmetric, vector
+from mahovik.core.derive.screw import Phi, blocks, cross, matrix, six_of, symmetric, vector
 
 v, omega = vector("v"), vector("omega")
 V = v.col_join(omega)

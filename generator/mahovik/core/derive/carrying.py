@@ -1,4 +1,4 @@
-"""The steps that carry a generic body's inertia from its frame to E1, in the symbols of programs.
+"""The steps that carry a generic body's inertia from its frame to E1, and its weight (7), in the symbols of programs.
 
 m, b, J: mass, first moment and inertia about the body's origin; O, R: that origin and the body's axes in E1.
 """
@@ -8,8 +8,7 @@ from __future__ import annotations
 import sympy as sp
 
 from mahovik.core.derive import flywheel
-from mahovik.core.derive.screw import elementary
-from mahovik.core.derive.symbols import matrix, symmetric, vector
+from mahovik.core.derive.screw import cross, elementary, matrix, symmetric, vector
 
 
 def harmonics() -> dict[str, flywheel.Inertia]:
@@ -44,3 +43,20 @@ def mounting_axes() -> tuple[sp.Matrix, sp.Matrix]:
     for angle in symbols:
         C = C.subs({sp.cos(angle): sp.Symbol(f"c_{angle}"), sp.sin(angle): sp.Symbol(f"s_{angle}")})
     return C[:, 0], C[:, 1]
+
+
+def weight(displaces: bool) -> sp.Matrix:
+    """Weight of every body and Archimedes force: (m g, mu x g) minus those of the displaced fluid.
+
+    g = gravity in E1; mu at the phases of the flywheels: the line of action of a flywheel's weight moves with it.
+    """
+    g, m, moment = vector("g"), sp.Symbol("m"), vector("mu")
+    if displaces:
+        m = sp.Symbol("weight_mass")
+        moment = moment - vector("displaced_moment")
+    return (m * g).col_join(cross(moment) * g)
+
+
+def weight_reaction(displaces: bool) -> sp.Matrix:
+    """Load of weight and Archimedes force on the mount: the negative of `weight`."""
+    return -weight(displaces)

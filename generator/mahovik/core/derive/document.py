@@ -9,12 +9,10 @@ from typing import Any
 
 import sympy as sp
 
-from mahovik.core.derive import accumulate, carrier, flywheel
+from mahovik.core.derive import SEQUENCES, SYMMETRIC, accumulate, carrier, flywheel
 from mahovik.core.derive.attitude import ANGLES, attitude, kinematics
 from mahovik.core.derive.carrier import V, omega, v
-from mahovik.core.derive.order import SEQUENCES, SYMMETRIC
-from mahovik.core.derive.screw import Phi, T, Theta, blocks, cross, elementary, f
-from mahovik.core.derive.symbols import from_six, matrix, symmetric, vector
+from mahovik.core.derive.screw import Phi, T, Theta, blocks, cross, elementary, f, from_six, matrix, symmetric, vector
 
 HEAD = ("1", r"\cos\varphi", r"\sin\varphi", r"\cos 2\varphi", r"\sin 2\varphi")
 """Heads of the columns of a Fourier polynomial."""

@@ -12,8 +12,22 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from mahovik.core.derive.screw import L, Phi, T, Theta, blocks, bracket, cross, e_bracket, elementary, f
-from mahovik.core.derive.symbols import matrix, six_of, symmetric, vector
+from mahovik.core.derive.screw import (
+    L,
+    Phi,
+    T,
+    Theta,
+    blocks,
+    bracket,
+    cross,
+    e_bracket,
+    elementary,
+    f,
+    matrix,
+    six_of,
+    symmetric,
+    vector,
+)
 
 HARMONICS = ("0", "c", "s", "2c", "2s")
 """Constant, cos phi, sin phi, cos 2 phi, sin 2 phi."""

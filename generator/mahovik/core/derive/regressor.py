@@ -11,8 +11,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from mahovik.core.derive.screw import Phi, Theta, cross
-from mahovik.core.derive.symbols import symmetric, vector
+from mahovik.core.derive.screw import Phi, Theta, cross, symmetric, vector
 
 BODY = (sp.Symbol("m"), *vector("b"), *vector("J", 6))
 """The ten parameters of a body: mass, first moment b = m rc, and J about its origin: 11, 22, 33, 12, 13, 23."""

@@ -1,8 +1,13 @@
-"""The paper's factors: <a>, C1 C2 C3, T, [C], L, Phi(V), f, [<e>], Theta. Linear part first everywhere."""
+"""The paper's factors: <a>, C1 C2 C3, T, [C], L, Phi(V), f, [<e>], Theta. Linear part first everywhere.
+
+Symbols of vectors and matrices have elements `name[i]`, as lowering finds them again.
+"""
 
 from __future__ import annotations
 
 import sympy as sp
+
+from mahovik.core.derive import SYMMETRIC
 
 E3 = sp.eye(3)
 f = sp.Matrix([0, 0, 0, 1, 0, 0])
@@ -58,3 +63,29 @@ def e_bracket() -> sp.Matrix:
 def Theta(m: sp.Expr, b: sp.Matrix, J: sp.Matrix) -> sp.Matrix:
     """Spatial (Mises) inertia about the frame's origin, of mass m, first moment b = m rc, J about the origin."""
     return blocks(m * E3, -cross(b), cross(b), J)
+
+
+def vector(name: str, size: int = 3) -> sp.Matrix:
+    """Column of symbols name[0], name[1], ..."""
+    return sp.Matrix([sp.Symbol(f"{name}[{i}]") for i in range(size)])
+
+
+def matrix(name: str) -> sp.Matrix:
+    """3x3 matrix of symbols name[0..8], row by row."""
+    return sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"{name}[{3 * i + j}]"))
+
+
+def symmetric(name: str) -> sp.Matrix:
+    """Symmetric 3x3 matrix of symbols name[0..5] in the order 11, 22, 33, 12, 13, 23."""
+    return from_six(vector(name, 6))
+
+
+def from_six(six: sp.Matrix) -> sp.Matrix:
+    """Symmetric 3x3 matrix from its six numbers."""
+    index = {pair: k for k, pair in enumerate(SYMMETRIC)}
+    return sp.Matrix(3, 3, lambda i, j: six[index[min(i, j), max(i, j)]])
+
+
+def six_of(full: sp.Matrix) -> sp.Matrix:
+    """The six numbers of a symmetric 3x3 matrix."""
+    return sp.Matrix([full[pair] for pair in SYMMETRIC])

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from mahovik.contract.status import STATUS_VALUES, STATUSES
 from mahovik.core.emit.names import Names
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.thresholds import thresholds
+from mahovik.core.lower.limits import thresholds
 from mahovik.core.program.function import Program
 
 _ALWAYS = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")

@@ -1,6 +1,6 @@
 """The modules of derive/, whose functions give formulas here, read from the data file of the package without SymPy.
 
-`wrench.weight(True)` is `mahovik.core.derive.wrench.weight(True)` with its operations in the order of
+`carrying.weight(True)` is `mahovik.core.derive.carrying.weight(True)` with its operations in the order of
 formula/ordering. Type checkers and editors see the module of derive/ itself: names and arguments are checked, and a
 definition is found. `python tools/formulas.py` writes the file.
 """
@@ -8,16 +8,20 @@ definition is found. `python tools/formulas.py` writes the file.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from mahovik.core.program.expression import Expr, Negate, real
+from mahovik.core.program.vector import Vector
+
 FILE = Path(__file__).with_name("derived.json")
 
-MODULES = ("attitude", "carrying", "regressor", "wrench")
+MODULES = ("attitude", "carrying", "regressor")
 """Modules of derive/ that give formulas."""
 
 
@@ -82,10 +86,50 @@ def _value(members: dict[str, Any]) -> Any:
     return SimpleNamespace(**members["record"]) if "record" in members else members
 
 
+# -- as expressions of a program ---------------------------------------------------------------------------------------
+
+Binding = Mapping[str, Any]
+"""Meaning of a name in a formula: a scalar expression, or something that is indexed (a place, a list)."""
+
+_INDEXED = re.compile(r"(\w+)\[(\d+)\]")
+
+
+def translate(formula: Any, binding: Binding) -> Expr:
+    """`formula` as a program expression. Raises KeyError for a name that `binding` lacks."""
+    match formula:
+        case str():
+            return _place(formula, binding)
+        case float():
+            return real(formula)
+        case ("-", one):
+            return Negate(translate(one, binding))
+        case ("+", left, right):
+            return translate(left, binding) + translate(right, binding)
+        case ("-", left, right):
+            return translate(left, binding) - translate(right, binding)
+        case ("*", left, right):
+            return translate(left, binding) * translate(right, binding)
+    raise TypeError(f"{formula} is no formula")
+
+
+def _place(name: str, binding: Binding) -> Expr:
+    indexed = _INDEXED.fullmatch(name)
+    operand = binding[name] if indexed is None else binding[indexed[1]][int(indexed[2])]
+    assert isinstance(operand, Expr)
+    return operand
+
+
+def formula(values: Any, **binding: Any) -> Any:
+    """A formula, or those of a vector or matrix (row by row), as expressions."""
+    if not isinstance(values, Matrix):
+        return translate(values, binding)
+    return Vector(translate(value, binding) for value in values)
+
+
 if TYPE_CHECKING:
-    from mahovik.core.derive import attitude, carrying, regressor, wrench
+    from mahovik.core.derive import attitude, carrying, regressor
 else:
-    attitude, carrying, regressor, wrench = (FormulaModule(f"core.derive.{name}") for name in MODULES)
+    attitude, carrying, regressor = (FormulaModule(f"core.derive.{name}") for name in MODULES)
 
 __all__ = [
     "FILE",
@@ -95,7 +139,7 @@ __all__ = [
     "Matrix",
     "attitude",
     "carrying",
+    "formula",
     "key",
     "regressor",
-    "wrench",
 ]

@@ -18,7 +18,7 @@ from typing import Any
 
 import sympy as sp
 
-from mahovik.core.derive.order import SEQUENCES
+from mahovik.core.derive import SEQUENCES
 from mahovik.core.formula.derived import MODULES, Formula, Matrix, key
 
 VARIANTS = {"displaces": (False, True), "sequence": tuple(SEQUENCES)}

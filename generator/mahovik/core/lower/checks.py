@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.core.lower.library import Library, unit_square
-from mahovik.core.lower.limits import limits
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import limits, unit_square
 from mahovik.core.program.expression import Const, Status
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import NOT_FINITE, OK, RANGE, Reals, argument, inline, kernel, reals, shortcut

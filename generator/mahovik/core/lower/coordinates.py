@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.contract.quantities import SINGULAR_BELOW
-from mahovik.core.derive.order import SEQUENCES
+from mahovik.core.derive import SEQUENCES
 from mahovik.core.formula.derived import attitude as derived
+from mahovik.core.formula.derived import formula
 from mahovik.core.lower.checks import check_number, check_vector
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.freedoms import (
@@ -24,8 +25,8 @@ from mahovik.core.lower.freedoms import (
     turns_about_point,
     turns_slides,
 )
-from mahovik.core.lower.library import Library, unit_square
-from mahovik.core.lower.symbolic import formula
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import unit_square
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Expr, Status
 from mahovik.core.program.function import Function
@@ -60,6 +61,46 @@ def add_all(lib: Library) -> None:
         add_generalized(lib)
     elif lib.layout.coordinates:
         add_held_coordinates(lib)
+
+
+def rotation() -> Function:
+    """Rotation matrix of a quaternion of any length."""
+
+    @kernel()
+    def rotation(q: Reals = argument("quaternion, w first", 4), C: Reals = result("x0 = C x1, row by row", 9)) -> None:
+        """Rotation matrix of a quaternion of any length: no square root is needed."""
+        k = 2 / dot(q, q)
+        C[:] = formula(derived.rotation_of_quaternion(), q=q, k=k)
+
+    return rotation
+
+
+@kernel(short=True)
+def turn_back(
+    q: Reals = argument("quaternion, w first", 4),
+    a: Reals = argument("", 3),
+    out: Reals = result("must not overlap a", 3),
+) -> None:
+    """C^T a of a quaternion of any length: no matrix is needed."""
+    k = 2 / dot(q, q)
+    t = -cross(a, q[1:4])
+    out[:] = a + k * (-q[0] * t + cross(q[1:4], t))
+
+
+@kernel()
+def rotate_back(
+    C: Reals = argument("", 9), a: Reals = argument("", 3), out: Reals = result("must not overlap a", 3)
+) -> None:
+    """C^T a: components from the outer axes to the rotated axes."""
+    out[:] = C.T @ a
+
+
+@kernel()
+def rotate(
+    C: Reals = argument("", 9), a: Reals = argument("", 3), out: Reals = result("must not overlap a", 3)
+) -> None:
+    """C a: from the turned axes to the outer ones."""
+    out[:] = C @ a
 
 
 def angles_argument(lib: Library) -> Argument:

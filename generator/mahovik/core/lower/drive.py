@@ -1,4 +1,4 @@
-"""torque: what the drives must give for a motion; coupled: the motion that given drive torques make.
+"""torque, reaction: what drives and hold must give for a motion; coupled: the motion that given drive torques make.
 
 V_dot, phi_ddot under given torques: free flywheels are eliminated, from six rows of a free carrier, of a held one from
 the rows along its freedoms.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel
+from mahovik.core.lower.flywheels import along, common_terms, couple_flywheel, turns_of
 from mahovik.core.lower.forward import (
     STATE_STATUSES,
     all_turns,
@@ -25,7 +25,7 @@ from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import start_blocks
 from mahovik.core.lower.wrenches import flywheel_wrenches
 from mahovik.core.program.expression import Status, real
-from mahovik.core.program.kernel import OK, Reals, argument, inline, reals, record, result
+from mahovik.core.program.kernel import OK, Reals, argument, inline, local, reals, record, result
 
 
 @inline
@@ -219,3 +219,33 @@ def left_for(tau: Any, drive: Any, wrenches: Any, s: Any, drift: Any) -> Any:
 def without(torque: Any, coupling: Any, drift: Any) -> Any:
     """A torque less I_s . (drift, 0)."""
     return torque if drift is None else torque - along(coupling, [*drift, real(0), real(0), real(0)])
+
+
+def add_reaction(lib: Library) -> None:
+    """Adds R = K V_r_dot - (F - M V_r - I phi_ddot - J phi_dot) of a motion, by all six rows of (8)."""
+    purpose = "wrench of the hold on the carrier, in E1 about O1; may overlap any input"
+
+    @lib.kernel(equation="(8)", statuses=STATE_STATUSES, public=True)
+    def reaction(
+        table: Any = lib.table,
+        x: Any = lib.x,
+        V_dot: Reals = argument(
+            "derivative of the components of V, as forward or coupled gives it", 6, unit="m/s2, rad/s2"
+        ),
+        phi_ddot: Any = lib.phi_ddot,
+        wrench: Any = lib.wrench,
+        reaction: Reals = result(purpose, 6, unit="N, N m"),
+    ) -> Status:
+        """Wrench of the hold on the carrier for a motion: R = K V_dot - (F - M V - sum(I phi_ddot + J phi_dot))."""
+        check_inputs(lib, table, x, phi_ddot, wrench)
+        lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
+        seen = scene(lib, table, x, turns=turns_of(lib, x))
+        sum_up(lib, table, x, seen, phi_ddot)
+        F = reals(6)  # wrench (7); then the right-hand side of (8)
+        external_wrench(lib, table, x, seen, wrench, F)
+        lib["subtract_rates"](table, seen.sums, seen.V, F)
+        moving = relative_rate(x, V_dot, seen.stream)
+        written = local("result", 6)
+        lib["react"](table, seen.sums, moving, F, written)
+        reaction[:] = written
+        return OK

@@ -7,13 +7,14 @@ from typing import Any
 
 from mahovik.core import routines
 from mahovik.core.formula.derived import attitude as derived
-from mahovik.core.lower import checks, rotation
+from mahovik.core.formula.derived import formula
+from mahovik.core.lower import checks, coordinates
 from mahovik.core.lower.coordinates import Target, Ways, read_slides, read_turn
 from mahovik.core.lower.freedoms import TURNS, columns, scalar_coordinates, speeds, turns_about_point
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.library import Library, unit_square
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import unit_square
 from mahovik.core.lower.step import check_length
-from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Program
 from mahovik.core.program.kernel import (
@@ -50,7 +51,7 @@ def lower_fmu(layout: Layout) -> Program:
     angle = layout.coordinates and has_angle(layout.ways)
     lib.add(routines.square_root(precision))
     lib.add(checks.within(lib))
-    lib.add(rotation.rotation())
+    lib.add(coordinates.rotation())
     add_pose(lib)
     if layout.flywheels or angle:
         lib.add(routines.unwind(precision))
@@ -58,7 +59,7 @@ def lower_fmu(layout: Layout) -> Program:
         lib.add(routines.wrap(precision, lib["unwound"]))
         add_count_phases(lib)
     if layout.held:
-        lib.add(rotation.rotate_back)
+        lib.add(coordinates.rotate_back)
         add_off_hold(lib)
     if layout.coordinates:
         if Ways(layout.ways).turns:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.lower import stream_profile, units
+from mahovik.core.lower import stream, units
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import OF_HOLD, Layout
 from mahovik.core.lower.limits import limits
@@ -139,8 +139,8 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
         if f.name in ("gravity", "stream"):
             what = {"gravity": "gravity in E0", "stream": "velocity of the fluid in E0"}[f.name]
             yield from vector(f.name, f, value, what)
-        elif f.name == stream_profile.NAME:
-            yield from stream_profile.members(value)
+        elif f.name == stream.NAME:
+            yield from stream.members(value)
         elif f.name == "damper":
             yield from _damper_members("carrier", layout, value)
         elif f.name in of_arrays:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from mahovik.core.lower.thresholds import Thresholds, thresholds
+from mahovik.core.lower.limits import Limit, Thresholds, limits, thresholds
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Operand
+from mahovik.core.program.expression import Expr, Operand
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import kernel
 from mahovik.core.program.simplify import prune
@@ -36,14 +36,24 @@ class Structs(Protocol):
 
 
 class FunctionSet:
-    """The functions built so far by name, each after those it calls; structs and thresholds for the next ones."""
+    """The functions built so far by name, each after those it calls; structs and bounds for the next ones."""
 
     layout: Structs
 
     def __init__(self, layout: Structs) -> None:
         self.layout = layout
+        self.limits: dict[str, Limit] = limits(layout.precision)
         self.thresholds: Thresholds = thresholds(layout.precision)
         self._functions: dict[str, Function] = {}
+
+    @property
+    def largest(self) -> Expr:
+        """The largest finite number."""
+        return self.limits["LARGEST"].expression
+
+    def limit(self, name: str) -> Any:
+        """The bound of that name, a named constant."""
+        return self.limits[name].expression
 
     def add(self, function: Function) -> Function:
         """Adds a function; later ones may call it. An internal function loses the arguments that it does not use."""

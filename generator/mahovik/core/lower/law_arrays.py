@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core import routines
-from mahovik.core.lower import checks, coordinates, prepare, rotation
+from mahovik.core.lower import checks, coordinates, prepare
 from mahovik.core.lower.law import ATTITUDE, OWN_TWIST, BodyProgram
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
@@ -44,8 +44,8 @@ def law_functions(stand_structure: Structure) -> tuple[Library, Interpreter, Col
     for routine in (routines.sincos, routines.square_root, routines.atan2):
         lib.add(routine(DOUBLE))
     lib.add(checks.within(lib))
-    lib.add(rotation.rotation())
-    lib.add(rotation.rotate_back)
+    lib.add(coordinates.rotation())
+    lib.add(coordinates.rotate_back)
     lib.add(coordinates.quaternion(lib))
     prepare.add_frame_of_axes(lib)
     add_laws(lib)

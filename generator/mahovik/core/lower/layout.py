@@ -7,7 +7,7 @@ from functools import cached_property
 
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.quantities import BOUNDS, short
-from mahovik.core.lower import stream_profile
+from mahovik.core.lower import stream
 from mahovik.core.lower.freedoms import are_closed, coordinates_struct, momenta_needed
 from mahovik.core.lower.law import BodyProgram, CarrierProgram, RunTimeInput
 from mahovik.core.program.types import Field, Kind, NamedCount, Precision, Struct
@@ -443,7 +443,7 @@ class Layout:
             laws.append(Field("gravity", REAL, (3,), "m/s2", "in E0"))
         if self.stream:
             laws.append(Field("stream", REAL, (3,), "m/s", "velocity of the fluid, in E0"))
-        laws += stream_profile.table_fields(self.structure)
+        laws += stream.table_fields(self.structure)
         if self.freedoms:
             laws.append(Field("S", REAL, (6, self.freedoms), "", "twists of the hold's freedoms, V = S u"))
         if self.held:

@@ -7,29 +7,14 @@ from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, Limit, limits
 from mahovik.core.program.call import Argument
-from mahovik.core.program.expression import Expr, and_
 from mahovik.core.program.types import Kind
 
 
 class Library(FunctionSet):
-    """The functions of a stand's program; beside those of its layout, the limits of numbers."""
+    """The functions of a stand's program, with the arguments that they share."""
 
     layout: Layout
-
-    def __init__(self, layout: Layout) -> None:
-        super().__init__(layout)
-        self.limits: dict[str, Limit] = limits(layout.precision)
-
-    @property
-    def largest(self) -> Expr:
-        """The largest finite number."""
-        return self.limits["LARGEST"].expression
-
-    def limit(self, name: str) -> Any:
-        """The bound of that name, a named constant."""
-        return self.limits[name].expression
 
     @property
     def sine(self) -> Any:
@@ -93,8 +78,3 @@ class Library(FunctionSet):
         """Argument: flywheels that a lock holds."""
         purpose = "not 0: a lock holds phi_ddot = 0, whatever its tau; null: no lock"
         return Argument("locked", Kind.INT, (self.layout.count,), purpose=purpose, optional="zeros")
-
-
-def unit_square(square: Expr) -> Expr:
-    """Is a length, given as its square, within 1e-3 of 1?"""
-    return and_(square >= UNIT_SQUARE_MIN, square <= UNIT_SQUARE_MAX)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
 from mahovik.core.lower.solve import POSITIVE, invert_symmetric

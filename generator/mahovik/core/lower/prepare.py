@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive import SYMMETRIC
 from mahovik.core.formula.derived import carrying as derived
+from mahovik.core.formula.derived import formula
 from mahovik.core.lower import hold
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from importlib import import_module
-from importlib.util import find_spec
 
-from mahovik.contract.functions import FUNCTIONS
 from mahovik.core import routines
 from mahovik.core.lower import (
     allocate,
@@ -25,10 +22,8 @@ from mahovik.core.lower import (
     matrices,
     mounts,
     parameters,
-    points,
     prepare,
     regressor,
-    rotation,
     solve,
     step,
     stream,
@@ -72,10 +67,10 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = (), slopes: bool = Tr
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
     checks.add_checks(lib)
-    lib.add(rotation.rotation())
-    lib.add(rotation.rotate_back)
+    lib.add(coordinates.rotation())
+    lib.add(coordinates.rotate_back)
     if layout.held:
-        lib.add(rotation.turn_back)
+        lib.add(coordinates.turn_back)
     lib.add(flywheels.start_sums(lib))
     if layout.flywheels:
         # beside few freedoms a call of it counts
@@ -103,13 +98,14 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = (), slopes: bool = Tr
     if not layout.held or (layout.freedoms and layout.flywheels):
         _add_inverse(lib)
     if layout.sensors:
-        points.add_points(lib)
+        matrices.add_points(lib)
     coordinates.add_all(lib)
     _add_prepare(lib)
     if layout.flywheels:
         mounts.add_mounts(lib)
         lib.add(mounts.prepare_mounts(lib))
-    _add_listed(lib)
+    if layout.held:
+        drive.add_reaction(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)
     if "identify_step" in chosen and layout.flywheels:
@@ -160,7 +156,7 @@ def lower_numbers(layout: Layout) -> Program:
         lib.add(mounts.prepare_mounts(lib))
     program = _program(lib)
     if layout.held:  # stops ask for the axes of the home pose
-        program = replace(program, functions=(rotation.rotation(), *program.functions))
+        program = replace(program, functions=(coordinates.rotation(), *program.functions))
     return program
 
 
@@ -206,15 +202,6 @@ def _add_prepare(lib: Library) -> None:
         parameters.add_added_mass(lib)
     parameters.add_check_parameters(lib)
     prepare.add_prepare(lib)
-
-
-def _add_listed(lib: Library) -> None:
-    """Functions of the contract that are not added above: each is a file of its name in this folder."""
-    for name, row in FUNCTIONS.items():
-        present = not row.needs or bool(getattr(lib.layout, row.needs))
-        present &= not (lib.layout.held and name in hold.OF_FREEDOMS | hold.OF_COORDINATES)
-        if name not in lib and present and find_spec(f"mahovik.core.lower.{name}"):
-            lib.add(getattr(import_module(f"mahovik.core.lower.{name}"), name)(lib))
 
 
 def _add_wrenches(lib: Library) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from mahovik.core.formula.derived import formula
 from mahovik.core.formula.derived import regressor as derived
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs, relative_rate, scene
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, Reals, argument, reals, result
 from mahovik.core.program.vector import Matrix, cross

@@ -20,9 +20,10 @@ from typing import Any
 
 from mahovik.contract.quantities import BOUNDS, short
 from mahovik.core import routines
-from mahovik.core.lower import checks, rotation
+from mahovik.core.lower import checks, coordinates
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.library import Library, unit_square
+from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import unit_square
 from mahovik.core.lower.programme import MOST, check_phase, first_turn
 from mahovik.core.program.expression import Status
 from mahovik.core.program.function import Program
@@ -195,7 +196,7 @@ def lower_servo(layout: Layout, form: ServoForm) -> Program:
         if THETA in trim.coordinates:
             lib.add(routines.square_root(precision))
         lib.add(routines.atan2(precision))
-        lib.add(rotation.rotation())
+        lib.add(coordinates.rotation())
     lib.add(routines.unwind(precision))
     lib.add(routines.wrap(precision, lib["unwound"]))
     lib.add(checks.within(lib))

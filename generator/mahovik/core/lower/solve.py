@@ -8,7 +8,7 @@ from __future__ import annotations
 from itertools import product
 from typing import Any
 
-from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.library import Library
 from mahovik.core.program.expression import Place, Status
 from mahovik.core.program.kernel import NOT_POSITIVE_DEFINITE, OK, Reals, argument, changed, inline, let, reals, result

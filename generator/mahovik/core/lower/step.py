@@ -11,12 +11,12 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from mahovik.core.formula.derived import attitude as derived
+from mahovik.core.formula.derived import formula
 from mahovik.core.lower import hold
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.flywheels import turns_of
 from mahovik.core.lower.forward import STATE_STATUSES, check_inputs
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Present, Status
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,

@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core import routines
-from mahovik.core.derive.order import SYMMETRIC
+from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.demand import ANSWER_NOTE, check_answer, check_demand, less, right_side, substitute
 from mahovik.core.lower.excess import at_most, bit, check_motor, refuse

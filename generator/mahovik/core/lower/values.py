@@ -16,13 +16,12 @@ from numpy.typing import NDArray
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core import routines
-from mahovik.core.derive.order import SYMMETRIC
-from mahovik.core.formula.derived import carrying
-from mahovik.core.lower import stream_profile
+from mahovik.core.derive import SYMMETRIC
+from mahovik.core.formula.derived import carrying, formula
+from mahovik.core.lower import stream
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import Layout
-from mahovik.core.lower.symbolic import formula
-from mahovik.core.lower.thresholds import thresholds
+from mahovik.core.lower.limits import thresholds
 from mahovik.core.lower.units import member
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.interpret import Interpreter
@@ -173,7 +172,7 @@ class _Laws:
         if stand.stream is not None:
             laws["stream"] = list(stand.stream)
         if stand.profile is not None:
-            laws[stream_profile.NAME] = stream_profile.values(stand.profile)
+            laws[stream.NAME] = stream.values(stand.profile)
         if stand.hold is not None:
             pivot, sliding = carried_point(stand.hold)
             laws |= {"pivot": list(pivot), "sliding": [x for row in sliding for x in row]}

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.formula.derived import wrench as derived
+from mahovik.core.formula.derived import carrying as derived
+from mahovik.core.formula.derived import formula
 from mahovik.core.lower.checks import check_number
 from mahovik.core.lower.law import BodyProgram
 from mahovik.core.lower.layout import run_time_inputs
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.symbolic import formula
 from mahovik.core.program.expression import Expr, Status, real
 from mahovik.core.program.kernel import OK, Reals, argument, body, changed, inline, reals, result
 from mahovik.core.program.vector import Vector, cross

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.quantities import QUANTITIES
 from mahovik.contract.status import refusal_reason, status_words
-from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, limits
-from mahovik.core.lower.thresholds import thresholds
+from mahovik.core.lower.limits import UNIT_SQUARE_MAX, UNIT_SQUARE_MIN, limits, thresholds
 from mahovik.core.program.arrays import ArgumentLayout
 from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.errors import RefusedError

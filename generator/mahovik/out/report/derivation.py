@@ -9,10 +9,9 @@ import numpy as np
 import sympy as sp
 from markupsafe import Markup
 
-from mahovik.core.derive import carrier
+from mahovik.core.derive import SYMMETRIC, carrier
+from mahovik.core.derive.carrying import weight as derive_weight
 from mahovik.core.derive.document import HEAD, Formula, Section, Table, held, number, numbers, sections, turns
-from mahovik.core.derive.order import SYMMETRIC
-from mahovik.core.derive.wrench import weight as derive_weight
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout

@@ -16,7 +16,7 @@ import numpy as np
 
 from mahovik.contract.limits import PERTURBATION, PERTURBATIONS, RESTING
 from mahovik.contract.quantities import BESIDE, FLOORS
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import random_state
 from mahovik.core.stand.state import State

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
-from mahovik.core.lower.thresholds import THRESHOLDS
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.fields import Mat3, Vec6
 from mahovik.core.stand.model import COMPONENTS, Stand
