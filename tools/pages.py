@@ -59,8 +59,8 @@ with status 2 there is no output. Commands without a table print the files that 
 narrow terminals and never in a pipe.
 
 **Files** are written whole or not at all, also after Ctrl-C; searches and runs keep their results so far and say
-so. Folders given with `-o` are created. `new`, `generate` and `export` never overwrite a file that mahovik did not
-write. `-o` also takes a device or a FIFO, such as `/dev/null`: it gets the format that its name ends in, else the first
+so. Folders given with `-o` are created. `new` and `generate` never overwrite a file that mahovik did not write. `-o`
+also takes a device or a FIFO, such as `/dev/null`: it gets the format that its name ends in, else the first
 one that the help lists.
 
 How long a start takes is [measured](results.md#generation).
