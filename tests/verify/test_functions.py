@@ -18,8 +18,9 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.draw import draw, draw_decided
 from mahovik.proof.verify.functions.table import JUDGES, FunctionJudge, checks_of, function_checks
+from mahovik.proof.verify.harness import judge
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call, wrong_values
 from mahovik.proof.verify.scales import Scales
 from toolchain.quick import quick
@@ -40,9 +41,11 @@ def case_of(name: str, folder: Path | None = None, real: str = "double", stand: 
     return Case(stand, backend, states, LIMITS[real], Second(stand), Scales(stand, real), 3)
 
 
-def planted(name: str, folder: Path, function: str, pattern: str, wrong: str, stand: Stand | None = None) -> Path:
+def planted(
+    name: str, folder: Path, function: str, pattern: str, wrong: str, stand: Stand | None = None, real: str = "double"
+) -> Path:
     """The C of an example with one fault in a function: exactly one place of the text changes."""
-    files = dict(generate_all(stand or example(name)).files)
+    files = dict(generate_all(stand or example(name), real).files)
     text = files[f"{name}.c"]
     start = re.search(rf"^(static )?[\w ]*\b{name}_{function}\([^;]*?\)\n\{{", text, re.DOTALL | re.MULTILINE)
     assert start is not None, f"no function {function}"
@@ -102,6 +105,34 @@ def test_a_function_of_which_no_state_is_compared_fails(monkeypatch: pytest.Monk
 def test_each_bit_is_drawn_on_both_sides_of_its_bound() -> None:
     states = {row.quantity: row.states for row in checks_of(case_of("demo3"), "inverse")}
     assert {bit for bit in BITS if states.get(f"{bit} at its bound", 0) >= 2} == {*BITS} - {"COARSE"}
+
+
+DECISIONS = {
+    "tolerance twice as large": r"left > 4 * \1 * wanted",
+    "tolerance half as large": r"4 * left > \1 * wanted",
+    "comparison reversed": r"left < \1 * wanted",
+}
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+@pytest.mark.parametrize("fault", DECISIONS)
+def test_a_wrong_decision_of_what_is_out_of_reach_is_noticed(fault: str, real: str, tmp_path: Path) -> None:
+    folder = planted("demo3", tmp_path, "inverse", r"left > (\S+) \* wanted", DECISIONS[fault], real=real)
+    failed = {row.quantity for row in checks_of(case_of("demo3", folder, real), "inverse") if row.failed}
+    assert "UNREACHABLE at its bound" in failed
+    assert ("UNREACHABLE" in failed) == (fault == "comparison reversed")
+
+
+@pytest.mark.parametrize(("name", "seed", "by_residual"), [("remus6", 2, 1), ("auv6", 1, 0)])
+def test_a_bit_that_rounding_decides_is_judged_by_the_residual(name: str, seed: int, by_residual: int) -> None:
+    """In float terms of a residual may be so far above the demand that their rounding is out of reach by itself."""
+    stand, scales, backend = example(name), Scales(example(name), "float", seed), CBackend(example(name), "float")
+    states = draw_decided(stand, scales, seed, 60, "float")
+    rows = {row.quantity: row for row in judge(stand, backend, states, ("inverse",), LIMITS["float"], scales=scales)}
+    status = rows["status"]
+    assert not any(row.failed for row in rows.values()) and (status.states, status.skipped) == (60, 0)
+    words = f"UNREACHABLE by the residual at {by_residual} states, as rounding decides it"
+    assert status.words == (words if by_residual else "")
 
 
 CHECKS = [

@@ -17,11 +17,11 @@ from mahovik.core.stand import Stand, load, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof import reference
 from mahovik.proof.second import Second
-from mahovik.proof.verify.backends import NumpyBackend
+from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.optimality import least_pivot
 from mahovik.proof.verify.functions.table import checks_of
@@ -61,14 +61,15 @@ PULLED = LEG.replace("carrier = [0, 0, 0]", "carrier = [0.1, 0, 0]")
 
 def judged(stand: Stand, wants: tuple[str, ...], error: float = 0.0) -> dict[tuple[str, str], float]:
     """Worst difference of any pair over its bound, of the reference as the judged program; `error` added to u_dot."""
-    judge = Judge(stand, DOUBLE, Second(stand))
+    scales, second = Scales(stand), CasadiBackend(stand, Second(stand))
+    judges = {want: Rows(DOUBLE, scales, want, second=second) for want in wants}
     for name, state in draw(stand, 1, 6):
-        for want in wants:
+        for want, judge in judges.items():
             answer = reference.evaluate(stand, state, [want])
             if "u_dot" in answer:
                 answer["u_dot"] = answer["u_dot"] + error
-            judge.compare(Request(name, state, (want,)), want, answer)
-    return {(row.judged, row.quantity): row.share for row in judge.checks()}
+            judge.compare_want(Request(name, state, (want,)), answer)
+    return {(row.judged, row.quantity): row.share for judge in judges.values() for row in judge.checks()}
 
 
 @pytest.mark.parametrize("tables", ["", LEG, LEG + WHEEL, PULLED, WHEEL])
@@ -91,14 +92,15 @@ def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
 def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
     """A relative error of 1e-9 in the answer of the program fails, at ordinary states."""
     stand = random_held_stand("hinge", 4)
-    judge = Judge(stand, DOUBLE)
+    scales = Scales(stand)
+    judge = Rows(DOUBLE, scales, "forward")
     for name, state in draw(stand, 1, 6, wrenches=False):
-        measured = judge.scales.want(state, "forward")
+        measured = scales.want(state, "forward")
         assert measured is not None
         expected = measured.values
         if quantity in expected:
             wrong = {**expected, quantity: np.array(expected[quantity]) * (1 + 1e-9)}
-            judge.compare(Request(name, state, ("forward",)), "forward", wrong)
+            judge.compare_want(Request(name, state, ("forward",)), wrong)
     verdicts = {row.quantity: row.verdict for row in judge.checks()}
     assert verdicts.pop(quantity) == "FAILED" and set(verdicts.values()) == {"ok"}
 
@@ -206,8 +208,8 @@ def test_a_quaternion_may_have_either_sign_at_half_a_turn_alone() -> None:
     states = dict(draw(stand, 2, 13))
     for name, verdict in (("half_turn 12", "ok"), ("random 1", "FAILED")):
         answers = NumpyBackend(stand).evaluate(states[name], ("generalized",))
-        judge = Judge(stand)
-        judge.compare(Request(name, states[name], ("generalized",)), "generalized", answers | {
+        judge = Rows(DOUBLE, Scales(stand), "generalized")
+        judge.compare_want(Request(name, states[name], ("generalized",)), answers | {
             "orientation": -np.asarray(answers["orientation"])
         })  # fmt: skip
         assert {row.verdict for row in judge.checks() if row.quantity == "orientation"} == {verdict}

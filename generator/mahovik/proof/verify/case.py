@@ -1,4 +1,4 @@
-"""A stand, its program and some ordinary states: what every judge of a function starts from; and the rows it fills."""
+"""A stand, its program and some ordinary states: what every judge of a function starts from."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import Equation, Scales
+from mahovik.proof.verify.scales import Scales
 
 
 @dataclass(frozen=True)
@@ -100,71 +99,6 @@ class Case:
         return np.asarray(
             (order % 2 == 0, order % 2 == 1, order != number % max(self.count, 1), order >= 0)[number % 4]
         )
-
-
-class Rows:
-    """Checks of one function, one for each quantity of its results. Limits are those of the contract, by kind (Limits).
-
-    kind    kind of the judge, of all checks that have no other
-    scales  the reference with its scales; None where the judge measures scales by itself
-    """
-
-    def __init__(self, limits: Limits, scales: Scales | None, function: str, kind: str = "value") -> None:
-        self.limits, self.function = limits, function
-        self._scales, self._kind = scales, kind
-        self._checks: dict[str, Check] = {}
-
-    def checks(self) -> list[Check]:
-        """All checks, in the order in which their quantities came."""
-        for check in self._checks.values():
-            check.settle()
-        return [*self._checks.values()]
-
-    def add(self, check: Check) -> None:
-        """A check with a limit of its own kind, such as one that a file states."""
-        self._checks[check.quantity] = check
-
-    def check(self, quantity: str, kind: str = "") -> Check:
-        """The check of a quantity."""
-        limit = getattr(self.limits, kind or self._kind)
-        return self._checks.setdefault(quantity, Check(self.function, quantity, limit, floor=self.limits.floor))
-
-    def demand(self, quantity: str, right: bool, state: str, words: str = "") -> None:
-        """Count one state at which only equality is right."""
-        self.check(quantity, "exact").demand(right, state, words)
-
-    def compare(
-        self, name: str, state: State, equation: Equation, answer: Mapping[str, Any], suffix: str = "",
-        least_squares: bool = False, weak: Sequence[str] = (),
-    ) -> None:  # fmt: skip
-        """Compare results with the answer of an equation, each of its quantities, with measured scales.
-
-        A state where the reference has no answer, or where rounding decides a word of it, is left out. `weak`:
-        quantities of which a solver regularises a part, of the kind `optimality`.
-        """
-        assert self._scales is not None
-        try:
-            measured = self._scales.measure(state, equation, least_squares)
-        except (StateError, np.linalg.LinAlgError) as error:
-            self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
-            return
-        for quantity, value in measured.values.items():
-            kind, words = ("optimality", ", of weak directions") if quantity in weak else ("value", "")
-            check, scale = self.check(f"{quantity}{words}{suffix}", kind), measured.scales[quantity]
-            if measured.undecided:
-                check.skip("rounding decides a word of the answer", name)
-                continue
-            check.note_scale(quantity, value, scale)
-            off, words = difference(answer.get(quantity), value, scale, check.floor)
-            check.note(off, name, words)
-
-    def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
-        """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
-        assert self._scales is not None
-        measured = self._scales.measure(state, sides, least_squares=True)
-        for key, (left, right) in measured.values.items():
-            scale = np.full(left.shape, np.max(measured.scales[key], initial=0.0) + floor)
-            self.check(quantity, "value").compare(left, right, scale, name)
 
 
 def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: int) -> list[tuple[str, State]]:

@@ -40,6 +40,7 @@ class Check:
     second_limit  accepted `second`; None: as `limit`
     floor         least scale
     amplified     scales over the sizes of their quantities
+    left_out      why states were skipped
     """
 
     judged: str
@@ -56,6 +57,7 @@ class Check:
     second_limit: float | None = None
     floor: float = FLOOR
     amplified: list[float] = field(default_factory=list, repr=False)
+    left_out: str = field(default="", repr=False)
 
     @classmethod
     def of(cls, quantity: str, value: float, limit: float, words: str = "") -> Check:
@@ -113,11 +115,12 @@ class Check:
     def skip(self, words: str, state: str = "") -> None:
         """Leave a state out."""
         self.skipped += 1
+        self.left_out = words
         if not self.states:
             self.state, self.words = state, words
         self._decide()
         if self.failed and self.share <= 1:
-            self.state, self.words = state, f"{self.skipped} of {self.states + self.skipped} states left out: {words}"
+            self.state, self.words = state, self._skipped_words
 
     def note_scale(self, quantity: str, value: Any, scale: Any) -> None:
         """Keep how large a scale is for its quantity, but of one that may be zero by its structure."""
@@ -132,6 +135,12 @@ class Check:
         if len(self.amplified) >= ENOUGH and (scale := median(self.amplified)) > MOST_SCALE:
             self.demand(False, "", f"its scale is {scale:.0e} times its size: no error would be seen")
         self.amplified = []
+        if self.verdict == "ok" and self.skipped:
+            self.words = self.words or self._skipped_words
+
+    @property
+    def _skipped_words(self) -> str:
+        return f"{self.skipped} of {self.states + self.skipped} states left out: {self.left_out}"
 
     def _decide(self) -> None:
         if self.states:

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
-from mahovik.contract.limits import DOUBLE, Limits
-from mahovik.core.stand.model import Stand
+from mahovik.contract.limits import Limits
+from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
-from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import ROUNDINGS, Scales
+from mahovik.proof.verify.scales import ROUNDINGS, Equation, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
 HALF_TURN = 1e-9
@@ -55,128 +55,192 @@ def odd_one(judged: float, second: float, between: float, words: str) -> str:
     return pair if nearest <= 1 else "no two agree"
 
 
-class Judge:
-    """Compares results of one stand with the reference and keeps the worst of every quantity.
+class Rows:
+    """Checks of one function or want, a check for each quantity of its results, by the limits of the contract.
 
-    With `second`, the second derivation is compared as well where it has the want. A state that the reference refuses
-    tests nothing; one where rounding decides a word of the answer is left out of the checks of this want, which say so.
-    Where the second derivation refuses a want at every state, the others are compared without it, and a check says why;
-    where it refuses some states only, the want fails. A reaction of accelerations that are out of range is not
-    compared: its function does not take them.
+    A state that the reference refuses tests nothing. One where rounding decides the rank of an answer, or whether there
+    is one, is left out; of a status that differs the bit alone that rounding decides. The checks count both, and fail
+    where they are many. UNREACHABLE is then judged by the residual of the answer, which is compared itself.
+
+    limits  of the contract, by kind
+    scales  the reference with its scales; None where the judge measures scales by itself
+    judged  name of the function or want
+    kind    of all checks that have no other
+    second  the second derivation, compared as well where it has the want. Where it refuses the want at every state, the
+            others are compared without it, and a check says why; where it refuses some states only, the want fails
+    by      what is judged, in words
     """
 
     def __init__(
-        self, stand: Stand, limits: Limits = DOUBLE, second: Second | None = None, judged: str = "C",
-        scales: Scales | None = None,
+        self, limits: Limits, scales: Scales | None, judged: str, kind: str = "value",
+        second: CasadiBackend | None = None, by: str = "C",
     ) -> None:  # fmt: skip
-        self._stand, self._limits, self._judged = stand, limits, judged
-        self._second = None if second is None else CasadiBackend(stand, second)
-        self.scales = scales or Scales(stand, limits.real)
-        self._checks: dict[tuple[str, str], Check] = {}
-        self._answered: set[str] = set()
-        self._one_sided: dict[str, list[tuple[Check, float, Request, str]]] = {}
+        self.limits, self.function = limits, judged
+        self._scales, self._kind, self._second, self._by = scales, kind, second, by
+        self._checks: dict[str, Check] = {}
+        self._one_sided: list[tuple[Check, float, Request, str]] = []
+        self._second_answers, self._by_residual = False, 0
+
+    def checks(self) -> list[Check]:
+        """All checks, in the order in which their quantities came."""
+        more, refused = list[Check](), self._one_sided
+        self._one_sided = []
+        for check, off, request, refusal in refused:
+            if self._second_answers:
+                self._note(check, (off, math.inf, math.inf), request, refusal)
+            else:
+                check.note(off, _name(request), "", request)
+        if refused and not self._second_answers:
+            more = [Check(self.function, "second derivation", words=f"{refused[0][-1]}; so at every state")]
+        for check in self._checks.values():
+            check.settle()
+        if self._by_residual and not (status := self.check("status")).words:
+            status.words = f"UNREACHABLE by the residual at {self._by_residual} states, as rounding decides it"
+        return [*self._checks.values(), *more]
+
+    def add(self, check: Check) -> None:
+        """A check with a limit of its own kind, such as one that a file states."""
+        self._checks[check.quantity] = check
+
+    def check(self, quantity: str, kind: str = "") -> Check:
+        """The check of a quantity."""
+        limit, second = getattr(self.limits, kind or self._kind), self.limits.second
+        check = Check(self.function, quantity, limit, second_limit=second, floor=self.limits.floor)
+        return self._checks.setdefault(quantity, check)
+
+    def demand(self, quantity: str, right: bool, state: str, words: str = "") -> None:
+        """Count one state at which only equality is right."""
+        self.check(quantity, "exact").demand(right, state, words)
 
     def compare(
-        self,
-        request: Request,
-        want: str,
-        answer: Mapping[str, Any] | None,
-        left_out: Collection[str] = (),
-        words: str = "",
-    ) -> None:
-        """Note the differences of one state, but of what is `left_out`.
+        self, name: str, state: State, equation: Equation, answer: Mapping[str, Any], suffix: str = "",
+        least_squares: bool = False, weak: Sequence[str] = (),
+    ) -> None:  # fmt: skip
+        """Compare results with the answer of an equation, each of its quantities, with measured scales.
 
-        `answer`: the judged values; None where the state was refused, for the reason in `words`.
+        A state where the reference has no answer is left out. `weak`: quantities of which a solver regularises a part,
+        of the kind `optimality`.
         """
-        measured = self.scales.want(request.state, want)
+        assert self._scales is not None
+        try:
+            measured = self._scales.measure(state, equation, least_squares)
+        except (StateError, np.linalg.LinAlgError) as error:
+            self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
+            return
+        for check, _, _, off, words in self._differences(name, measured, answer, suffix=suffix, weak=weak):
+            check.note(off, name, words)
+
+    def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
+        """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
+        assert self._scales is not None
+        measured = self._scales.measure(state, sides, least_squares=True)
+        for key, (left, right) in measured.values.items():
+            scale = np.full(left.shape, np.max(measured.scales[key], initial=0.0) + floor)
+            self.check(quantity, "value").compare(left, right, scale, name)
+
+    def compare_want(
+        self, request: Request, answer: Mapping[str, Any] | None, left_out: Collection[str] = (), words: str = ""
+    ) -> None:
+        """Compare the answer to a want of `eval` at one state, but what is `left_out`, and the second derivation's.
+
+        `answer`: None where the state was refused, for the reason in `words`. A reaction of accelerations that are out
+        of range is not compared: its function does not take them.
+        """
+        assert self._scales is not None
+        measured = self._scales.want(request.state, self.function)
         if measured is None:
             return
-        values = {name: value for name, value in measured.values.items() if name not in left_out}
-        if is_beyond(measured.values):
-            values.pop("reaction", None)
-        if measured.undecided and answer is not None:
-            for quantity in values:
-                self._check(want, quantity).skip("rounding decides a word of the answer", _name(request))
-            return
-        second, refusal = self._second_values(request.state, want)
-        for quantity, value in values.items():
-            off, reason, between = math.inf, words, math.inf
-            scale, floor = measured.scales[quantity], self._limits.floor
-            if answer is not None:
-                if quantity in ("q", "orientation") and self._stand.hold is not None:
-                    near = max(HALF_TURN, self._limits.value)
-                    answer = {**answer, quantity: _half_turns_as(quantity, value, answer.get(quantity), near)}
-                off, reason = difference(answer.get(quantity), value, scale, floor)
-            check = self._check(want, quantity)
-            check.note_scale(quantity, value, scale)
+        if self.function == "inverse" and not request.state.task and answer is not None:
+            measured = self._reached(request.state, measured, answer)
+        left_out = (*left_out, *(("reaction",) if is_beyond(measured.values) else ()))
+        second, refusal = self._second_values(request.state)
+        for check, quantity, result, off, reason in self._differences(
+            _name(request), measured, answer, left_out=left_out, words=words
+        ):
             if refusal and answer is None:
                 self._note(check, (off, math.inf, 0.0), request, f"{reason}; {refusal}")
             elif refusal:
-                self._one_sided.setdefault(want, []).append((check, off, request, refusal))
+                self._one_sided.append((check, off, request, refusal))
             elif quantity in second:
-                self._answered.add(want)
-                other, more = difference(second[quantity], value, scale, floor)
-                if other > check.accepted_of_second and other <= self._noise(request.state, want, quantity, scale):
+                self._second_answers = True
+                value, scale, between = measured.values[quantity], measured.scales[quantity], math.inf
+                other, more = difference(second[quantity], value, scale, check.floor)
+                if other > check.accepted_of_second and other <= self._noise(request.state, quantity, scale):
                     check.note(off, _name(request), reason, request)
                     continue
                 if answer is not None:
-                    between = difference(answer.get(quantity), second[quantity], scale, floor)[0]
+                    between = difference(result, second[quantity], scale, check.floor)[0]
                 self._note(check, (off, other, between), request, reason or more)
             else:
                 check.note(off, _name(request), reason, request)
+
+    def _reached(self, state: State, measured: Measured, answer: Mapping[str, Any]) -> Measured:
+        """What is expected, with UNREACHABLE by the residual of the answer where rounding decides it."""
+        assert self._scales is not None
+        due, expected = self._scales.reach(state, measured, answer.get("residual")), measured.values["status"]
+        bits = bits_of(expected)
+        if due is None or due == ("UNREACHABLE" in bits):
+            return measured
+        self._by_residual += 1
+        status = status_words(sum(STATUS_VALUES[bit] for bit in bits ^ {"UNREACHABLE"}))
+        return replace(measured, values={**measured.values, "status": status})
+
+    def _differences(
+        self, name: str, measured: Measured, answer: Mapping[str, Any] | None, suffix: str = "",
+        weak: Sequence[str] = (), left_out: Collection[str] = (), words: str = "",
+    ) -> Iterator[tuple[Check, str, Any, float, str]]:  # fmt: skip
+        """Check, quantity, result, difference and words on it, of all quantities of an answer that are compared."""
+        for quantity, value in measured.values.items():
+            if quantity in left_out:
+                continue
+            kind, of_weak = ("optimality", ", of weak directions") if quantity in weak else ("value", "")
+            check, scale = self.check(f"{quantity}{of_weak}{suffix}", kind), measured.scales[quantity]
+            if answer is None:
+                check.note_scale(quantity, value, scale)
+                yield check, quantity, None, math.inf, words
+                continue
+            result, bits = answer.get(quantity), set[str]()
+            if measured.undecided:
+                check.skip("rounding decides a word of the answer", name)
+                continue
+            if quantity == "status" and isinstance(result, str):
+                bits = bits_of(result) ^ bits_of(value)
+            if bits and bits <= measured.in_doubt:
+                check.skip(f"rounding decides {', '.join(sorted(bits))}", name)
+                continue
+            check.note_scale(quantity, value, scale)
+            if quantity in ("q", "orientation") and self._scales is not None and self._scales.stand.hold is not None:
+                result = _half_turns_as(quantity, value, result, max(HALF_TURN, self.limits.value))
+            yield check, quantity, result, *difference(result, value, scale, check.floor)
 
     def _note(self, check: Check, differences: tuple[float, float, float], request: Request, reason: str) -> None:
         """Count a state by its differences: judged and reference, second and reference, judged and second."""
         off, other, between = differences
         accepted = max(check.limit, check.accepted_of_second)
-        odd = odd_one(off / check.limit, other / check.accepted_of_second, between / accepted, self._judged)
+        odd = odd_one(off / check.limit, other / check.accepted_of_second, between / accepted, self._by)
         check.note(off, _name(request), ": ".join(filter(None, (odd, reason))), request, other)
 
-    def _second_values(self, state: State, want: str) -> tuple[dict[str, Any], str]:
+    def _second_values(self, state: State) -> tuple[dict[str, Any], str]:
         """Values of the second derivation, none where it does not offer the want, and the words of a refusal."""
-        if self._second is None or "second" not in FUNCTIONS[want].judges:
+        if self._second is None or "second" not in FUNCTIONS[self.function].judges:
             return {}, ""
         try:
-            return self._second.evaluate(state, (want,)), ""
+            return self._second.evaluate(state, (self.function,)), ""
         except StateError as error:
             return {}, f"second derivation refused: {error}"
 
-    def _noise(self, state: State, want: str, quantity: str, scale: Any) -> float:
+    def _noise(self, state: State, quantity: str, scale: Any) -> float:
         """Rounding of the second derivation over a scale, measured: by states that are some last places away.
 
         It differentiates energies: at the highest speeds terms cancel there that the equations do not have.
         """
-        assert self._second is not None
-        noise, center = 0.0, self._second.evaluate(state, (want,))[quantity]
+        assert self._second is not None and self._scales is not None
+        noise, center = 0.0, self._second.evaluate(state, (self.function,))[quantity]
         for _ in range(NEIGHBOURS):
             with suppress(StateError):
-                moved = self._second.evaluate(self.scales.moved(state, LAST_PLACES), (want,))[quantity]
-                noise = max(noise, difference(moved, center, scale, self._limits.floor)[0])
+                moved = self._second.evaluate(self._scales.moved(state, LAST_PLACES), (self.function,))[quantity]
+                noise = max(noise, difference(moved, center, scale, self.limits.floor)[0])
         return ROUNDINGS * noise
-
-    def checks(self) -> list[Check]:
-        """All checks, in the order in which the quantities came."""
-        skipped = [self._settle(want) for want in self._one_sided]
-        self._one_sided = {}
-        for check in self._checks.values():
-            check.settle()
-        return [*self._checks.values(), *(check for check in skipped if check is not None)]
-
-    def _settle(self, want: str) -> Check | None:
-        """Count the states of a want that the second derivation refused; a check of its own if it refused them all."""
-        refused = self._one_sided[want]
-        for check, off, request, refusal in refused:
-            if want in self._answered:
-                self._note(check, (off, math.inf, math.inf), request, refusal)
-            else:
-                check.note(off, _name(request), "", request)
-        if want in self._answered:
-            return None
-        return Check(want, "second derivation", words=f"{refused[0][-1]}; so at every state")
-
-    def _check(self, want: str, quantity: str) -> Check:
-        check = Check(want, quantity, self._limits.value, second_limit=self._limits.second)
-        return self._checks.setdefault((want, quantity), check)
 
 
 def _name(request: Request) -> str:

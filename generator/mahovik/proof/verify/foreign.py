@@ -31,9 +31,10 @@ from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
-from mahovik.proof.verify.case import Rows, ordinary
+from mahovik.proof.verify.backends import CasadiBackend
+from mahovik.proof.verify.case import ordinary
 from mahovik.proof.verify.check import Check, Report, difference, report
-from mahovik.proof.verify.compare import Judge
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.draw import draw, with_drawn_actuators
 from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.harness import applicable
@@ -177,8 +178,8 @@ def _rows(
     by_want: dict[str, list[tuple[Request, Mapping[str, Any]]]] = {want: [] for want in wants}
     for request, result in answered:
         by_want.setdefault(request.want[0], []).append((request, result))
-    second, limits = Second(stand), uniform(tolerance)
-    judge, rows = Judge(stand, limits, second, judged), list[Check]()
+    second, limits, scales = Second(stand), uniform(tolerance), Scales(stand)
+    other, compared, rows = CasadiBackend(stand, second), list[Check](), list[Check]()
     for want, pairs in by_want.items():
         refusals = [str(result["error"])[:200] for _, result in pairs if "error" in result]
         if len(refusals) == len(pairs):
@@ -186,17 +187,19 @@ def _rows(
             rows.append(Check(want, want, verdict="MISSING" if wants else "not offered", words=words))
             continue
         if want == TORQUE_FOR:
-            rows += torque_checks(TorqueCase(stand, limits, second, judge.scales), pairs)
+            rows += torque_checks(TorqueCase(stand, limits, second, scales), pairs)
             continue
         # what is in some of its results must be in all
         absent = [name for name in left_out if not any(name in result for _, result in pairs)]
         absent = [name for name in answers_of(want, stand.hold is not None) if name in absent]
         silent = [name for name in absent if name not in by_want]  # a reaction may have a want of its own
         rows += [Check(want, name, verdict="not offered", words="in none of its results") for name in silent]
+        judge = Rows(limits, scales, want, second=other, by=judged)
         for request, result in pairs:
             refusal = f"refused: {result['error']}"[:200] if "error" in result else ""
-            judge.compare(request, want, None if refusal else result, absent, refusal)
-    return [*judge.checks(), *rows]
+            judge.compare_want(request, None if refusal else result, absent, refusal)
+        compared += judge.checks()
+    return [*compared, *rows]
 
 
 @dataclass(frozen=True)

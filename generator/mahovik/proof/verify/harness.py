@@ -15,11 +15,11 @@ from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.second.reading import Table
-from mahovik.proof.verify.backends import public_names
+from mahovik.proof.verify.backends import CasadiBackend, public_names
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
-from mahovik.proof.verify.compare import Judge, same_bits
+from mahovik.proof.verify.compare import Rows, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
 from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
@@ -55,21 +55,20 @@ def judge(
     scales: Scales | None = None,
 ) -> list[Check]:
     """Checks of every quantity that `wants` give: the backend against the reference, and with `second` three ways."""
-    comparison = Judge(stand, limits, second, judged, scales)
+    scales, other = scales or Scales(stand, limits.real), None if second is None else CasadiBackend(stand, second)
+    judges = {want: Rows(limits, scales, want, second=other, by=judged) for want in wants}
     for done, (name, state) in enumerate(states):
-        for want in wants:
-            if not applicable(state, want):
-                continue
-            if comparison.scales.want(state, want) is None:
+        for want, of_want in judges.items():
+            if not applicable(state, want) or scales.want(state, want) is None:
                 continue
             try:
                 values, words = backend.evaluate(state, (want,)), ""
             except StateError as error:
                 values, words = None, f"refused: {error}"
-            comparison.compare(Request(name, state, (want,)), want, values, words=words)
+            of_want.compare_want(Request(name, state, (want,)), values, words=words)
         if progress is not None:
             progress(done + 1, len(states))
-    rows = comparison.checks()
+    rows = [row for of_want in judges.values() for row in of_want.checks()]
     compared = {row.judged for row in rows}
     return rows + [
         Check(want, "no state compared", verdict="FAILED", words="no reference has an answer at any of the states")

@@ -25,7 +25,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.inverse import Cuts, inverse_root
+from mahovik.proof.reference.inverse import Cuts, inverse_root, scaled_demand
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.states import stand_at
@@ -33,8 +33,8 @@ from mahovik.proof.verify.states import stand_at
 ORDINARY = 2
 """Seed of the ordinary state whose scales are floors at all others."""
 
-ROUNDINGS = 16.0
-"""Units in the last place of its scale by which rounding may move a number."""
+ROUNDINGS, LAST_PLACE = 16.0, {"double": 2.0**-53, "float": 2.0**-24}
+"""Roundings of its scale by which a number may be off; a rounding, relative."""
 
 KEPT = 256
 """States whose neighbours are kept: they are drawn first, and judged then."""
@@ -47,12 +47,14 @@ Equation = Callable[[Stand, State, Pieces], Values]
 class Measured:
     """An answer of the reference and the scale of each number in it.
 
-    undecided  a word of the answer (status, rank, an active set), or whether there is one, changes among the neighbours
+    undecided  a word of the answer (rank, an active set), or whether there is one, changes among the neighbours
+    in_doubt   bits of its status that change among the neighbours
     """
 
     values: Values
     scales: Mapping[str, Any]
     undecided: bool = False
+    in_doubt: frozenset[str] = frozenset()
 
 
 class Scales:
@@ -92,6 +94,23 @@ class Scales:
             self._ordinary[want] = self._ordinary_scales(want)
         return replace(measured, scales=_raised(measured.scales, self._ordinary[want]))
 
+    def reach(self, state: State, inverse: Measured, residual: Any) -> bool | None:
+        """Whether UNREACHABLE is due of an answer to `inverse` by its own residual (m); None where it must be that of
+        the reference, as rounding of the element type does not decide it.
+
+        Neighbours do not show that it does: each has its own answer, with its own residual. That of one answer is what
+        is left of terms that cancel, and these may be far above the demand, of which the bound is a part.
+        """
+        expected, scale = inverse.values["residual"], inverse.scales["residual"]
+        if np.shape(residual) != np.shape(expected) or not np.isfinite(residual).all():
+            return None
+        _, near, at = self.neighbours(state)[0]
+        scaled = scaled_demand(at, vector(near.V_dot))
+        left, bound = np.linalg.norm(scaled.root @ expected), self.cuts.reached * np.linalg.norm(scaled.r)
+        if abs(left - bound) > ROUNDINGS * LAST_PLACE[self.real] * np.linalg.norm(scaled.root * scale):
+            return None
+        return bool(np.linalg.norm(scaled.root @ vector(residual)) > bound)
+
     def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
         """Scales at an ordinary state; none where the reference refuses it."""
         try:
@@ -111,8 +130,8 @@ class Scales:
         """
         with np.errstate(all="ignore"):
             neighbours = self.neighbours(state)
-            values, answers, undecided = equation(*neighbours[0]), [], False
-            words = words_of(values)
+            values, answers, undecided, in_doubt = equation(*neighbours[0]), [], False, set[str]()
+            words, bits = words_of(values), bits_of(values.get("status", ""))
             for neighbour in neighbours[1:]:
                 try:
                     other = equation(*neighbour)
@@ -120,6 +139,7 @@ class Scales:
                     undecided = True
                     continue
                 undecided = undecided or words_of(other) != words
+                in_doubt |= bits_of(other.get("status", "")) ^ bits
                 answers.append(other)
             if least_squares:
                 answers += self._shaken_answers(equation, *neighbours[0])
@@ -128,7 +148,7 @@ class Scales:
             }
             for name in FLOORS.keys() & scales.keys():
                 scales[name] = scales[name] + self._floor(name, state, values, scales)
-        return Measured(values, scales, undecided)
+        return Measured(values, scales, undecided, frozenset(in_doubt))
 
     def _shaken_answers(self, equation: Equation, stand: Stand, state: State, at: Pieces) -> list[Values]:
         result = []
@@ -299,8 +319,13 @@ def is_word(value: Any) -> bool:
 
 
 def words_of(values: Values) -> dict[str, Any]:
-    """Words of an answer by name."""
-    return {name: np.asarray(value).tolist() for name, value in values.items() if is_word(value)}
+    """Words of an answer by name, but its status."""
+    return {name: np.asarray(value).tolist() for name, value in values.items() if is_word(value) and name != "status"}
+
+
+def bits_of(status: str) -> set[str]:
+    """Names of the bits of a status in words."""
+    return {*status.split("|")} - {"OK", ""}
 
 
 def share(scale: Array, beside: int | None) -> Array:

@@ -22,7 +22,8 @@ from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.motion import coupled, forward
 from mahovik.proof.reference.rotation import quaternion_of, quaternion_rotation, skew_part
 from mahovik.proof.reference.screw import cross
-from mahovik.proof.verify.case import Case, Rows
+from mahovik.proof.verify.case import Case
+from mahovik.proof.verify.compare import Rows
 
 STATES = 2
 """States from which a motion starts; of `step`, the second has locked flywheels."""

@@ -39,7 +39,8 @@ from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.case import Case, Rows
+from mahovik.proof.verify.case import Case
+from mahovik.proof.verify.compare import Rows
 
 Flags = NDArray[np.bool_]
 
@@ -58,7 +59,7 @@ LIMIT_SHARES = (0.7, 0.15)
 SIDES = (0.98, 1.02)
 """Parts of its bound at which a number of the options is that decides a bit: far more apart than rounding moves it."""
 
-FAR_SIDES = (0.5, 2.0)
+FAR_SIDES = (0.6, 1.6)
 """Likewise of what rounding moves by more, as it is small in the arithmetic: of a singular value, error or pivot."""
 
 EDGE_STATES = 3

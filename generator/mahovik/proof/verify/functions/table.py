@@ -27,8 +27,9 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.regressor import answer_regressor
-from mahovik.proof.verify.case import Case, Rows
+from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.check import Check, Report, report
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.functions import integration, optimality, value
 from mahovik.proof.verify.programme import functions as programmes
 from mahovik.proof.verify.programme.compiled import load_part

@@ -34,9 +34,9 @@ from mahovik.proof.reference.screw import block_diagonal, twists
 from mahovik.proof.second import Second
 from mahovik.proof.second.evaluate import Derivatives
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.case import Case, Rows
-from mahovik.proof.verify.compare import Judge
-from mahovik.proof.verify.scales import Equation, turning
+from mahovik.proof.verify.case import Case
+from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.scales import Equation, Scales, turning
 from mahovik.proof.verify.states import Request
 
 ATTITUDES = 12
@@ -233,7 +233,8 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
     check = rows.check("other parameters")
     for number in range(OTHER_STANDS):
         other = _with_other_parameters(case.stand, case.random(200 + number))
-        judge = Judge(other, case.limits)
+        scales = Scales(other, case.real)
+        judged = {want: Rows(case.limits, scales, want) for want in asked if want in known}
         try:
             arguments = {"parameters": parameters_of(other, case.backend.layout), "table": case.backend.table()}
             table = {"table": case.call("prepare", arguments)["table"]}
@@ -246,10 +247,10 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
             check.refuse(error, f"stand {number + 1}")
             continue
         for name, state in case.states[number::OTHER_STANDS]:
-            for want in (want for want in asked if want in known):
+            for want, of_want in judged.items():
                 answer = case.backend.answer(want, state, case.backend.arguments(state) | table)
-                judge.compare(Request(f"{name} of stand {number + 1}", state, (want,)), want, answer)
-        for one in judge.checks():
+                of_want.compare_want(Request(f"{name} of stand {number + 1}", state, (want,)), answer)
+        for one in (one for of_want in judged.values() for one in of_want.checks()):
             check.note(one.value, f"{one.state}, {one.quantity}", one.words)
 
 

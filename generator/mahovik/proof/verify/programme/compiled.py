@@ -19,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.case import Rows
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, with_value, wrong_within
 from mahovik.proof.verify.scales import changed, is_word
 

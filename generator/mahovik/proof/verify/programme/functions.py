@@ -13,8 +13,8 @@ from mahovik.contract.limits import LIMITS, Limits
 from mahovik.core.motion.functions import Angles
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
-from mahovik.proof.verify.case import Rows
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.programme.compiled import Part, judge_refusals, spread_phases
 from mahovik.proof.verify.programme.mechanics import largest
 

@@ -19,7 +19,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import spin_inertia
-from mahovik.proof.verify.case import Rows
+from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.programme.compiled import Part, compare_with_law, judge_refusals
 from mahovik.proof.verify.servo import law
 
