@@ -32,7 +32,7 @@ if __name__ == "__main__":
     assert len(tug.of(stand)) == 4
     without = replace(stand, carrier=stand.carrier.without_laws(tug))
     assert identities(stand).physics != identities(without).physics
-    assert "carrier.tug.force[2]" in {each.path for each in StandNumbers(stand, parse(dumps(stand)))}
+    assert "carrier.tug.force[2]" in {number.path for number in StandNumbers(stand, parse(dumps(stand)))}
     assert with_mismatch(stand, 0.01, 1).carrier.law(tug) != stand.carrier.law(tug)
     backend = InterpreterBackend(generated(stand))
     checks = judge(stand, backend, draw(stand, 3, 5, wrenches=False), ("forward", "torque"), second=Second(stand))

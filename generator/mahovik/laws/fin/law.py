@@ -106,7 +106,7 @@ class Fin(Declared):
         float, scalar(units.ANGLE, least=-MOST_DEFLECTION, most=MOST_DEFLECTION), Default(0.0)
     ]  # fmt: skip
     speed: Annotated[
-        Speed, one_word({each: each for each in SPEEDS}, '"along", "across" or "whole"'), Default("across")
+        Speed, one_word({word: word for word in SPEEDS}, '"along", "across" or "whole"'), Default("across")
     ]
     incidence: Annotated[Flag, Default(True)]
 

@@ -45,7 +45,7 @@ class CorrelationTable(Table):
     coefficient  of a Gaussian copula: each number keeps its distribution
     """
 
-    of: Annotated[tuple[str, ...], validator(lambda raw: tuple(text(each) for each in any_list(raw)))]
+    of: Annotated[tuple[str, ...], validator(lambda raw: tuple(text(item) for item in any_list(raw)))]
     coefficient: Annotated[float, scalar(PLAIN, least=-1.0, most=1.0)]
 
 
