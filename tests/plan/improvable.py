@@ -7,8 +7,8 @@ from functools import cache
 
 from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.motor import Motor
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.improve import Candidate, Improver
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem

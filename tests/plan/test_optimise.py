@@ -10,10 +10,10 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import Cost
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.planner import no_programme_message
 from mahovik.use.plan.points import Stage
 from mahovik.use.plan.problem import Periodic

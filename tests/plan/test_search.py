@@ -13,8 +13,8 @@ from mahovik.core.motion.functions import Harmonics
 from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.laws.suspension.law import Suspension
 from mahovik.use.plan import PlanOptions, plan_motion
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.improve import Improver
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
 from mahovik.use.plan.search import search

@@ -24,8 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError
 from mahovik.use.control.controller import Controller, Encoders
-from mahovik.use.control.coordinates import coordinates
-from mahovik.use.control.plant import Plant, plant, plant_state
+from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.numeric.course import Chart, equilibrium

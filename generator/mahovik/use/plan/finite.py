@@ -20,8 +20,7 @@ from scipy.linalg import eigh, null_space
 from mahovik.core.motion.functions import Angles, SampledCourse, Samples
 from mahovik.use.numeric.residual import PrescribedMotion, linear, prescribe
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.budget import Budget
-from mahovik.use.plan.outcome import OnProgress
+from mahovik.use.plan.outcome import Budget, OnProgress
 from mahovik.use.plan.points import refine
 from mahovik.use.plan.problem import Basis, Grid, Periodic, Problem
 from mahovik.use.plan.search import Search

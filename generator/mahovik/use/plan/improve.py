@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded_bounds, has_bounds
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.points import InHarmonics, Stage, refine, refine_periodic
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.step import SOLVED, Rules, descend, restore, size

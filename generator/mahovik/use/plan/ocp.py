@@ -27,9 +27,8 @@ from mahovik.core.stand.model import Stand, Vec6
 from mahovik.core.stand.state import rest_state
 from mahovik.errors import UsageError
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
+from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.windings import with_shortest_period

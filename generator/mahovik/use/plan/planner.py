@@ -14,7 +14,6 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
 from mahovik.use.numeric.residual import linear, prescribe
-from mahovik.use.plan.budget import Budget, defer_interrupt
 from mahovik.use.plan.certificate import (
     certify,
     drop_refused_tables,
@@ -29,7 +28,7 @@ from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.mean_pose import refuse_unplannable
 from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
-from mahovik.use.plan.outcome import OnProgress, Plan, PlanOptions
+from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.runup import shortcomings, with_runup

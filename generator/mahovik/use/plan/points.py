@@ -22,8 +22,8 @@ import numpy as np
 from mahovik.core.motion.functions import Angles
 from mahovik.use.numeric.residual import Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, bound_uses, gauss_newton_sums, hinge_rows, utilisation
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.problem import Basis, BiasPerturbations, Grid, Periodic, Problem
 from mahovik.use.plan.step import Model, Rules, Run, descend
 

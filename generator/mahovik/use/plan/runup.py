@@ -17,7 +17,7 @@ from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError
 from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.step import Range, Rules, descend, size
 from mahovik.use.plan.transient import KEEP, NODES, Boundary, Flight
 

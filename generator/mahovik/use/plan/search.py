@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.budget import Budget
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import has_bounds
-from mahovik.use.plan.outcome import OnProgress
+from mahovik.use.plan.outcome import Budget, OnProgress
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.starts import StartBatch
 from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from mahovik.core.motion.functions import Angles
 from mahovik.use.numeric.residual import Linear, linear, prescribe
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.problem import Periodic, Problem
 
 Numbers = NDArray[np.intp]

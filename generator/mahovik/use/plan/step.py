@@ -16,7 +16,7 @@ import numpy as np
 from scipy.linalg import LinAlgError, cho_factor, cho_solve, qr, solve_triangular
 
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.budget import Budget
+from mahovik.use.plan.outcome import Budget
 
 
 class Model(NamedTuple):

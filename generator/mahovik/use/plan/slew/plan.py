@@ -21,9 +21,17 @@ from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.certificate import certify, failed_items, make_programme
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
-from mahovik.use.plan.slew.limits import Limits, LimitUse, limit_uses
-from mahovik.use.plan.slew.path import Path, PathTable
-from mahovik.use.plan.slew.share import Mean, NoSlewError, choices, unreached_motion
+from mahovik.use.plan.slew.share import (
+    Limits,
+    LimitUse,
+    Mean,
+    NoSlewError,
+    Path,
+    PathTable,
+    choices,
+    limit_uses,
+    unreached_motion,
+)
 from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
 from mahovik.use.plan.unbalance import unbalance_effect
 

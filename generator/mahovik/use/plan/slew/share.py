@@ -1,8 +1,14 @@
-"""How the flywheels share a turn: their accelerations per unit of sigma'', from the mean model over all phases.
+"""How the flywheels share a turn along a slew's path, by the mean model over all phases, and what limits it.
 
 The mean model has balanced flywheels: K0 of (2) and I0 of (9) as means over the phases. A demanded acceleration
 r sigma'' of the rows then takes A g = -r, A = S K0^-1 I0, of flywheels phi'' = g sigma'', with torques
 tau = Q g sigma'', Q = Theta_ff - I0^T K0^-1 I0. More flywheels than rows leave a choice of g.
+
+Along the path phi' = phi'_0 + w(sigma) + g sigma'. w is how the flywheels take over the momentum that they have at the
+start, which stays where it is in E0 while E1 turns: A w = J^-1 (R(sigma)^T - 1) H_0 for three angular rows, least in
+Theta_ff; for other rows it is left to the exact equations. So tau = Q (g sigma'' + w'(sigma) sigma').
+
+Limits are those of the motors, whose torque depends on speed, and given bounds.
 """
 
 from __future__ import annotations
@@ -13,11 +19,102 @@ from functools import cached_property
 
 import numpy as np
 from scipy.optimize import linprog, minimize
+from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.required import Slew
+from mahovik.core.motion.required import FlywheelBounds, Slew
+from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import UNLIMITED, Motor, available_torque, friction
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.slew.limits import Limits
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """N numbers each, infinite where there is no limit.
+
+    motors        whose limits and friction count; of a flywheel without one, one that has neither
+    bound         of the motor's torque at any speed, N m
+    speed         rad/s; acceleration: rad/s2
+    """
+
+    names: tuple[str, ...]
+    motors: tuple[Motor, ...]
+    bound: Array
+    speed: Array
+    acceleration: Array
+
+    @staticmethod
+    def of(stand: Stand, bounds: FlywheelBounds) -> Limits:
+        """Limits of a stand's motors and of given bounds; a flywheel without either has `inverse_most`."""
+        wheels = stand.flywheels
+        motors = tuple(s.motor or UNLIMITED for s in wheels)
+
+        def bound_values(key: str) -> Array:
+            return np.array(getattr(bounds, key) or (np.inf,) * len(wheels), dtype=np.float64)
+
+        no_load = np.array([np.inf if m.no_load is None else m.no_load for m in motors])
+        free = np.array([m.peak is None for m in motors], dtype=bool) & ~np.isfinite(bound_values("torque"))
+        return Limits(
+            tuple(s.name for s in wheels), motors, bound_values("torque"),
+            np.minimum(bound_values("speed"), no_load),
+            np.minimum(bound_values("acceleration"), np.where(free, stand.inverse_most, np.inf)),
+        )  # fmt: skip
+
+    def friction(self, speed: Array) -> Array:
+        """Torque of friction on the flywheels (..., N; N m) at speeds (..., N; rad/s)."""
+        return np.stack([friction(motor, speed[..., s]) for s, motor in enumerate(self.motors)], axis=-1)
+
+    def available(self, sign: Array | float, speed: Array) -> Array:
+        """Largest torque (..., N; N m) of the motors in the direction of `sign` at speeds (..., N; rad/s)."""
+        signs = np.broadcast_to(sign, speed.shape)
+        columns = [available_torque(m, signs[..., s], speed[..., s]) for s, m in enumerate(self.motors)]
+        return np.asarray(np.minimum(np.stack(columns, axis=-1), self.bound))
+
+    @property
+    def strongest(self) -> Array:
+        """Largest torque at any speed (N, N m)."""
+        return np.minimum([np.inf if m.peak is None else m.peak for m in self.motors], self.bound)
+
+
+@dataclass(frozen=True)
+class LimitUse:
+    """The largest share of the limits of one kind: torque, speed or acceleration; of which flywheel, when, in words."""
+
+    kind: str
+    share: float
+    name: str
+    t: float
+    value: float
+    limit: float
+
+    @property
+    def words(self) -> str:
+        """Flywheel, value, limit and time."""
+        unit = {"torque": "N m", "speed": "rad/s", "acceleration": "rad/s2"}[self.kind]
+        return f"{self.kind} of {self.name}: {self.value:.6g} of {self.limit:.6g} {unit} at t = {self.t:.5g} s"
+
+
+def limit_uses(limits: Limits, t: Array, phi_dot: Array, phi_ddot: Array, tau: Array) -> list[LimitUse]:
+    """The largest share of each kind of limit in a motion of the flywheels (M, N each); of kinds with a limit."""
+    torque = tau - limits.friction(phi_dot)
+    result = []
+    for kind, values, most in (
+        ("torque", torque, limits.available(np.sign(torque), phi_dot)),
+        ("speed", phi_dot, np.broadcast_to(limits.speed, phi_dot.shape)),
+        ("acceleration", phi_ddot, np.broadcast_to(limits.acceleration, phi_ddot.shape)),
+    ):
+        if not np.isfinite(most).any():
+            continue
+        with np.errstate(divide="ignore", invalid="ignore"):
+            shares = np.where(values == 0.0, 0.0, np.abs(values) / most)
+        k, s = np.unravel_index(int(np.argmax(shares)), shares.shape)
+        result.append(
+            LimitUse(
+                kind, float(shares[k, s]), limits.names[s], float(t[k]), float(abs(values[k, s])), float(most[k, s])
+            )
+        )
+    return result
+
 
 _REACH = 1e-9
 """Share of a demand that may be left as rounding."""
@@ -166,3 +263,98 @@ def unreached_motion(slew: Slew, S: Array, twist: Array, left: Array) -> NoSlewE
 def _direction(x: Array) -> str:
     unit = x / np.linalg.norm(x)
     return ", ".join(f"{x:.4g}" for x in np.where(np.abs(unit) > 1e-9, unit, 0.0) + 0.0)
+
+
+ROOM = 0.9995
+"""Part of the limits that the law is made for: the exact motion has ripple besides."""
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A slew with the share g (N) of the flywheels."""
+
+    slew: Slew
+    mean: Mean
+    limits: Limits
+    share: Array
+    momentum: Array
+
+    @staticmethod
+    def of(mechanics: Mechanics, slew: Slew, mean: Mean, limits: Limits, share: Array) -> Path:
+        """With the momentum of the flywheels at the start (3, N m s, in E1)."""
+        H0 = mechanics.tables.coupling[0, :, 3:].T @ np.array(slew.phi_dot)
+        return Path(slew, mean, limits, share, H0)
+
+    @property
+    def _taken_over(self) -> bool:
+        return self.slew.kind == "attitude" and bool(np.any(self.momentum))
+
+    def speeds(self, sigma: Array) -> tuple[Array, Array]:
+        """w (M, N; rad/s) and its derivative by sigma."""
+        none = np.zeros((len(sigma), len(self.share)))
+        if not self._taken_over:
+            return none, none
+        axis = self.slew.axis
+        back = Rotation.from_rotvec(-sigma[:, None] * axis).apply(self.momentum)
+        turned = -np.cross(axis, back)
+        to_motion = self.mean.S @ np.linalg.inv(self.mean.K0)[:, 3:]
+        return self.mean.least((back - self.momentum) @ to_motion.T), self.mean.least(turned @ to_motion.T)
+
+    def phi_ddot(self, sigma: Array, speed: Array, acceleration: Array) -> Array:
+        """phi'' (M, N) that the mean model needs."""
+        return np.asarray(acceleration[:, None] * self.share + speed[:, None] * self.speeds(sigma)[1])
+
+    def tabulate(self, angle: float, points: int = 512) -> PathTable:
+        """w and its derivative at close places, to be read quickly."""
+        sigma = np.linspace(0.0, angle, points + 1)
+        return PathTable(self, angle / points, *self.speeds(sigma))
+
+
+@dataclass(frozen=True, eq=False)
+class PathTable:
+    """What limits sigma' and sigma'' along the path."""
+
+    path: Path
+    step: float
+    w: Array
+    w_slope: Array
+
+    def _at(self, sigma: float) -> tuple[Array, Array]:
+        k = min(int(sigma / self.step), len(self.w) - 2)
+        x = sigma / self.step - k
+        return (1 - x) * self.w[k] + x * self.w[k + 1], (1 - x) * self.w_slope[k] + x * self.w_slope[k + 1]
+
+    def cap(self, sigma: float) -> float:
+        """Largest sigma' at which no flywheel is faster than it may be; 0 or less: none."""
+        speed = np.array(self.path.slew.phi_dot) + self._at(sigma)[0]
+        most, g = self.path.limits.speed, self.path.share
+        room = np.where(g > 0.0, most - speed, most + speed)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            result = np.where(
+                np.abs(g) > 1e-12 * np.abs(g).max(), room / np.abs(g), np.where(room >= 0.0, np.inf, -1.0)
+            )
+        return float(min(ROOM * result.min(), 1e9))
+
+    def fastest_wheel(self, sigma: float) -> tuple[str, float, float]:
+        """Name of the flywheel whose speed limits most at sigma' = 0, its speed and its limit, rad/s."""
+        speed = np.abs(np.array(self.path.slew.phi_dot) + self._at(sigma)[0])
+        s = int(np.argmax(speed / self.path.limits.speed))
+        return self.path.limits.names[s], float(speed[s]), float(self.path.limits.speed[s])
+
+    def accelerations(self, sigma: float, speed: float) -> tuple[float, float]:
+        """Least and largest sigma'' at (sigma, sigma') by torque and acceleration of every flywheel."""
+        path, limits = self.path, self.path.limits
+        w, slope = self._at(sigma)
+        phi_dot = np.array(path.slew.phi_dot) + w + speed * path.share
+        push = path.mean.Q @ slope * speed - limits.friction(phi_dot)
+        low, high = -np.inf, np.inf
+        for factor, offset, up, down in (
+            (path.mean.Q @ path.share, push, limits.available(1.0, phi_dot), limits.available(-1.0, phi_dot)),
+            (path.share, slope * speed, limits.acceleration, limits.acceleration),
+        ):
+            there = np.abs(factor) > 1e-12 * np.abs(factor).max()
+            with np.errstate(divide="ignore", invalid="ignore"):
+                one, other = (ROOM * up - offset) / factor, (-ROOM * down - offset) / factor
+            low = max(low, float(np.minimum(one, other)[there].max(initial=-np.inf)))
+            high = min(high, float(np.maximum(one, other)[there].min(initial=np.inf)))
+        return low, high
