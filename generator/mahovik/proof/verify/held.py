@@ -12,7 +12,6 @@ import numpy as np
 
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, numbered_freedoms, twists, words
 from mahovik.core.stand.model import Hold, Stand, Vec3
-from mahovik.core.stand.random import random_state
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
@@ -155,6 +154,8 @@ def depends_on(stand: Stand, wants: Sequence[str], key: str) -> bool:
 
 def _states(stand: Stand, key: str) -> tuple[State, State]:
     """Two states that differ in this key."""
+    from mahovik.core.stand.random import random_state
+
     first, second = (with_quaternion(stand, random_state(stand, np.random.default_rng(seed))) for seed in (1, 2))
     hold = stand.hold
     if key not in MOVES or hold is None or (hold.freedoms and not has_coordinates(hold)):

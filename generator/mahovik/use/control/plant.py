@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.laws import Torque
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.model import Sequence, Stand, Vec3, Vec6
+from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.motor import drive, steepness
 from mahovik.core.stand.state import State, rest_state
 from mahovik.core.stand.units import ANGLE
@@ -25,14 +25,11 @@ from mahovik.errors import StateError, UsageError
 from mahovik.use.numeric.course import Chart
 from mahovik.use.numeric.frame import Frame
 from mahovik.use.numeric.mechanics import Mechanics, inertia
-from mahovik.use.numeric.se3 import Array
+from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.numeric.se3 import attitude as attitude_of
 from mahovik.use.simulate import judge
 from mahovik.use.simulate.course import Course
 from mahovik.use.simulate.held import long_steps
-
-EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
-"""SciPy's names of the stand's sequences: about axes that turn along."""
 
 _MOST, _LONGEST, _SETTLED = 40, 3.0, 1e-13
 """Most steps of Newton's method; longest step of a coordinate, and the one that ends it, m or rad."""

@@ -13,6 +13,9 @@ Complex = NDArray[np.complex128]
 AXES: dict[Sequence, tuple[int, int, int]] = {"ship": (2, 1, 0), "aircraft": (1, 2, 0), "euler": (2, 0, 2)}
 """Axes (0..2) that psi, theta, phi turn about, first to last."""
 
+EULER: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
+"""SciPy's names of the stand's sequences: about axes that turn along."""
+
 SMALL = 1e-2
 """rad: below it a series is more exact."""
 

@@ -21,7 +21,6 @@ from mahovik.core.stand.state import State
 from mahovik.core.stand.units import show
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
 from mahovik.use.simulate.held import complete_start, rates
 
 Array = NDArray[np.float64]
@@ -165,6 +164,8 @@ def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hin
 
 def read_start(text: str, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint: str = HINT) -> State:
     """The state that a JSON text gives, as `load_start`. Raises UsageError."""
+    from mahovik.proof.verify.states import read_object, read_request, refuse_duplicates
+
     try:
         start = read_object(text)
         refuse_duplicates(start)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import cast
@@ -23,6 +22,7 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_rotation, rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
+from mahovik.use.numeric.se3 import left_jacobian
 
 _STEPS = 50
 """Most steps to the nearest pose that a hold allows."""
@@ -44,8 +44,9 @@ def home(stand: Stand) -> State:
 
 def move(state: State, C: Array, step: Array) -> State:
     """The state moved by exp(step), a twist in E1 (6; m, rad): along its screw, so that a closed set is not left."""
-    turned = C @ (np.eye(3) + cross(step[3:]) @ _left_jacobian(step[3:]))  # exp of a rotation vector
-    position = np.array(state.position) + C @ (_left_jacobian(step[3:]) @ step[:3])
+    along = left_jacobian(step[None, 3:])[0]
+    turned = C @ (np.eye(3) + cross(step[3:]) @ along)  # exp of a rotation vector
+    position = np.array(state.position) + C @ (along @ step[:3])
     return replace(state, position=cast(Vec3, tuple(position.tolist())), angles=None, quaternion=quaternion_of(turned))
 
 
@@ -54,7 +55,7 @@ def displacement(start: State, C: Array, state: State) -> Array:
     C0 = quaternion_rotation(*(start.quaternion or (1.0, 0.0, 0.0, 0.0)))
     turned = rotation_vector(C0.T @ C)
     moved = C0.T @ (np.array(state.position) - np.array(start.position))
-    return np.concatenate([np.linalg.solve(_left_jacobian(turned), moved), turned])
+    return np.concatenate([np.linalg.solve(left_jacobian(turned[None])[0], moved), turned])
 
 
 def complete_start(stand: Stand, state: State, keys: Collection[str]) -> State:
@@ -111,15 +112,6 @@ def _off_nearest(stand: Stand, hold: Hold, state: State) -> Array:
         if np.abs(step).max() < ALLOWED:
             break
     return off
-
-
-def _left_jacobian(r: Array) -> Array:
-    """J (3x3) of a rotation vector r: exp of the twist (v, r) shifts by J v."""
-    angle = float(np.linalg.norm(r))
-    if angle < 1e-6:
-        return np.asarray(np.eye(3) + cross(r) / 2 + cross(r) @ cross(r) / 6)
-    first, second = (1 - math.cos(angle)) / angle**2, (angle - math.sin(angle)) / angle**3
-    return np.asarray(np.eye(3) + first * cross(r) + second * cross(r) @ cross(r))
 
 
 def _size(off: Array) -> float:

@@ -20,7 +20,6 @@ from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import stream_at
 from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
-from mahovik.proof.verify.scales import Scales
 from mahovik.use.simulate.held import displacement, home, move
 
 Array = NDArray[np.float64]
@@ -253,7 +252,10 @@ class _Search:
 
     def displace(self, C: Array, step: Array) -> State:
         """The present state displaced by a small twist in E1 (6); of a held carrier along what its hold allows."""
-        return displaced_state(self.state, C, step) if self.stand.hold is None else move(self.state, C, step)
+        if self.stand.hold is not None:
+            return move(self.state, C, step)
+        turned = move(self.state, C, np.concatenate([np.zeros(3), step[3:]]))
+        return replace(turned, position=cast(Vec3, _tuple(np.array(self.state.position) + C @ step[:3])))
 
     def shares(self, step: Array, free: Array) -> Array:
         """Parts of a step (6) along free directions (6, f): without them shifts are least, then rotations.
@@ -290,6 +292,8 @@ class _Search:
             for wrench in at.terms[k.body.name].values():
                 sizes += np.abs(k.L) @ np.abs(wrench)
         if self.stops:  # a stiff one makes much of the last digit of its depth
+            from mahovik.proof.verify.scales import Scales
+
             measured = Scales(self.stand).measure(self.state, lambda _, __, at: {"F": at.F})
             sizes = np.maximum(sizes, measured.scales["F"])
         rounding = 32 * np.finfo(float).eps * (np.abs(self.scale.T @ self.scale) @ sizes)
@@ -343,25 +347,6 @@ class _Search:
         else:
             what = f"nothing carries a moment of {turning:.6g} N m about ({_direction(moment)}) in E1"
         return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
-
-
-def displaced_state(state: State, C: Array, step: Array) -> State:
-    """The state displaced by `step` (6; m, rad), a small twist in E1."""
-    position = np.array(state.position) + C @ step[:3]
-    angle = float(np.linalg.norm(step[3:]))
-    half = 0.5 * math.sin(angle / 2) / (angle / 2) if angle > 0.0 else 0.5
-    a, (b, c, d) = math.cos(angle / 2), half * step[3:]
-    w, x, y, z = state.quaternion or (1.0, 0.0, 0.0, 0.0)
-    q = np.array(
-        [
-            w * a - x * b - y * c - z * d,
-            w * b + x * a + y * d - z * c,
-            w * c - x * d + y * a + z * b,
-            w * d + x * c - y * b + z * a,
-        ]
-    )
-    unit = q / np.linalg.norm(q)
-    return replace(state, position=cast(Vec3, _tuple(position)), quaternion=cast(Quaternion, _tuple(unit)))
 
 
 def with_least_turn(state: State) -> State:

@@ -25,10 +25,9 @@ from mahovik.errors import StateError
 from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import linear, prescribe, prescribed_at, torques
-from mahovik.use.numeric.se3 import Array
+from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.plan.slew.share import Mean, NoSlewError, unreached_motion
 
-_SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 _ROUNDS = 60
 _LAST_CHANGE = 1e-12
 """Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
@@ -127,7 +126,7 @@ class Exact:
         """psi, theta, phi (M, 3; rad) of attitudes (M, 3, 3); where they are singular any that fit."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # singular attitudes are refused by name
-            angles = Rotation.from_matrix(C).as_euler(_SEQUENCES[self.mechanics.stand.angles])
+            angles = Rotation.from_matrix(C).as_euler(EULER[self.mechanics.stand.angles])
         return np.asarray(np.unwrap(angles, axis=0))
 
     def _why_not(self) -> Exception:
@@ -210,13 +209,7 @@ class Exact:
 
     def _columns(self, theta: Array) -> Array:
         """B (M, 3, 3) of omega = B theta'."""
-        q = np.hstack([np.zeros_like(theta), theta])
-        columns = []
-        for k in range(3):
-            rate = np.zeros_like(q)
-            rate[:, 3 + k] = 1.0
-            columns.append(self.mechanics.frame.twists(Course(q, rate, np.zeros_like(q))).V[:, 3:])
-        return np.stack(columns, axis=2)
+        return self.mechanics.frame.slopes(np.hstack([np.zeros_like(theta), theta]))[2][:, 3:, 3:]
 
     def _end(
         self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,
