@@ -34,13 +34,17 @@ _CONSTANTS = ("state", "parameters", "table")
 
 @dataclass(frozen=True)
 class Generated:
-    """A stand's program with its numbers and C text by file name; `only`: names of its public functions, or ALL."""
+    """A stand's program with its numbers and C text by file name.
+
+    `only`: names of its public functions, or ALL; `chosen`: those that `--only` has to name, none of the default.
+    """
 
     layout: Layout
     program: Program
     values: Values
     files: dict[str, str]
     only: tuple[str, ...] = ALL
+    chosen: tuple[str, ...] = ()
 
     @property
     def part(self) -> Program | None:
@@ -72,11 +76,12 @@ def generate_all(
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in named), slopes)
     values = Values(stand, layout, program)
     only = ALL if only in (None, ALL) else _public_names(program, only or (), stand.name)
+    asked = () if only == _public_names(program, (), stand.name) else only
     if only != ALL:
         program = restrict_program(program, only, _CONSTANTS)
     printer = _Printer(stand, layout, values, Code(program, identities(stand)), only != ALL)
     files = {f"{stand.name}.h": printer.header(), f"{stand.name}.c": printer.source()}
-    return Generated(layout, program, values, files, only)
+    return Generated(layout, program, values, files, only, asked)
 
 
 def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[str, ...]:

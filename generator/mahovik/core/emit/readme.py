@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.contract.functions import is_default
 from mahovik.contract.quantities import TABLES
 from mahovik.core.emit.calls import argument_text, call
 from mahovik.core.emit.code import Code
@@ -24,10 +23,9 @@ _VALUES = {"dt": "1e-3", "order": "4", "angles": "{ 0, 0.5, 0 }", "orientation":
 def readme(stand: Stand, generated: Generated, additions: tuple[str, ...] = ()) -> str:
     """Text of README.md of a folder with these additions (delivery.ADDITIONS)."""
     code = Code(generated.program, identities(stand))
-    usual = generated.only == tuple(f.name for f in code.public if is_default(f.name))
     return code.render(
         "delivery.md.j2",
-        part="" if usual else f" --only {','.join(generated.only)}",
+        part=f" --only {','.join(generated.chosen)}" if generated.chosen else "",
         bodies=describe_bodies(stand),
         additions=additions,
         flywheel=stand.flywheels[0].name if stand.flywheels else "",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -28,6 +28,7 @@ from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
+    from mahovik.out.export.folder import Contents
 
 Project = Annotated[str, "cmake|fmu|simulink|basilisk|BOARD"]
 Settings = Annotated[str | Mapping[str, Number], "NAME=VALUE"]
@@ -36,20 +37,6 @@ FMU = {
     "version": ("2.0", "3.0"), "kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no"),
 }  # fmt: skip
 """Settings of an FMU that are one of some words, the default first."""
-
-BLOCKS = ("simulink", "basilisk")
-"""Simulators for which there is a plant block."""
-
-
-@dataclass
-class _Contents:
-    """What is to be written: files of the folder, those of which a user's own stay, files beside its manifest."""
-
-    files: dict[str, str]
-    replaceable: tuple[str, ...] = ()
-    programme: dict[str, str] = field(default_factory=dict)
-    servo: dict[str, str] = field(default_factory=dict)
-    lines: tuple[str, ...] = ()
 
 
 def generate(
@@ -113,99 +100,113 @@ def generate(
     """
     from mahovik.contract.functions import ALL
     from mahovik.core.stand import load
+    from mahovik.out.export.folder import (
+        Contents,
+        add_programme,
+        add_project,
+        check_folder,
+        compiles_programmes,
+        refuse_unknown,
+        usual_real,
+    )
+    from mahovik.out.export.programme.files import element_type
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in, with_prefix
 
     machine = load(stand) if isinstance(stand, str | Path) else stand
-    chosen, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
-    if chosen == ("list",):
+    only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
+    if only_ == ("list",):
         return _functions(machine)
+    refuse_unknown(project)
+    _refuse_contradictions(
+        project, fmu, programme, motion, servo, attitude, name, real, only_, (*added, *(["batch"] if batch else []))
+    )
     named = with_prefix(machine, prefix)
-    _refuse_contradictions(project, fmu, programme, motion, servo, attitude, name, bool(chosen or added or batch))
     if project == "fmu":
         return _fmu(named, output, fmu, check, progress)
     folder = Path(output) if output is not None else Path(_default_name(named, project, attitude))
-    there: Options | None = None
+    delivered = Options()
     if check or programme is not None:
         named = stand_in(folder, named) if prefix is None and check else named
-        there = delivered_options(folder)
-    chosen = chosen or (there.only if there else ())
-    added = tuple(dict.fromkeys((*added, *(["batch"] if batch else []), *(there.additions if there else ()))))
+        delivered = delivered_options(folder) or Options("")
+    if programme is not None and project is None and delivered.project:
+        project = delivered.project  # which is to compile the programme as well
+        if not compiles_programmes(project):
+            raise UsageError(
+                f"programme: {folder} has the project {project}, which cannot play it: choose another folder"
+            )
     notify(progress, Progress(f"generate {named.name}"))
-    if programme is not None and (folder / f"{named.name}.h").is_file():
-        made = _Contents({})  # the C is there, and stays as it is
-    else:
-        made = _files(named, project, attitude, real or (there.real if there else None), chosen, added)
+    contents, usual = Contents(), usual_real(project)
     if programme is not None:
-        _add_programme(made, named, folder, programme, motion, servo, table, name, real)
+        course = programme_of(programme)
+        usual = element_type(folder, named, real, usual)
+        add_programme(
+            contents,
+            named,
+            folder,
+            course,
+            None if motion is None else motion_of(motion, named, course),
+            None if servo is None else servo_of(servo, named),
+            table,
+            usual,
+            (_name(programme, "programme"), _name(servo, "servo")),
+            name,
+        )
+    if programme is None or project is not None or not (folder / f"{named.name}.h").is_file():
+        if project is None or project == "cmake":
+            added = tuple(dict.fromkeys((*added, *(["batch"] if batch else []), *delivered.additions)))
+        add_project(
+            contents,
+            named,
+            folder,
+            project,
+            None if attitude is None else _loop_options(attitude),
+            real or (delivered.real if check else "") or usual,
+            only_ or delivered.only,
+            added,
+        )
     if check:
-        return _compared(folder, named, made)
-    if project is None and made.files:
-        _warn(named, made, chosen)
-    return _deliver(folder, named, made, stand)
+        check_folder(folder, named, contents)
+        return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
+    if project is None and contents.files:
+        _warn(named, contents, only_)
+    return _deliver(folder, named, contents, stand)
 
 
 def _refuse_contradictions(
-    project: str | None, fmu: Any, programme: Any, motion: Any, servo: Any, attitude: Any, name: str, parts: bool
-) -> None:
+    project: str | None, fmu: Any, programme: Any, motion: Any, servo: Any, attitude: Any, name: str, real: str | None,
+    only: tuple[str, ...], added: tuple[str, ...],
+) -> None:  # fmt: skip
     """Raise UsageError for options that mean nothing together."""
+    from mahovik.out.export.folder import BLOCKS, compiles_programmes
+
     if fmu is not None and project != "fmu":
         raise UsageError("fmu: only with --project fmu")
     for what, value in (("motion", motion), ("servo", servo), ("name", name if name != "programme" else None)):
         if value is not None and programme is None:
             raise UsageError(f"{what}: needs --programme P.json, which is missing")
-    if programme is not None and (project is not None or attitude is not None):
-        raise UsageError("programme: not with --project, --attitude; its files lie beside those of `mahovik generate`")
-    if attitude is not None and project in ("cmake", "fmu", "fuzz", *BLOCKS):
-        raise UsageError(f"attitude: needs a board, not --project {project}")
-    if parts and (project in ("fmu", "fuzz", *BLOCKS) or attitude is not None):
+    if programme is not None and attitude is not None:
+        raise UsageError("programme, attitude: both drive the flywheels; write them into two folders")
+    if programme is not None and project is not None and not compiles_programmes(project):
+        raise UsageError(f"programme: {project} has no firmware to play it; expected cmake or a board as project")
+    if attitude is not None and project in ("fmu", "fuzz", *BLOCKS):
+        raise UsageError(f"attitude: needs cmake or a board, not --project {project}")
+    if (only or added) and (project in ("fmu", "fuzz", *BLOCKS) or attitude is not None):
         what = "attitude" if attitude is not None else "project"
         raise UsageError(f"{what}: has all functions that it calls; not with --only, --with, --batch")
+    if added and project not in (None, "cmake"):
+        raise UsageError("with_: a board has the self-test and nothing else")
+    if real == "float" and project in BLOCKS:
+        raise UsageError(f"real: the block of {project} computes in double, leave it out")
+
+
+def _name(source: Any, otherwise: str) -> str:
+    """Name of a file in messages."""
+    return Path(source).name if isinstance(source, str | Path) else otherwise
 
 
 def _default_name(stand: Stand, project: str | None, attitude: Any) -> str:
     parts = [stand.name, *(["attitude"] if attitude is not None else []), *([project] if project else [])]
     return "-".join(parts if project or attitude is None else [*parts, "host"])
-
-
-def _files(
-    stand: Stand, project: str | None, attitude: Any, real: str | None, only: tuple[str, ...], added: tuple[str, ...]
-) -> _Contents:
-    """The files of the folder. Raises UsageError, StandError."""
-    if attitude is None and project in BLOCKS:
-        from mahovik.out.export.fmu import export_block
-
-        if real == "float":
-            raise UsageError(f"real: the block of {project} computes in double, leave it out")
-        return _Contents(export_block(stand, project))
-    if attitude is None and project in (None, "cmake", "fuzz"):
-        if project == "cmake":
-            from mahovik.out.export.cmake import cmake_project
-
-            return _Contents(cmake_project(stand, real or "double", only, added))
-        if project == "fuzz":
-            from mahovik.core.toolchain.fuzzing import fuzz_project
-
-            return _Contents(fuzz_project(stand, real or "double"))
-        from mahovik.core.emit.delivery import delivery
-
-        return _Contents(delivery(stand, real or "double", only, added))
-    from mahovik.core.toolchain.targets import TARGETS
-    from mahovik.out.export.target import exportable
-    from mahovik.out.export.target import project as board_project
-
-    if project is not None and project not in TARGETS:
-        raise UsageError(
-            f'project: unknown "{project}"{suggestion(project, ("cmake", "fmu", "fuzz", *BLOCKS, *TARGETS))}'
-        )
-    board = exportable(project or "host")
-    if attitude is None:
-        if added:
-            raise UsageError("with_: a board has the self-test and nothing else")
-        return _Contents(board_project(stand, board, real or board.real or "double", only), ("main.c",))
-    from mahovik.out.export.attitude import attitude_project
-
-    loop = attitude_project(stand, board, _loop_options(attitude), real or board.real or "double")
-    return _Contents(loop.files, lines=tuple(loop.design.lines))
 
 
 def _loop_options(attitude: Any) -> Any:
@@ -224,33 +225,7 @@ def _loop_options(attitude: Any) -> Any:
     return LoopOptions(**settings)
 
 
-def _add_programme(
-    made: _Contents, stand: Stand, folder: Path, programme: Any, motion: Any, servo: Any, table: str, name: str,
-    real: str | None,
-) -> None:  # fmt: skip
-    """Add the files of a programme, and of its servos. Raises CheckError, UsageError."""
-    from mahovik.out.export.programme import export_programme
-    from mahovik.out.export.programme.files import element_type, refuse_foreign
-
-    course = programme_of(programme)
-    required = None if motion is None else motion_of(motion, stand, course)
-    chosen = element_type(folder, stand, real)
-    source = Path(programme).name if isinstance(programme, str | Path) else "programme"
-    if servo is None:
-        tables = export_programme(stand, course, required, table, None, chosen, None, source, name)
-        made.lines = tables.lines
-    else:
-        from mahovik.out.export.servo import export_servo
-
-        names = source, Path(servo).name if isinstance(servo, str | Path) else "servo"
-        both = export_servo(stand, course, required, servo_of(servo, stand), chosen, table, names, name)
-        tables, made.servo, made.lines = both.programme, both.servo, (*both.programme.lines, *both.lines)
-        refuse_foreign(folder, stand, "servo", made.servo, "" if name == "programme" else f"{name}_servo")
-    made.programme = tables.files
-    refuse_foreign(folder, stand, "programme", made.programme, name)
-
-
-def _deliver(folder: Path, stand: Stand, made: _Contents, source: Any) -> Result:
+def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
     from mahovik.core.stand.content import content
     from mahovik.proof.verify.delivery import deliver, provenance
     from mahovik.writing import write_all
@@ -283,22 +258,7 @@ def _result(
     )
 
 
-def _compared(folder: Path, stand: Stand, made: _Contents) -> Result:
-    """Whether a folder is as the stand file gives it. A file that is the user's to change is not compared."""
-    from mahovik.proof.verify.delivery import differences
-
-    files = {name: text for name, text in made.files.items() if name not in made.replaceable}
-    differing = differences(folder, stand, files) if files else []
-    for name, text in {**made.programme, **made.servo}.items():
-        path = folder / name
-        if not path.is_file() or path.read_bytes() != text.encode():
-            differing.append(f"{path}: is {'not what the generator makes of it' if path.is_file() else 'missing'}")
-    if differing:
-        raise CheckError("\n".join(differing))
-    return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
-
-
-def _warn(stand: Stand, made: _Contents, only: tuple[str, ...]) -> None:
+def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
     """Warn of what float does not resolve, of tasks out of reach, of a singular (12), as `mahovik check` does."""
     import json
 

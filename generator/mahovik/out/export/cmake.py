@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import PurePosixPath
+
 from mahovik.core.emit.cpp import cpp_example, cpp_header
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import describe_bodies, generate_all
@@ -10,18 +13,26 @@ from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.out.export.attitude import ExportedAttitude
+from mahovik.out.export.target import board_folder, exportable
 
 
 def cmake_project(
-    stand: Stand, real: str, only: tuple[str, ...] = (), additions: tuple[str, ...] = ()
+    stand: Stand,
+    real: str,
+    only: tuple[str, ...] = (),
+    additions: tuple[str, ...] = (),
+    beside: Sequence[str] = (),
+    loop: ExportedAttitude | None = None,
 ) -> dict[str, str]:
     """The project's files, text by file name; `only`, `additions`: as of `generate`, and the self-test always.
 
-    Without `forward` there is no example.
+    beside  names of the files of programmes and servos in the folder, which the target has too
+    loop    an attitude loop, which the target has too, with its own functions of the C; its run is an example
 
-    Raises StandError, UsageError.
+    Without `forward` there is no example in C++. Raises StandError, UsageError.
     """
-    generated = generate_all(stand, real, only)
+    generated = generate_all(stand, real, only) if loop is None else loop.generated
     additions = (*(name for name in dict.fromkeys(additions) if name != "selftest"), "selftest")
     name, hashes, example = stand.name, identities(stand), any(f.name == "forward" for f in generated.program.functions)
     files = {
@@ -29,7 +40,11 @@ def cmake_project(
         **cpp_header(stand, generated),
         **added_files(stand, generated, additions),
     }
-    listed = (("--only", only), ("--with", additions[:-1]))
+    parts = [name for name in beside if name.endswith((".h", ".c"))]
+    if loop is not None:
+        files |= loop.files | board_folder(exportable("host"))
+        parts += [f"{name}_attitude.h", f"{name}_attitude.c"]
+    listed = (("--only", () if loop else generated.chosen), ("--with", additions[:-1]))
     options = "" if real == "double" else f" --real {real}"
     options += "".join(f" {option} {','.join(names)}" for option, names in listed if names)
     words = {
@@ -44,7 +59,13 @@ def cmake_project(
         "command": f"mahovik generate STAND.toml --project cmake{options}",
         "structure": hashes.structure,
         "physics": hashes.physics,
-        "headers": [file for file in files if file.endswith((".h", ".hpp")) and "/" not in file],
+        "sources": [file for file in parts if file.endswith(".c") and "/" not in file],
+        "tests": [PurePosixPath(file).stem for file in parts if file.endswith("_test.c")],
+        "parts": parts,
+        "loop": loop is not None,
+        "headers": [
+            file for file in dict.fromkeys((*files, *parts)) if file.endswith((".h", ".hpp")) and "/" not in file
+        ],
     }
     files |= {
         **(cpp_example(stand, generated) if example else {}),
@@ -52,4 +73,4 @@ def cmake_project(
         f"{name}Config.cmake.in": template("cmake/Config.cmake.in.j2").render(**words),
         "README.md": template("cmake/README.md.j2").render(**words),
     }
-    return with_manifest(stand, generated, files, "cmake")
+    return with_manifest(stand, generated, files, "cmake" if loop is None else "attitude-cmake")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Mapping
+from collections.abc import Iterable, Sequence
 from pathlib import PurePosixPath
 
 from mahovik.core.emit.delivery import selftest_files
@@ -32,8 +32,13 @@ def exportable(name: str) -> Target:
     return target
 
 
-def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ()) -> dict[str, str]:
-    """The project's files, text by file name; `only`: as of `generate`. Raises StandError, UsageError."""
+def board_project(
+    stand: Stand, target: Target, real: str, only: tuple[str, ...] = (), beside: Sequence[str] = ()
+) -> dict[str, str]:
+    """The project's files, text by file name; `only`: as of `generate`. Raises StandError, UsageError.
+
+    `beside`: names of the files of programmes and servos in the folder, which it compiles too.
+    """
     made = generate_all(stand, real, only)
     files = {
         **made.files,
@@ -41,6 +46,7 @@ def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ())
         **board_folder(target),
         "main.c": selftest_main(stand.name, SWEEP),
     }
+    compiled = [name for name in beside if name.endswith((".h", ".c")) and not name.startswith(VERIFICATION)]
     words = {
         "name": stand.name,
         "NAME": stand.name.upper(),
@@ -48,12 +54,13 @@ def project(stand: Stand, target: Target, real: str, only: tuple[str, ...] = ())
         "title": target.title,
         "compiler": target.compiler[0],
         "hosted": target.family == "hosted",
+        "compiled": compiled,
     }
-    files["Makefile"] = makefile(target, files, f"Self-test of {stand.name} ({real})")
+    files["Makefile"] = makefile(target, [*files, *compiled], f"Self-test of {stand.name} ({real})")
     files["README.md"] = template("board/project.md.j2").render(
         **words | {"emulator": " ".join(target.emulator[:3]) or "this machine"},
         command=f"mahovik generate STAND.toml --project {target.name} --real {real}"
-        + (f" --only {','.join(only)}" if only else ""),
+        + (f" --only {','.join(made.chosen)}" if made.chosen else ""),
         packages=f"; Debian: apt-get install {' '.join(target.packages)}",
         startup="startup.S" if f"{VERIFICATION}startup.S" in files else "startup.c",
         fpu=bool(target.real),
@@ -70,13 +77,14 @@ def board_folder(target: Target) -> dict[str, str]:
     return {f"{VERIFICATION}{name}": text for name, text in board_files(target).items()}
 
 
-def makefile(target: Target, files: Mapping[str, str], subject: str, defines: str = "", host: str = "") -> str:
+def makefile(target: Target, files: Iterable[str], subject: str, defines: str = "", host: str = "") -> str:
     """Makefile of a project: it builds and runs all sources of `files` on a target.
 
     `subject`: what the program is; `defines`: macros that all sources have; `host`: name of the console of this
     machine, with which the same sources that are not the board's are built and run here as well.
     """
-    sources = sorted(name for name in files if name.endswith((".c", ".S")))
+    files = sorted(files)
+    sources = [name for name in files if name.endswith((".c", ".S"))]
     board = board_folder(target)
     return template("board/Makefile.j2").render(
         subject=subject,
@@ -91,7 +99,7 @@ def makefile(target: Target, files: Mapping[str, str], subject: str, defines: st
         mhz=f" -DBOARD_MHZ={target.mhz}u" if target.mhz else "",
         link=shlex.join(link_flags(target)),
         objects=[str(PurePosixPath(name).with_suffix(".o")) for name in sources],
-        headers=sorted(name for name in files if name.endswith(".h")),
+        headers=[name for name in files if name.endswith(".h")],
         startup_in_assembler=f"{VERIFICATION}startup.S" in files,
         host=host,
         host_sources=[*(name for name in sources if name not in board), host],

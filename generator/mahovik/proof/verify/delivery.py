@@ -46,11 +46,15 @@ _NOTHING = "nothing was written"
 
 @dataclass(frozen=True)
 class Options:
-    """What `generate` was asked for beside the prefix, which is the name of the stand: as its options have it."""
+    """What `generate` was asked for beside the prefix, which is the name of the stand: as its options have it.
+
+    `project`: also `attitude-` before the project of an attitude loop; "" for none.
+    """
 
     real: str = "double"
     only: tuple[str, ...] = ()
     additions: tuple[str, ...] = ()
+    project: str = ""
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,7 @@ def delivered_options(folder: Path) -> Options | None:
         return None
     stems = {PurePosixPath(name).stem for name in manifest["files"]}
     added = tuple(name for name in ADDITIONS if {f"{manifest['stand']}_{name}", f"mahovik_{name}"} & stems)
-    return Options(manifest["real"], tuple(manifest.get("only", ALL)), added)
+    return Options(manifest["real"], tuple(manifest.get("only", ALL)), added, str(manifest.get("project", "")))
 
 
 def with_prefix(stand: Stand, prefix: str | None) -> Stand:

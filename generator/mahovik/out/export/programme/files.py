@@ -39,7 +39,6 @@ from mahovik.proof.verify.programme.verification import (
     stand_check,
     tolerance_for,
 )
-from mahovik.writing import write_all
 
 LIMITS = {"double": 1e-6, "float": 1e-3}
 """Largest relative residual that a table may add."""
@@ -284,14 +283,14 @@ def table_messages(table: Table, errors: Errors, layout: Layout) -> list[str]:
     return lines
 
 
-def element_type(folder: Path, stand: Stand, real: str | None) -> str:
-    """Element type for the C in a folder: the given one, else that of the stand's header there, else double.
+def element_type(folder: Path, stand: Stand, real: str | None, usual: str = "double") -> str:
+    """Element type for the C in a folder: the given one, else that of the stand's header there, else the usual one.
 
     Raises UsageError if the two differ, CheckError if the header is of another stand.
     """
     header = read_header(folder, stand.name)
     if header is None or header.real is None:
-        return real or "double"
+        return real or usual
     hashes = identities(stand)
     if (header.structure, header.physics) != (hashes.structure, hashes.physics):
         raise CheckError(
@@ -303,21 +302,11 @@ def element_type(folder: Path, stand: Stand, real: str | None) -> str:
     return header.real
 
 
-def write_programme(
-    folder: Path, stand: Stand, files: Mapping[str, str], called: str = "programme"
-) -> tuple[Path, ...]:
-    """Write the files of a programme, all or none. Raises UsageError rather than overwrite files of others."""
-    refuse_foreign(folder, stand, "programme", files, called)
-    return write_all(folder, files)
-
-
-def write_servo(
-    folder: Path, stand: Stand, programme: Mapping[str, str], servo: Mapping[str, str], called: str = "programme"
-) -> tuple[Path, ...]:
-    """Write the files of a programme and of its servo, all or none. Raises UsageError."""
-    refuse_foreign(folder, stand, "programme", programme, called)
-    refuse_foreign(folder, stand, "servo", servo, "" if called == "programme" else f"{called}_servo")
-    return write_all(folder, {**programme, **servo})
+def files_in(folder: Path, stand: Stand) -> tuple[str, ...]:
+    """Names of the files of the programmes and servos that a folder has beside the C of a stand, by their manifests."""
+    manifests = sorted(folder.glob(f"{stand.name}_*.json"))
+    hashes = [_manifest_hashes(path, what) or {} for path in manifests for what in ("programme", "servo")]
+    return tuple(name for listed in hashes for name in listed if (folder / name).is_file())
 
 
 def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, str], called: str = "") -> None:
