@@ -52,7 +52,7 @@ def test_only_emit_spells_C() -> None:
 
 
 def test_files_can_be_read_at_once() -> None:
-    """At most 800 lines."""
+    """A file has at most 800 lines."""
     lines = {path: path.read_text(encoding="utf-8").count("\n") for path in (*SOURCES, *TEMPLATES)}
     assert [path for path, count in lines.items() if count > 800] == []
 

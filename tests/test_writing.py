@@ -101,7 +101,7 @@ def test_an_interrupt_at_any_instruction_leaves_the_old_or_the_new(
 
 
 def received(fifo: Path, action: Callable[[], object]) -> str:
-    """What arrives in a FIFO."""
+    """Text that arrives in a FIFO."""
     messages: list[str] = []
     reader = threading.Thread(target=lambda: messages.append(fifo.read_text()), daemon=True)
     reader.start()

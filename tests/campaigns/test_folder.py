@@ -24,7 +24,7 @@ parquet = pytest.importorskip("pyarrow.parquet")
 
 
 def computed(folder: Path, *options: str, **head: Any) -> Any:
-    """What the command does with a campaign of four chunks of ten samples."""
+    """Run the command with a campaign of four chunks of ten samples."""
     return run("campaign", str(write(folder, VARY + RUN, chunk=10, **head)), "-o", str(folder / "out"), *options)
 
 

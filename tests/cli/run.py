@@ -32,7 +32,7 @@ PROGRAM = "import sys; sys.argv[0] = 'mahovik'; from mahovik.out.command_line im
 
 
 def run(*arguments: str, stdin: str | bytes = "") -> Result:
-    """In this process. An exception that is no exit is a traceback: it is raised."""
+    """Run the command in this process. An exception that is no exit is a traceback: it is raised."""
     result = CliRunner().invoke(main, list(arguments), input=stdin)
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception

@@ -31,7 +31,7 @@ class TerminalOutput:
 
     @property
     def lines(self) -> list[str]:
-        """What stands on the screen at the end: escape sequences and lines that were cleared are gone."""
+        """Text on the screen at the end, without escape sequences and lines that were cleared."""
         text = re.sub(r"[^\n]*\n\x1b\[\?25h\r\x1b\[1A\x1b\[2K|[^\n]*\r\x1b\[2K", "", self.screen.replace("\r\n", "\n"))
         return re.sub(r"\x1b\[[?\d;]*[A-Za-z]", "", text).splitlines()
 

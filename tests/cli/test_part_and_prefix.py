@@ -1,4 +1,4 @@
-"""Folders and logs of `generate --only` and `generate --prefix`, as verify, cost, judge-log and replay take them."""
+"""Folders and logs of `generate --only` and `generate --prefix`, as verify, evidence and replay take them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def part(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def log(part: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What its self-test prints."""
+    """Output of its self-test."""
     return self_test(part, "shakerp", tmp_path_factory.mktemp("log"))
 
 

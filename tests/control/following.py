@@ -35,7 +35,7 @@ def wanted(rows: int | None = 64) -> ReferenceMotion:
 
 
 def servo(trim: bool = False, text: str = SERVO) -> Servo:
-    """With a trim by the heave alone."""
+    """Servo of the shaker, with a trim by the heave alone if asked."""
     return read_servo(text + TRIM * trim, shaker()[0])
 
 

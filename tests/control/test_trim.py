@@ -35,7 +35,7 @@ STEP = 1e-4
 
 
 def corrected(programme: Programme, term: int, size: float) -> Programme:
-    """With a correction of the second flywheel: mean, cos, sin, cos 2, sin 2."""
+    """The programme with a correction of the second flywheel: mean, cos, sin, cos 2, sin 2."""
     assert isinstance(programme.course, Fourier)
     coefficients = np.zeros((TERMS, 2))
     coefficients[term, 1] = size

@@ -117,7 +117,7 @@ def test_quaternion_of_angles(sequence: str) -> None:
 
 
 def test_rotation_of_a_quaternion_of_any_length() -> None:
-    """With k = 2 / (q . q): a rotation, the same for every length, and C a = q a q~ / (q . q)."""
+    """It is a rotation for k = 2 / (q . q), the same for every length, and C a = q a q~ / (q . q)."""
     q, k, a = vector("q", 4), sp.Symbol("k"), vector("a")
     C = derived.rotation_of_quaternion()
     relations = (k * q.dot(q) - 2,)

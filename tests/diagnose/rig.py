@@ -106,7 +106,7 @@ class Rig:
         return ship(*(np.radians(angles) if self.fault == "degrees" else angles))
 
     def wrenches(self, state: Mapping[str, Any], V_dot: Array, rates: Array) -> tuple[Array, Array]:
-        """What moves: wrench on the carrier that these accelerations need (6), about O1; of mounts on rotors (N, 6)."""
+        """Wrench on the carrier that these accelerations need (6), about O1; wrenches of mounts on rotors (N, 6)."""
         fault, R = self.fault, self.attitude(state)
         V = np.array(state.get("V", np.zeros(6)))
         v, w, a, alpha = V[:3], V[3:], V_dot[:3], V_dot[3:]

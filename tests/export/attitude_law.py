@@ -24,7 +24,7 @@ def rotation(attitude: Any) -> Any:
 
 @dataclass(frozen=True)
 class Wanted:
-    """Where the carrier should be: rotation, angular velocity and acceleration in its own axes."""
+    """Demanded motion of the carrier: rotation, angular velocity and acceleration in its own axes."""
 
     turned: Any
     rate: Array

@@ -91,7 +91,7 @@ def programme(stand: Stand | None = None) -> Programme:
 
 
 def servo(text: str = "", stand: Stand | None = None) -> Servo:
-    """At 1 kHz, with a delay of more than a sample."""
+    """Servo at 1 kHz, with a delay of more than a sample."""
     return read_servo(HEAD + text, stand or pendulum(), "hold.toml")
 
 

@@ -78,7 +78,7 @@ def sampled() -> Programme:
 
 
 def finite_course(duration: float, end: float = 40.0) -> Samples:
-    """From rest to rest: both flywheels go by `end` rad, one back."""
+    """Course from rest to rest: both flywheels go by `end` rad, one back."""
     t = np.linspace(0.0, duration, 400)
     x = (t / duration)[:, None]
     way = np.array([[end, -end]])

@@ -15,7 +15,7 @@ TRIM = 'integral = "4 Hz"\n[trim]\ncoordinates = ["z"]\nharmonics = 1\nsettling 
 
 
 def servo(text: str = "") -> Servo:
-    """At 2 kHz, with a delay of more than a sample."""
+    """Servo at 2 kHz, with a delay of more than a sample."""
     return read_servo(HEAD + text, stand())
 
 

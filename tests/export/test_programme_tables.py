@@ -166,7 +166,7 @@ def even_programme(speed: float, gained: float) -> Programme:
 
 @pytest.mark.parametrize(("real", "angle"), [("double", 1e-9), ("float", 2e-4)])
 def test_no_turn_is_lost(real: str, angle: float) -> None:
-    """At 500 rad/s fifteen turns to an interval of 0.2 s; whole turns of a period are removed as integers."""
+    """500 rad/s are fifteen turns in an interval of 0.2 s; whole turns of a period are removed as integers."""
     fast = even_programme(500.0, 30.0)
     made = export_programme(load(stands.path("sat4")), fast, nodes=64, real=real, limit=0.1)
     assert made.errors[0].phi < angle

@@ -174,7 +174,7 @@ def test_steps_that_are_too_long_for_the_friction_are_warned_of() -> None:
 
 @pytest.mark.parametrize("name", STOPS)
 def test_the_rate_of_a_coordinate_is_the_speed_of_its_freedom(name: str) -> None:
-    """At poses that the hold allows: from home along the freedoms, then on."""
+    """Poses are those that the hold allows: from home along the freedoms, then on."""
     stand = held_stand(name, STOPS[name])
     hold, rng = stand.hold, np.random.default_rng(3)
     assert hold is not None

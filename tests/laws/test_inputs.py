@@ -89,7 +89,7 @@ def test_momentum_asks_no_fin() -> None:
 
 
 def test_the_header_numbers_fins_and_propellers() -> None:
-    """In the order of the table: body by body."""
+    """Their numbers follow the order of the table, body by body."""
     text = generate_all(loads(FILE)).files["vessel.h"]
     assert "enum { VESSEL_FIN_HULL, VESSEL_FIN_STERN, VESSEL_FIN_RUDDER, VESSEL_FINS = 3 };" in text
     assert "enum { VESSEL_PROPELLER_MAIN, VESSEL_PROPELLER_BOW, VESSEL_PROPELLERS = 2 };" in text

@@ -21,7 +21,7 @@ def warnings(text: str) -> list[str]:
 
 
 def test_products_that_count_twice_are_warned_of() -> None:
-    """With X_udot = -1, Y_vdot = -30, Z_wdot = -31: X_wq = Z_wdot, and N_uv = Y_vdot - X_udot = -29."""
+    """X_udot = -1, Y_vdot = -30, Z_wdot = -31 make X_wq = Z_wdot and N_uv = Y_vdot - X_udot = -29."""
     plain = PRODUCTS.replace(KEY, "")
     (line,) = warnings(plain)
     assert "damping.terms X w q = -31.2 (and 1 more)" in line

@@ -41,7 +41,7 @@ def spoiled(value: Any, path: NumberPath, number: Any) -> Any:
 
 
 def get(value: Any, path: NumberPath) -> Any:
-    """What lies at a path."""
+    """Value at a path."""
     for step in path:
         value = value[step]
     return value

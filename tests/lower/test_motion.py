@@ -122,7 +122,7 @@ def test_step_agrees_with_an_adaptive_integration_of_the_reference(function: str
 
 
 def test_the_result_may_be_the_state_itself_and_phases_are_wrapped() -> None:
-    """In place gives the same bits; every phase ends within half a turn."""
+    """A step in place gives the same bits; every phase ends within half a turn."""
     c = free()
     x = start(c) | {"phi": [900.0, -5000.0, 3.2]}
     apart = c.call("step", inputs(c, x))[1]["next"]

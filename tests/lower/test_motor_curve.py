@@ -40,7 +40,7 @@ TORQUE = -2.012
 
 
 def limit(wheel: int, speed: float, sense: float) -> float:
-    """What a motor has, straight from the file's points."""
+    """Torque of a motor, straight from the points of the file."""
     if wheel == 2:
         return 0.2 * max(0.0, 1.0 - speed * sense / 250.0) if speed * sense > 0.0 else 0.2
     speeds, torques = np.transpose((MIRRORED, SIGNED)[wheel])

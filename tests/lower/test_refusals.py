@@ -66,7 +66,7 @@ def limit_of(path: NumberPath) -> float | None:
 
 
 def test_any_element_that_is_not_finite_or_beyond_its_range(c: Compiled) -> None:
-    """At the limit itself every element is accepted."""
+    """It is refused; at the limit itself every element is accepted."""
     inputs = ordinary(c)
     for function, taken in functions(c):
         for path in places(c, function, taken, inputs):

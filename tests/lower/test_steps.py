@@ -72,7 +72,7 @@ def test_a_step_in_which_something_turns_too_far_says_so_and_is_made(
 
 
 def test_the_bound_stands_for_the_error_that_the_header_names() -> None:
-    """At the bound: 3e-4 of a vibration after a turn; with a third of it a hundred and a tenth of that."""
+    """The error of a vibration after a turn is 3e-4 at the bound, and 100 and 10 times less at a third of it."""
     c = compiled("bench8")
     N, speed = len(c.layout.structure.flywheels), 300.0
     start = good(c)["x"] | {"phi": np.linspace(-3, 3, N).tolist(), "phi_dot": [speed] * N}

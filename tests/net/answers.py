@@ -107,7 +107,7 @@ def _modes(name: str) -> Answers:
 
 
 def _identified(result: Any) -> Answers:
-    """Without standard errors: the data have no noise but rounding."""
+    """Answers without standard errors: the data have no noise but rounding."""
     return {key: _plain(result[key]) for key in ("path", "value", "before")}
 
 
@@ -224,7 +224,7 @@ def answer(name: str) -> Answers:
 
 
 def differences(before: Any, after: Any, relative: float, path: str = "") -> Iterator[str]:
-    """Where two answers differ by more than the tolerance."""
+    """Places where two answers differ by more than the tolerance."""
     if isinstance(before, dict) and isinstance(after, dict):
         for key in sorted(before.keys() | after.keys(), key=str):
             if key not in before or key not in after:

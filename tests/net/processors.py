@@ -36,7 +36,7 @@ def named(pairs: tuple[tuple[str, str], ...]) -> list[tuple[Target, str]]:
 
 
 def accepted_costs(target: TargetCost) -> dict[str, Any]:
-    """What is accepted of a target's costs."""
+    """Accepted costs of a target."""
     functions = {f.function: [getattr(f, figure) for figure in COMPARED_FIGURES] for f in target.functions}
     return {
         "compiler": target.compiler,

@@ -55,7 +55,7 @@ def test_momentum_and_energy(seed: int, stream: bool) -> None:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_velocity_of_the_mass_centre_is_the_rate_of_its_place(seed: int) -> None:
-    """In E0, with flywheels, stream and added mass."""
+    """It holds in E0, with flywheels, stream and added mass."""
     stand, state = draw(seed, 3)
     along = motion(stand, state)
 

@@ -55,7 +55,7 @@ def about_center_of_mass(stand: Stand, state: State) -> Stand:
 @PROPERTY
 @given(case=cases(stream=False))
 def test_gyrostat_splits_into_translation_and_eulers_equation(case: tuple[Stand, State]) -> None:
-    """Balanced, symmetric flywheels, no added mass, O1 at the centre of mass; run-time wrenches act."""
+    """Flywheels are balanced and symmetric, O1 is at the centre of mass, nothing is added; run-time wrenches act."""
     stand, state = case
     stand = about_center_of_mass(balanced(without_added_mass(isolated(stand))), state)
     at, V_dot = pieces(stand, state), value(stand, state, "forward", "V_dot")

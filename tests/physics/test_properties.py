@@ -128,7 +128,7 @@ def test_origin_and_axes_are_a_matter_of_choice(case: tuple[Stand, State], seed:
 
 
 def with_plain_fluid(carrier: Carrier) -> Carrier:
-    """Without damping that is tied to axes; buoyancy and damping are there, so that they can be redescribed."""
+    """The stand without damping that is tied to axes; buoyancy and damping can be redescribed."""
     damping = carrier.law(Damping)
     buoyancy = carrier.law(Buoyancy) or Buoyancy(0.0, (0.0, 0.0, 0.0))
     return replace(carrier, laws=(buoyancy, Damping(damping.linear if damping else None, None, ())))

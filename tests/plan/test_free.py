@@ -128,7 +128,7 @@ def test_one_wheel_does_on_a_rail_with_the_unbalance_of_the_closed_formula() -> 
 
 @pytest.mark.slow
 def test_eight_wheels_get_the_unbalance_that_the_motion_needs() -> None:
-    """With a twentieth of it the preflight proves that no programme exists."""
+    """A twentieth of this unbalance is too little: the preflight proves that no programme exists."""
     whole = mahovik.load(stands.path("bench8"))
     static = {s.name: s.mass * float(np.hypot(*s.center_of_mass[1:])) for s in whole.flywheels}
     stand = whole.replace({f"{name}.unbalance.static": 0.05 * mu for name, mu in static.items()})

@@ -51,7 +51,7 @@ def test_loops_multiply_and_the_dearer_branch_counts() -> None:
 
 
 def test_each_further_flywheel_costs_forward_the_same() -> None:
-    """The loop is over rows: from 5 to 64 flywheels the count is linear."""
+    """The count is linear from 5 to 64 flywheels, since the loop is over rows."""
     one, many = (operations(generated(name).program, "forward") for name in ("bare5", "bare64"))
     loops = [operations(generated("bare5").program, name) for name in ("sum_mass", "sum_spin")]
     assert (many.total - one.total) * 5 >= 59 * sum(loop.total for loop in loops)

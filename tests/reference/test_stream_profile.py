@@ -95,7 +95,7 @@ def test_rigorous_balls_hold_it() -> None:
 
 @given(st.floats(0, 50))
 def test_lines_between_stations(depth: float) -> None:
-    """Written out by hand."""
+    """The stream between stations is written out by hand."""
     u = stream_at(loads(FILE), (3.0, -2.0, depth))
     share = min(depth / 10, 1.0)
     rest = max(0.0, (depth - 10) / 40)

@@ -98,7 +98,7 @@ def samples(stand: Stand, true: Stand, count: int, seed: int) -> list[State]:
 
 @pytest.mark.parametrize(("precision", "error"), [(DOUBLE, 1e-9), (FLOAT, 1e-6)])
 def test_planted_unbalances_are_found(precision: Precision, error: float) -> None:
-    """12 numbers of six flywheels from 40 samples without noise, to the digits that the motion leaves."""
+    """40 samples without noise give 12 numbers of six flywheels, to the digits that the motion leaves."""
     stand = load(stands.path("bench8"))
     stand = replace(stand, flywheels=tuple(replace(s, inertia_about="origin") for s in stand.flywheels[:6]))
     planted = 2e-4 * np.random.default_rng(1).normal(size=12)

@@ -80,7 +80,7 @@ def test_article_compiles(example: Stand, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("added", [False, True])
 def test_no_two_symbols_look_the_same(added: bool) -> None:
-    """Names of the table of the C, indices of symmetric and square matrices, rates."""
+    """It compares names of the table of the C, indices of symmetric and square matrices, and rates."""
     names = {"m", "phi_dot", "phi_ddot", "mu", "c", "s", "c2", "s2", "dc", "ds", "dc2", "ds2", "ddc", "dds", "two_c2"}
     names |= {f"{name}[{k}]" for name in ("J", "J_c", "J_2c", "J_2s", "A_inv", "S") for k in range(6)}
     names |= {f"{name}[{k}]" for name in ("R", "C", "G", "U", "B") for k in range(9)}
@@ -135,7 +135,7 @@ def inertia(mu: np.ndarray, J: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("seed", quick(1, range(2)))
 def test_numbers_give_the_matrices_of_the_reference(seed: int) -> None:
-    """K and I of (8) from the tables of the page, at random states, against the literal reference."""
+    """K and I of (8) from the tables of the page agree with the literal reference at random states."""
     example = general(4, seed)
     state = random_state(example, np.random.default_rng(seed))
     wanted = evaluate(example, state, ["matrices"])

@@ -81,7 +81,7 @@ def test_verdicts_are_summed_up(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("stop", [KeyboardInterrupt(), RuntimeError("a bug")])
 def test_an_interrupted_run_leaves_nothing(tmp_path: Path, stop: BaseException) -> None:
-    """Not even beside the place; what was there stays as it was."""
+    """Nothing is left beside the place either; what was there stays as it was."""
 
     def say(name: str, what: str) -> None:
         if (name, what) == ("good", ""):
@@ -101,7 +101,7 @@ def test_an_interrupted_run_leaves_nothing(tmp_path: Path, stop: BaseException) 
 
 @pytest.mark.parametrize("what", quick(2, ["foreign", "changed", "other stand", "added", "file", "link"]))
 def test_what_is_somebody_elses_is_refused(tmp_path: Path, what: str) -> None:
-    """Before anything is run, and nothing is touched."""
+    """It is refused before anything is run, and nothing is touched."""
     folder = tmp_path / "out"
     if what == "foreign":
         folder.mkdir()

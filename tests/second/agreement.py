@@ -75,7 +75,7 @@ def worst_difference(stand: Stand, state: State, *evaluates: Callable[[State, Se
 def attempt(
     evaluate: Callable[[State, Sequence[str]], dict[str, Any]], state: State, want: str
 ) -> dict[str, Any] | None:
-    """What evaluate gives; None where it refuses."""
+    """Answer of `evaluate`; None where it refuses."""
     try:
         with np.errstate(all="ignore"):
             return evaluate(state, [want])

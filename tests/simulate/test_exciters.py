@@ -69,7 +69,7 @@ def test_a_motor_of_the_file_hangs_as_one_that_delivers_its_line() -> None:
 
 @pytest.mark.parametrize(("torque", "speed"), [(0.35, 60.81), (4.0, 140.0)])
 def test_a_weak_motor_hangs_at_the_resonance(torque: float, speed: float) -> None:
-    """Where the power of the motor is that of the vibration: 60.81 rad/s, a little below sqrt(k / m) = 62.83 rad/s."""
+    """The powers of motor and vibration are equal at 60.81 rad/s, a little below sqrt(k / m) = 62.83 rad/s."""
     model = mahovik.build(mahovik.Stand.of(loads(FILES["rail.toml"])))
     curve = [[0, torque], [50 * np.pi, 0]]
     motion = model.simulate(20.0, regime={"flywheel": {"ex": {"torque_speed": curve}}}, dt=1e-3, every=0.01)

@@ -71,7 +71,7 @@ def test_the_c_and_the_literal_reference_move_alike(name: str, text: str) -> Non
 
 
 def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
-    """J a'' + c a' + k (a - a_0) = 0, wherever the axle is and however far it turns from the zero of the spring."""
+    """J a'' + c a' + k (a - a_0) = 0 holds wherever the axle is, however far it turns from the zero of the spring."""
     friction, spring, zero, apart, pivot = 0.08, 3.0, 0.4, 2.0, 0.3
     suspension = {"stiffness": np.diag([0, 0, 0, 0, spring, 0]).tolist(),
                   "damping": np.diag([0, 0, 0, 0, friction, 0]).tolist(), "angles": [0, zero, 0]}  # fmt: skip

@@ -56,7 +56,7 @@ def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
 
 
 def test_a_free_stand_nutates() -> None:
-    """J omega' = -omega x H of a gyrostat about its mass centre: the one frequency there is."""
+    """Its one frequency is that of J omega' = -omega x H of a gyrostat about its mass centre."""
     stand, speed = load(stands.path("sat4")), 500.0
     scene = Scene.of(stand)
     mechanics = scene.chart.mechanics

@@ -134,7 +134,7 @@ damping = [8, 0, 100, 0.8, 0, 0]
 
 
 def test_a_mass_on_springs() -> None:
-    """Every direction for itself: frequency sqrt(k/m), ratio c / 2 sqrt(k m); one is overdamped."""
+    """Each direction has frequency sqrt(k/m) and ratio c / 2 sqrt(k m); one is overdamped."""
     stand = loads(SPRUNG)
     result = modes(linear_model(stand, rest_state(stand)))
     k, m = np.array([800, 450, 200, 32, 12, 7.2]), np.array([2, 2, 2, 0.5, 0.3, 0.2])
@@ -159,7 +159,7 @@ def test_a_floating_stand_is_free_in_all_directions() -> None:
 
 
 def test_a_spinning_flywheel_makes_it_nod() -> None:
-    """Nutation of a gyrostat about its principal axes: H / sqrt(J2 J3), H of a flywheel along the first."""
+    """The nutation of a gyrostat about its principal axes is H / sqrt(J2 J3), H of a flywheel along the first."""
     stand = load(path("sat4"))
     wheel = replace(stand.flywheels[0], position=(0.0, 0.0, 0.0))
     wheel = replace(wheel, mounting=MountingAxes((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
@@ -185,7 +185,7 @@ WEIGHT, ARM, INERTIA, SPIN = 2.5 * 9.81, 0.2, 0.02 + 2.5 * 0.2**2, 1e-3
 
 @pytest.mark.parametrize(("locked", "inertia"), [(True, INERTIA + SPIN), (False, INERTIA)])
 def test_a_hanging_pendulum_has_the_frequency_of_the_formula(locked: bool, inertia: float) -> None:
-    """sqrt(m g l / J) / 2 pi: a free flywheel about the same axis does not turn with the pendulum."""
+    """It is sqrt(m g l / J) / 2 pi; a free flywheel about the same axis does not turn with the pendulum."""
     stand = loads(PENDULUM)
     result = modes(linear_model(stand, rest(stand).state, [], locked=locked))
     (swing,) = [mode for mode in result.modes if mode.kind == "oscillation"]
@@ -217,7 +217,7 @@ def rate(stand: Stand, state: State, tau: Array) -> Array:
 
 
 def test_the_derivatives_are_those_of_the_reference() -> None:
-    """A ball joint off O1 with weight and three unbalanced flywheels, moving."""
+    """The stand moves on a ball joint off O1, with weight and three unbalanced flywheels."""
     hold, u = Hold(HOLDS["ball joint"], (0.1, -0.2, 0.15), (0.0,) * 3, (0.0,) * 3), (0.4, -0.7, 0.5)
     stand = replace(random_stand(np.random.default_rng(2), 3, replace(BARE, gravity=True)), hold=hold)
     state = move(home(stand), np.eye(3), np.array(twist_of(hold, (0.3, 0.2, -0.5))))

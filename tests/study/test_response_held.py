@@ -56,7 +56,7 @@ def reaction(response: Any, quantity: str) -> Any:
     [({"static": "72 g mm"}, 72e-6, 72e-7), ({"dynamic": "5 kg mm^2"}, 0.0, 5e-6)],
 )
 def test_a_force_table_reads_an_unbalance(unbalance: dict[str, str], force: float, moment: float) -> None:
-    """U w^2 across the axis, a static one with its arm of 100 mm in the moment, at one order alone."""
+    """The reaction is U w^2 across the axis, its moment that with an arm of 100 mm, at one order alone."""
     response = periodic_response(stand_of(table(**unbalance)), [300.0])
     for quantity, size in (("force", force * 300.0**2), ("moment", moment * 300.0**2)):
         np.testing.assert_allclose(reaction(response, quantity)[1], [size, size, 0.0], rtol=1e-12, atol=1e-12)
@@ -78,7 +78,7 @@ def shaker(friction: bool, damping: float = 300.0) -> dict[str, Any]:
 
 @pytest.mark.parametrize(("friction", "speed"), [(False, 10.0), (True, 24.0), (False, 80.0)])
 def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
-    """m e w^2 / (k - M w^2 + i c w) along the rail, by the suspension or by friction; m e w^2 across it is held."""
+    """It moves by m e w^2 / (k - M w^2 + i c w) along the rail; m e w^2 across the rail is held."""
     M, k, c, me = 68.0, 4e4, 300.0, 0.16
     response = periodic_response(stand_of(shaker(friction)), [speed])
     size = me * speed**2 / abs(k - M * speed**2 + 1j * c * speed)
@@ -95,7 +95,7 @@ def test_a_shaker_of_one_freedom(friction: bool, speed: float) -> None:
 
 
 def test_six_freedoms_are_the_free_carrier() -> None:
-    """A hold that blocks nothing: the same motion of points, the same natural frequencies, no reaction."""
+    """A hold that blocks nothing leaves the motion of points and the natural frequencies, without reaction."""
     free = load(stands.path("bench8"))
     held = replace(free, hold=Hold(tuple(FREEDOMS.values()), (0.1, -0.2, 0.3), ZERO, ZERO))
     speeds = [60.0, -40.0, 20.0, 0, 0, 0, 0, 0]
@@ -137,7 +137,7 @@ def size(vibration: Vibration, wheel: str) -> Any:
 @pytest.mark.parametrize("speeds", [{"up": 300.0, "down": -211.7}, {"up": "100..300", "down": -211.7}])
 @pytest.mark.parametrize("quantity", ["force", "moment"])
 def test_a_clamped_carrier_moves_only_the_reaction(speeds: dict[str, Any], quantity: str) -> None:
-    """U w^2 of the static unbalance with its arm of 100 mm, and a couple of U w^2 of the dynamic one; the weight."""
+    """The reaction is U w^2 with an arm of 100 mm, a couple of U w^2 of the dynamic unbalance, and the weight."""
     stand = two_wheels("72 g mm", "5 kg mm^2")
     result = lines_of(stand, speeds, "hold.reaction", quantity)
     force, couple = 72e-6 * 300.0**2, 5e-6 * 211.7**2

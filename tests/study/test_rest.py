@@ -22,7 +22,7 @@ from mahovik.use.study.rest import rest
 from physics.general import rows, suspension_of
 from verify.holds import PENDULUM
 
-LIMIT = 1e-12  # the contract of `mahovik rest`, absolute
+LIMIT = 1e-12  # the contract of a pose of rest, absolute
 
 
 def acceleration(stand: Stand, state: State) -> np.ndarray:
@@ -43,7 +43,7 @@ def test_examples_rest(name: str, phase: float) -> None:
 
 @pytest.mark.parametrize("seed", range(2))
 def test_random_suspended_stands_rest(seed: int) -> None:
-    """Suspension, legs, weight, buoyancy at general places."""
+    """Suspension, legs, weight and buoyancy act at general places."""
     features = Features(gravity=True, stream=False, fluid=True, laws={"suspension": 1, "leg": 2})
     stand = random_stand(np.random.default_rng(seed), 3, features)
     result = rest(stand, [0.3, 1.0, -2.0])

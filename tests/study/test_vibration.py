@@ -392,7 +392,7 @@ QUIET: dict[str, Any] = {"speed": AWAY, "at": "acc1", "quantity": "acceleration"
 
 
 def test_small_differences_of_speed_make_sat4_quieter() -> None:
-    """All orders in the band by collocation over a common period; the momentum is that of the literal reference."""
+    """All orders in the band agree with a common period; the momentum is that of the literal reference."""
     result = command(path("sat4"), **QUIET, momentum="0 0 14")["improved"]
     exact = periodic_response(SAT4, result["speeds"].tolist(), result["phases"].tolist())
     values = rms(exact.harmonics(find_view(SAT4, "acc1")), exact.frequencies, BAND)

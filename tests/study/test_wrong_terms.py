@@ -53,7 +53,7 @@ Change = Callable[[Any, Any, Pieces], None]
 
 
 def approx(x: float) -> float:
-    """With the digits that `named` has."""
+    """A number with the digits that `named` has."""
     return float(f"{x:.6g}")
 
 
@@ -84,7 +84,7 @@ def first_moment(name: str) -> float:
 
 
 def answer_with(stand: Stand, change: Change, request: Request) -> Mapping[str, Any]:
-    """What a program with these wrong equations answers; one of a held carrier solves them along the freedoms."""
+    """Answer of a program with these wrong equations; one of a held carrier solves them along the freedoms."""
     held = stand.hold is not None
     S = np.eye(6) if stand.hold is None else twists(stand.hold)
     state = held_state(stand, request.state) if held else request.state

@@ -33,7 +33,7 @@ PASSED = ["programme_at PASS cases 8 wrong 0", "refusals PASS wrong 0", "clock P
 @pytest.mark.parametrize("kind", ["quintic", "fourier"])
 @pytest.mark.parametrize("name", EMBEDDED)
 def test_programmes(name: str, kind: str, real: str, tmp_path: Path) -> None:
-    """Their own self-test says so; one of the two has a run-up."""
+    """Their self-test passes on the board; one of the two has a run-up."""
     chosen, motion = target(name), "started" if kind == "quintic" else "swaying"
     sources = {n: t for n, t in programme(motion, kind, real).files.items() if n.endswith((".c", ".h"))}
     sources |= {"shaker2.h": stand_files(real)["shaker2.h"], "main.c": MAIN}
@@ -92,7 +92,7 @@ FLAGS = ("-DSETTLE=100", "-DDUMP=300", "-DLAST=10", "-DARCSEC_MOST=100")
     ("name", "real"), [("m7", "double"), ("m4", "float"), ("rv64gc", "double"), ("rv32imac", "double")]
 )
 def test_attitude_loops(name: str, real: str, tmp_path: Path) -> None:
-    """Double by software on a Cortex-M has other bits in rare cases: test_board.py."""
+    """They have the bits of the desk, but for rare sums of software double on a Cortex-M: test_board.py."""
     made = attitude_sources(load_stand(path("eye4")), LoopOptions(rate=10.0, momentum=0.01), real)
     printed = []
     for board in ("host", name):

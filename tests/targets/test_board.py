@@ -122,7 +122,7 @@ def test_a_status_and_an_endless_loop_are_errors(name: str, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("name", TARGETS)
 def test_a_missing_tool_says_what_installs_it(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """On a machine without compilers."""
+    """The machine has no compiler."""
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(ToolchainError, match=r"make targets.*apt-get install") as caught:
         build(TARGETS[name], {"a.c": "int main(void) { return 0; }\n"}, tmp_path)

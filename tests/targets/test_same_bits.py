@@ -35,7 +35,7 @@ def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
 
 @pytest.mark.slow
 def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The one flag that the bits rest on, turned round, where the processor can fuse."""
+    """The one flag that the bits rest on is turned round, on a processor that can fuse."""
     monkeypatch.setattr(board, "BITS", ("-ffp-contract=fast",))
     report = verify_targets(load(DEMO3), [(target("rv64gc"), "double")], sweep=2)
     (row,) = report.rows

@@ -45,7 +45,7 @@ def one_line(error: pytest.ExceptionInfo[ToolchainError]) -> str:
     ],
 )
 def test_no_compiler(chosen: str | None, message: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """What is missing is named, with the package that has it, and nothing is left behind."""
+    """The error names what is missing and the package that has it; nothing is left behind."""
     if chosen is None:
         monkeypatch.delenv("CC", raising=False)
         monkeypatch.setenv("PATH", str(tmp_path / "nothing"))

@@ -56,7 +56,7 @@ def nudged(name: str, by: float) -> Any:
 
 
 def test_a_stand_without_flywheels_passes() -> None:
-    """What nothing can meet is left over, whole."""
+    """The whole demand is the residual, since nothing can meet it."""
     report = verify_c(replace(DEMO, flywheels=()), count=10)
     assert report.passed, report.failures
     compared = {row.quantity for row in report.rows if row.verdict == "ok"}
@@ -109,7 +109,7 @@ def written(folder: Path, stand: Stand, change: Any = lambda name, text: text) -
 
 
 def test_a_term_broken_in_the_emitted_c_is_caught(tmp_path: Path) -> None:
-    """The sign of a rate of the first moment."""
+    """The sign of a rate of the first moment is changed."""
     old, new = "sum->mu_dot[1] += ", "sum->mu_dot[1] -= "
     stand = load(path("bench8"))
 

@@ -78,7 +78,7 @@ def failures(stand: Stand, other: Stand, kind: type[Program], count: int = 8) ->
 @pytest.mark.parametrize("kind", PROGRAMS.values())
 @pytest.mark.parametrize("key", ["center_of_mass", "inertia", "position", "mounting"])
 def test_one_wrong_number_of_a_body_is_caught(key: str, kind: type[Program]) -> None:
-    """In the ninth digit, of the last flywheel."""
+    """The number, of the last flywheel, is wrong in the ninth digit."""
     stand = STANDS["random, 1"]
     (last,) = stand.flywheels
     right: Any = getattr(last, key)
@@ -143,7 +143,7 @@ def held_case(name: str, seed: int, flywheels: int = 2) -> Stand:
 @pytest.mark.parametrize(("name", "kind"), [(n, k) for n in JOINTS for k in PROGRAMS if (n, k) not in REFUSED])
 @pytest.mark.parametrize("seed", quick(1, range(3)))
 def test_the_joint_itself_agrees(name: str, kind: str, seed: int) -> None:
-    """Accelerations along the freedoms, reactions, drive torques, joint forces, and points."""
+    """Accelerations along the freedoms, reactions, drive torques, joint forces and points are compared."""
     stand = held_case(name, seed)
     checks = judge(stand, NumpyBackend(stand), [PROGRAMS[kind](stand)], draw(stand, seed, 5))
     assert {check.quantity for check in checks if check.failed} == set()
@@ -186,7 +186,7 @@ def test_a_hold_that_is_a_billionth_off_fails(name: str, kind: str) -> None:
 
 
 def test_twists_that_are_not_those_of_the_joints_fail(monkeypatch: pytest.MonkeyPatch) -> None:
-    """S is shared with the C, the joints are made of direction and pivot."""
+    """The twists S are shared with the C, but the joints are made of direction and pivot."""
     stand = held_case("hinge", 3)
     assert stand.hold is not None
     x, y, z = stand.hold.pivot

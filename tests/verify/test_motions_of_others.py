@@ -73,7 +73,7 @@ def difference(one: Ends, other: Ends) -> float:
 
 
 def moved_by_mujoco(stand: Stand, state: State) -> Ends:
-    """Where MuJoCo's own Runge-Kutta method moves the stand."""
+    """The end of a motion by MuJoCo's own Runge-Kutta method."""
     program = Mujoco(stand)
     u = state.V if stand.hold is None else state.u
     program.solve(state, np.array([*(program.rates * u), *state.phi_dot]))
@@ -219,7 +219,7 @@ def test_rotors_of_basilisk_move_as_the_c_steps(name: str) -> None:
 @needs_basilisk
 @pytest.mark.parametrize("key", ["center_of_mass", "position", "inertia"])
 def test_a_wrong_rotor_is_caught(key: str) -> None:
-    """One number of one rotor that Basilisk is given, in the seventh digit."""
+    """Basilisk gets one number of one rotor that is wrong in the seventh digit."""
     stand = STANDS["random"]
     *rest, last = stand.flywheels
     wrong = replace(last, **{key: (np.array(getattr(last, key)) * (1.0 + 1e-7)).tolist()})

@@ -72,7 +72,7 @@ def test_the_c_is_right_to_rounding(name: str, real: str) -> None:
     ids=lambda value: value.name if isinstance(value, Stand) else value,
 )
 def test_a_quantity_that_is_off_by_1e_12_is_caught(stand: Stand, quantity: str) -> None:
-    """Too little for the tolerance of `verify`, too much for rounding."""
+    """The fault is too little for the tolerance of `verify`, and too much for rounding."""
     rounding = measured(stand, Changed(backend(stand.name), quantity, 1 + 9e-13), 6 if stand is HELD else STATES)
     assert {row.quantity for row in rounding.failures} == {quantity}
     assert all(row.value < 1e-12 for row in rounding.failures)

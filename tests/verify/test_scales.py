@@ -89,7 +89,7 @@ def test_an_error_of_1e_9_in_a_term_is_seen(name: str) -> None:
 
 
 def test_a_scale_is_the_change_of_the_answer() -> None:
-    """x a + b of numbers near 1: each moves the answer by as much as it is."""
+    """The answer is x a + b of numbers near 1, each of which moves it by as much as it is."""
     stand = load(path("demo3"))
     scales = Scales(stand)
     _, state = draw(stand, 1, 3)[1]

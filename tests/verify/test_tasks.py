@@ -102,7 +102,7 @@ def rows_about(case: Case) -> list[Check]:
 
 
 def failed(rows: list[Check]) -> list[tuple[str, str, float, str, str]]:
-    """What to see of rows that failed."""
+    """Function, quantity, value, state and words of the rows that failed."""
     return [(row.judged, row.quantity, row.value, row.state, row.words) for row in rows if row.failed]
 
 
@@ -155,7 +155,7 @@ def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
 def test_a_sign_of_s_that_C_and_reference_have_alike_is_noticed(
     function: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """omega x v of a point with the wrong sign wherever the C and the literal reference have it."""
+    """omega x v of a point has the wrong sign in the C and in the literal reference."""
     folder = planted("sat4", tmp_path, "project_sight", "velocity_0", "velocity_0", stand())
     source = folder / "sat4.c"
     text, changed = re.subn(
@@ -205,7 +205,7 @@ def answers(backend: Backend, *lines: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def test_both_backends_answer_a_task_alike_and_the_second_derivation_confirms_them() -> None:
-    """Whole demands, and torques within the motors for a demand within reach and for one beyond it."""
+    """Whole demands agree, and torques within the motors for demands within reach and beyond it."""
     needed = ("inverse_pointing", "torque_for_pointing", "inverse", "torque", "points", "mounts", "prepare_mounts")
     c, literal, second = CBackend(SAT, generated=generate_all(SAT, only=needed)), NumpyBackend(SAT), Second(SAT)
     wants = ["torque", "points", "mounts"]

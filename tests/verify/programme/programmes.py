@@ -27,7 +27,7 @@ Case = tuple[Stand, RequiredMotion, Programme]
 def programme_of(
     stand: Stand, motion: RequiredMotion, course: Fourier | Samples, winding: tuple[int, ...], bias: np.ndarray
 ) -> Programme:
-    """With the identities of the stand."""
+    """A programme with the identities of the stand."""
     hashes, names = identities(stand), tuple(s.name for s in stand.flywheels)
     return Programme(
         stand.name,
@@ -101,7 +101,7 @@ def twins() -> Case:
 
 
 def twins_run_up() -> RunUpTable:
-    """In 0.1 s to the programme of `twins`: speed by a quintic, angle to end where the programme begins."""
+    """Run-up in 0.1 s to the programme of `twins`: speed by a quintic, angle to end where the programme begins."""
     x = np.linspace(0.0, 1.0, 21)[:, None]
     Tr, omega = 0.1, 2 * np.pi / 0.1 * np.array([[1.0, -1.0]])
     speed, slope = x**3 * (10 - 15 * x + 6 * x**2), 30 * x**2 * (1 - x) ** 2

@@ -113,7 +113,7 @@ def test_a_servo_file_that_is_not_that_of_the_c_fails(tmp_path: Path) -> None:
 
 
 def test_c_that_is_not_there_or_of_another_stand_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match=r"shaker2_servo\.h: not there; expected what `mahovik export servo"):
+    with pytest.raises(UsageError, match=r"shaker2_servo\.h: not there; expected what `mahovik generate --servo"):
         judged(tmp_path)
     source = written(exported("spin"), tmp_path)
     facts = source.with_suffix(".json")
@@ -174,7 +174,7 @@ def test_what_rounding_decides_has_no_answer() -> None:
 
 
 def test_harmonics_that_are_not_determined_have_no_answer() -> None:
-    """An undamped carrier in resonance with the first harmonic."""
+    """An undamped carrier is in resonance with the first harmonic."""
     zeros = np.zeros((9, 6, 6))
     resonant = (zeros - np.eye(6), zeros, *(np.zeros((3, 9, 6, 1)) + 1.0))
     with pytest.raises(StateError, match="a free motion of the carrier"):

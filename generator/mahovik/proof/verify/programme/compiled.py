@@ -103,7 +103,7 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     mechanics = folder / f"{stand.name}.h"
     for path in (header, source, manifest, mechanics):
         if not path.is_file():
-            command = "generate" if path == mechanics else f"export {kind}"
+            command = "generate" if path == mechanics else f"generate --{kind}"
             raise UsageError(f"{path}: not there; expected what `mahovik {command} -o {folder}` writes")
     try:
         document = json.loads(manifest.read_text(encoding="utf-8"))
