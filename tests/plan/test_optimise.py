@@ -10,11 +10,10 @@ import pytest
 
 from mahovik.core.motion.required import Bounds
 from mahovik.core.stand.random import EVERYTHING
-from mahovik.use.plan.certificate import figures
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.outcome import Budget
-from mahovik.use.plan.planner import no_programme_message
+from mahovik.use.plan.planner import figures, no_programme_message
 from mahovik.use.plan.points import Stage
 from mahovik.use.plan.problem import Periodic
 from mahovik.use.plan.search import Search
@@ -107,9 +106,11 @@ def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(mo
     attempt = improver.evaluate(free.with_harmonics(2), "rock", free)
     search: Search[Candidate] = Search(beyond=[attempt])
     assert not attempt.exact
-    words = no_programme_message(search)
+    words = no_programme_message(search, "one more flywheel")
     assert "the nearest attempt exceeds a bound, torque of w" in words
-    assert "bound is 0.03" in words and "try wider bounds" in words and "bound" not in no_programme_message(Search())
+    assert (
+        "bound is 0.03" in words and "try wider bounds" in words and "bound" not in no_programme_message(Search(), "")
+    )
     monkeypatch.setattr(Improver, "rescue", lambda *_: None)
     (nearest,) = improver.choose(
         [], [attempt], seconds=None

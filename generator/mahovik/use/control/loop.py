@@ -31,6 +31,7 @@ from mahovik.use.numeric.course import Chart, equilibrium
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.unbalance import twist_at_rest
+from mahovik.use.simulate.run import STATE_COLUMNS
 
 _AXES, _ANGLES = "xyz", ("psi", "theta", "phi")
 
@@ -125,8 +126,7 @@ class Record:
     def columns(self) -> dict[str, Array]:
         """The record as columns by name and unit: those of `mahovik simulate` and the required motion."""
         stand = self.reference.stand
-        names = ["t [s]", *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"]
-        names += [f"v_{a} [m/s]" for a in _AXES] + [f"omega_{a} [rad/s]" for a in _AXES]
+        names = ["t [s]", *STATE_COLUMNS]
         q = self.q
         if stand.hold is None:
             q = q[:, 3:]

@@ -1,23 +1,21 @@
-"""Programmes with stand, motion and hashes, figures for their report, and findings of the independent verification."""
+"""Programmes with stand, motion and hashes, figures for their report, findings of the verification, weak motors."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.numeric.residual import prescribe, torques
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.problem import Periodic, Problem
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """Optional tables of a programme: key in the file, and name in messages."""
@@ -95,31 +93,27 @@ def drop_refused_tables(programme: Programme) -> Programme:
     return replace(programme, report=report)
 
 
-def figures(problem: Problem, motion: Periodic) -> dict[str, Any]:
-    """Figures of a periodic motion for a report, on a grid 20 times finer than its harmonics need.
-
-    Largest relative residual between the nodes, peaks (N each), least singular value of K^-1/2 I Theta_ff^-1/2, and the
-    number of sign changes of det I in a period; None unless there are six flywheels.
-    """
-    grid = problem.grid(20 * (2 * motion.H + 2), motion.H, 0.5)
-    angles = motion.at(grid.basis)
-    tau = torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
-    sigma, determinants = singular_values(problem.mechanics, angles.phi)
+def peaks(angles: Angles, tau: Array) -> dict[str, Any]:
+    """Largest speed, acceleration and torque (N each) of a motion for a report; rad, s, N m."""
     return {
-        "residual": problem.relative(motion),
         "peak_speed": np.abs(angles.phi_dot).max(axis=0),
         "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
         "peak_torque": np.abs(tau).max(axis=0),
-        "least_singular_value": float(sigma.min()) if sigma.size else 0.0,
-        "det_I_sign_changes": sign_changes(determinants, periodic=True),
     }
 
 
-def sign_changes(values: Array | None, *, periodic: bool) -> int | None:
-    """Number of sign changes along values (M), `periodic`: also from the last to the first; None without values."""
-    if values is None:
-        return None
-    return int(np.sum(values[1:] * values[:-1] < 0.0) + (periodic and values[0] * values[-1] < 0.0))
+def regularity(mechanics: Mechanics, phi: Array, *, periodic: bool) -> dict[str, Any]:
+    """How regular (12) is at angles (M, N), for a report.
+
+    Least singular value of K^-1/2 I Theta_ff^-1/2, and the number of sign changes of det I, `periodic`: also from the
+    last moment to the first; None unless there are six flywheels.
+    """
+    sigma, determinants = singular_values(mechanics, phi)
+    changes = None
+    if determinants is not None:
+        changes = int(np.sum(determinants[1:] * determinants[:-1] < 0.0))
+        changes += bool(periodic and determinants[0] * determinants[-1] < 0.0)
+    return {"least_singular_value": float(sigma.min()) if sigma.size else 0.0, "det_I_sign_changes": changes}
 
 
 def singular_values(mechanics: Mechanics, phi: Array) -> tuple[Array, Array | None]:
@@ -135,3 +129,30 @@ def singular_values(mechanics: Mechanics, phi: Array) -> tuple[Array, Array | No
     )
     determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == mechanics.N else None
     return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
+
+
+def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:
+    """One line for each peak torque (N m) or peak speed (rad/s) of a report that is above that of the motor.
+
+    Peaks are compared with the motor's numbers, as they are in the file: its torque at speed is less, and its friction
+    comes on top. A flywheel without a motor, or whose motor has no limit, has no line.
+    """
+    result = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], ""))
+    for key, name in TABLES.items():
+        if peak := report.get(key, {}).get("peak"):
+            result += _exceeding(stand, peak["torque"], peak["speed"], f" in the {name}")
+    return tuple(result)
+
+
+def _exceeding(stand: Stand, torques: Sequence[float], speeds: Sequence[float], where: str) -> Iterator[str]:
+    for flywheel, torque, speed in zip(stand.flywheels, torques, speeds, strict=True):
+        motor = flywheel.motor
+        if motor is None:
+            continue
+        asked = (("torque", "N m", torque, motor.peak), ("speed", "rad/s", speed, motor.no_load))
+        for kind, unit, value, most in asked:
+            if most is not None and value > most:
+                yield (
+                    f"{flywheel.name}: peak {kind}{where} {value:.4g} {unit} is above its motor's {most:.4g} {unit}, "
+                    f"which the search does not heed: add {kind} to the bounds of the motion, or ask for less"
+                )

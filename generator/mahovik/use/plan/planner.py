@@ -13,20 +13,19 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.use.numeric.residual import linear, prescribe
+from mahovik.use.numeric.residual import linear, prescribe, torques
 from mahovik.use.plan.certificate import (
     certify,
     drop_refused_tables,
     failed_items,
-    figures,
     make_programme,
-    sign_changes,
-    singular_values,
+    motor_warnings,
+    peaks,
+    regularity,
 )
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, fit, search_finite, table_of
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.mean_pose import refuse_unplannable
-from mahovik.use.plan.motors import motor_warnings
 from mahovik.use.plan.objective import Cost, Rows, exceeded_bounds, has_bounds
 from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
 from mahovik.use.plan.preflight import Preflight, preflight
@@ -107,7 +106,8 @@ def _plan_periodic(
                     programme = drop_refused_tables(certify(problem.stand, motion, programme))
             yield programme
 
-    words = () if chosen else (no_programme_message(result),)
+    fewer = "another winding, a smaller motion or one more flywheel"
+    words = () if chosen else (no_programme_message(result, fewer),)
     return _verified_plan(problem.stand, first, result, words, effort, programmes(), whole)
 
 
@@ -142,7 +142,9 @@ def _plan_finite(
                     programme = certify(whole.stand, whole.motion, programme)
             yield programme
 
-    words = () if search.programmes else (_no_finite_programme_message(search, whole.stand),)
+    few = whole.stand.hold is None and whole.N < 8  # two flywheels more than its rows keep I regular
+    fewer = f"a smaller or slower motion or {'eight flywheels' if few else 'one more flywheel'}"
+    words = () if search.programmes else (no_programme_message(search, fewer),)
     return _verified_plan(whole.stand, first, search, words, effort, programmes(), budget)
 
 
@@ -183,25 +185,15 @@ def _verified_plan(
     return Plan("NO_PROGRAM", "SEARCH", tuple(refused), warnings, (), effort, interrupted)
 
 
-def no_programme_message(search: Search[Candidate]) -> str:
-    """Message of a search without success; it proves nothing."""
-    tried = ", ".join(f"{kind} {number}" for kind, number in search.tried.items()) or "none"
+def no_programme_message(search: Search[Any], hint: str) -> str:
+    """Message of a search without success, which proves nothing; `hint`: what else may help."""
+    tried = ", ".join(f"{kind} {number}" for kind, number in search.tried.items())
     near = search.beyond[0].exceeded_bounds[:1] if search.beyond else ()
     bound = "".join(f"; the nearest attempt exceeds a bound, {exceeded.words}" for exceeded in near)
     return (
-        f"no programme was found (this does not prove that there is none): {search.starts} starts tried ({tried}), "
-        f"best relative residual {search.best:.3g}, {search.end_reason}{bound}; try {'wider bounds, ' if bound else ''}"
-        "another seed, more time, another winding, a smaller motion or one more flywheel"
-    )
-
-
-def _no_finite_programme_message(search: Search[FiniteSolution], stand: Stand) -> str:
-    """Message that no programme was found for a finite motion. Two flywheels more than its rows keep I regular."""
-    few = stand.hold is None and len(stand.flywheels) < 8
-    return (
-        f"no programme was found (this does not prove that there is none): {search.starts} starts tried, best relative "
-        f"residual {search.best:.3g}, {search.end_reason}; try another seed, more time, a smaller or slower motion or "
-        f"{'eight flywheels' if few else 'one more flywheel'}"
+        f"no programme was found (this does not prove that there is none): {search.starts} starts tried"
+        f"{f' ({tried})' if tried else ''}, best relative residual {search.best:.3g}, {search.end_reason}{bound}; "
+        f"try {'wider bounds, ' if bound else ''}another seed, more time, {hint}"
     )
 
 
@@ -225,6 +217,15 @@ def _periodic_programme(
     return make_programme(problem.stand, motion.name, motion.span, periodic.bias, winding, course, report)
 
 
+def figures(problem: Problem, motion: Periodic) -> dict[str, Any]:
+    """Figures of a periodic motion for a report, on a grid 20 times finer than its harmonics need."""
+    grid = problem.grid(20 * (2 * motion.H + 2), motion.H, 0.5)
+    angles = motion.at(grid.basis)
+    tau = torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
+    regular = regularity(problem.mechanics, angles.phi, periodic=True)
+    return {"residual": problem.relative(motion), **peaks(angles, tau), **regular}
+
+
 def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -> dict[str, Any]:
     """Figures of a finite programme."""
     motion, span = solved.motion, problem.motion.span
@@ -235,7 +236,6 @@ def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -
     swing = angles.phi - angles.phi.mean(axis=0)
     parts = cost.value(angles, np.zeros(problem.N), Rows.torque(at))
     over = exceeded_bounds(problem.motion.bounds, problem.stand, t, angles, swing, at.tau, motion.bias)
-    sigma, determinants = singular_values(problem.mechanics, angles.phi)
     return {
         "kind": "finite",
         "objective": float(sum(parts.values())),
@@ -243,10 +243,7 @@ def _finite_report(problem: FiniteProblem, cost: Cost, solved: FiniteSolution) -
         "exceeded": [bound.words for bound in over],
         "residual": solved.residual,
         "degree": solved.degree,
-        "peak_speed": np.abs(angles.phi_dot).max(axis=0),
-        "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
-        "peak_torque": np.abs(at.tau).max(axis=0),
+        **peaks(angles, at.tau),
         "end_speed": angles.phi_dot[-1],
-        "least_singular_value": float(sigma.min()) if sigma.size else 0.0,
-        "det_I_sign_changes": sign_changes(determinants, periodic=False),
+        **regularity(problem.mechanics, angles.phi, periodic=False),
     }

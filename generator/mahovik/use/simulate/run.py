@@ -19,6 +19,12 @@ from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_
 
 BACKENDS = ("c", "scipy")
 _AXES = "xyz"
+STATE_COLUMNS = (
+    *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz",
+    *(f"v_{a} [m/s]" for a in _AXES), *(f"omega_{a} [rad/s]" for a in _AXES),
+)  # fmt: skip
+"""Columns of the carrier's place, attitude and twist."""
+
 _UNITS = ("N",) * 3 + ("N m",) * 3
 
 
@@ -110,8 +116,7 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
     def add(names: Sequence[str], values: Array) -> None:
         columns.update(zip(names, values.T, strict=True))
 
-    add([*(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz"], state[:, :7])
-    add([*(f"v_{a} [m/s]" for a in _AXES), *(f"omega_{a} [rad/s]" for a in _AXES)], state[:, 7:13])
+    add(STATE_COLUMNS, state[:, :13])
     add([*(f"v_dot_{a} [m/s2]" for a in _AXES), *(f"omega_dot_{a} [rad/s2]" for a in _AXES)], V_dot)
     phi, phi_ddot, tau = whole("phi"), whole("phi_ddot"), whole("tau")
     for i, s in enumerate(stand.flywheels):

@@ -18,7 +18,7 @@ from mahovik.errors import StateError
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Norm, prescribe, residual, torques
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.certificate import certify, failed_items, make_programme
+from mahovik.use.plan.certificate import certify, failed_items, make_programme, peaks
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
 from mahovik.use.plan.slew.share import (
@@ -71,7 +71,7 @@ _ABSURD = 1e3
 
 
 def plan_slew(stand: Stand, slew: Slew, verify: bool = True, say: Callable[[str], None] = lambda _: None) -> Plan:
-    """The programme of a slew. `tell` hears what is being done."""
+    """The programme of a slew. `say` hears what is being done."""
     try:
         say("searching")
         planned = mean_stand(stand) if slew.unbalance == "averaged" else stand
@@ -346,9 +346,7 @@ def _programme(stand: Stand, slew: Slew, planned: Table, sharp: Sharp | None) ->
         "exceeded": [],
         "used": {use.kind: use.share for use in planned.limit_uses},
         "hardest": [use.words for use in planned.limit_uses],
-        "peak_speed": np.abs(angles.phi_dot).max(axis=0),
-        "peak_acceleration": np.abs(angles.phi_ddot).max(axis=0),
-        "peak_torque": np.abs(motion.tau).max(axis=0),
+        **peaks(angles, motion.tau),
         "peak_motor_torque": np.abs(motion.tau - limits.friction(angles.phi_dot)).max(axis=0),
         "end_speed": angles.phi_dot[-1],
         "through_zero": _through_zero(limits.names, angles.phi_dot),
