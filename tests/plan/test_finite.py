@@ -17,9 +17,9 @@ from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.programme.mechanics import moment
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
-from mahovik.use.plan.outcome import Budget
+from mahovik.use.plan.outcome import Budget, PlanOptions
+from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
 from plan.problems import example

@@ -17,11 +17,11 @@ from mahovik.core.stand import Stand, load
 from mahovik.errors import UsageError
 from mahovik.stands import path
 from mahovik.use.numeric.residual import prescribe, residual, torques
-from mahovik.use.plan import PlanOptions, ocp
+from mahovik.use.plan import ocp
 from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp import Mesh, carrier_inputs, node_function, plan_ocp, solve
-from mahovik.use.plan.outcome import Budget
+from mahovik.use.plan.outcome import Budget, PlanOptions
 from mahovik.use.plan.problem import Problem
 from plan.held_stands import stand, wheel
 from plan.problems import example

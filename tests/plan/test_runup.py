@@ -37,10 +37,10 @@ from mahovik.use.numeric.course import Chart, equilibrium
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import drive
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan import runup as runups
 from mahovik.use.plan.certificate import drop_refused_tables, failed_items, make_programme
-from mahovik.use.plan.outcome import Budget
+from mahovik.use.plan.outcome import Budget, PlanOptions
+from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.runup import shortcomings, with_runup
 from plan.held_stands import HOLDS, stand, wheel
 from plan.problems import example

@@ -12,9 +12,9 @@ import pytest
 from mahovik.core.motion.functions import Harmonics
 from mahovik.core.motion.required import Bounds, RequiredMotion, Winding
 from mahovik.laws.suspension.law import Suspension
-from mahovik.use.plan import PlanOptions, plan_motion
 from mahovik.use.plan.improve import Improver
-from mahovik.use.plan.outcome import Budget
+from mahovik.use.plan.outcome import Budget, PlanOptions
+from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
 from mahovik.use.plan.search import search

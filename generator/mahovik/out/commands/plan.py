@@ -18,7 +18,7 @@ from mahovik.out.result import Column, Result, column
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion, Slew
     from mahovik.out.api.stands import Stand
-    from mahovik.use.plan import Plan
+    from mahovik.use.plan.outcome import Plan
 
 Method = Literal["fourier", "ocp"]
 Paths = Annotated[str | Sequence[str], "KEYS"]
@@ -70,7 +70,7 @@ def plan(
     from mahovik.out.api.stands import Stand
     from mahovik.out.arguments import required_of, time_limit
     from mahovik.out.notices import Progress, notify
-    from mahovik.use.plan import PlanOptions
+    from mahovik.use.plan.outcome import PlanOptions
     from mahovik.writing import write
 
     if method not in get_args(Method):
@@ -101,8 +101,8 @@ def _planned(
 ) -> tuple[Plan, Stand, Sequence[tuple[str, str, float, float]]]:
     """The plan, the stand that it is for, and the numbers that moved."""
     from mahovik.core.motion.required import Slew
-    from mahovik.use.plan import plan_motion
     from mahovik.use.plan.mean_pose import refuse_unplannable
+    from mahovik.use.plan.planner import plan_motion
 
     def on_progress(state: Any) -> None:
         say(state.words)

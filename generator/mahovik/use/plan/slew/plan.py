@@ -204,7 +204,7 @@ def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[
 
 def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Table:
     """The exact motion at rows so close that (12) holds between them; `rows`: the first, as shares of the time."""
-    t = _rows(exact, law) if rows is None else rows * law.duration
+    t = _rows(exact, path, law) if rows is None else rows * law.duration
     while True:
         if len(t) > MOST_ROWS:
             raise NoSlewError(
@@ -245,7 +245,7 @@ class Table:
         return max(self.limit_uses, key=lambda use: use.share, default=LimitUse("torque", 0.0, "", 0.0, 0.0, np.inf))
 
 
-def _rows(exact: Exact, law: Law) -> Array:
+def _rows(exact: Exact, path: Path, law: Law) -> Array:
     """Times of the first rows: closer where the law bends, and where unevenly built flywheels turn fast."""
     bent = np.flatnonzero(np.diff(np.concatenate([[False], law.bends, [False]]).astype(int)))
     t = [0.0]
@@ -254,7 +254,7 @@ def _rows(exact: Exact, law: Law) -> Array:
         t += [*_even_times(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
     t += [*_even_times(t[-1], law.duration, COARSE * law.breaks[1])]
     t[-1] = law.duration
-    return _turning(exact, law, np.array(t))
+    return _turning(exact, path, law, np.array(t))
 
 
 def _even_times(begin: float, end: float, step: float) -> Array:
@@ -269,14 +269,13 @@ def _split(t: Array, counts: Array) -> Array:
     return np.concatenate([*inner, t[-1:]])
 
 
-def _turning(exact: Exact, law: Law, t: Array) -> Array:
+def _turning(exact: Exact, path: Path, law: Law, t: Array) -> Array:
     """More rows where an uneven flywheel would turn further than TURN from one to the next."""
     uneven = _is_uneven(exact)
     if not uneven.any():
         return t
-    share = np.abs(_least_share(exact))
     _, speed, _ = law.at(t)
-    fastest = (np.abs(exact.slew.phi_dot) + np.abs(speed)[:, None] * share)[:, uneven].max(axis=1)
+    fastest = (np.abs(exact.slew.phi_dot) + np.abs(speed)[:, None] * np.abs(path.share))[:, uneven].max(axis=1)
     angle = np.maximum(fastest[1:], fastest[:-1]) * np.diff(t)
     counts = np.maximum(1, np.ceil(angle / TURN)).astype(int)
     return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
@@ -293,15 +292,6 @@ def _turn_between_rows(exact: Exact, motion: SlewMotion) -> Array:
     """The furthest that an uneven flywheel turns in each interval between rows; rad."""
     angles = np.abs(np.diff(motion.angles.phi, axis=0))
     return np.asarray(angles[:, _is_uneven(exact)].max(axis=1, initial=0.0))
-
-
-def _least_share(exact: Exact) -> Array:
-    """Least share (N) of the flywheels in the slew."""
-    slew = exact.slew
-    if slew.kind == "still":
-        return np.zeros(exact.mechanics.N)
-    axis = slew.axis if slew.kind == "attitude" else slew.start.T @ slew.normal
-    return Mean.of(exact.mechanics, exact.S).least(-exact.S[:, 3:] @ axis)
 
 
 def _refuse_singular(exact: Exact, motion: SlewMotion) -> None:
