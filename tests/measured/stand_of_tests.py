@@ -11,7 +11,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads
 from mahovik.use.measured import Recording, read_recordings
-from mahovik.use.measured.recording import Array
+from mahovik.use.measured.clocks import Array
 
 STAND: Stand = loads("""
 schema = 1

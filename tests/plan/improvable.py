@@ -13,7 +13,7 @@ from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.search import search
-from mahovik.use.plan.windings import Kind
+from mahovik.use.plan.starts import Kind
 from plan.problems import example
 
 N = 8

@@ -21,8 +21,8 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
 from mahovik.proof.verify.scales import Scales
 from mahovik.stands import names, path
+from mahovik.use.simulate.held import lost_increments
 from mahovik.use.study.fluid import added_mass, fluid, growth
-from mahovik.use.study.increments import lost_increments
 from mahovik.use.study.reach import excess, task_shortfalls
 from mahovik.use.study.resolution import (
     FACTOR,

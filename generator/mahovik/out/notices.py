@@ -125,7 +125,7 @@ def warn_of_steps(case: Case) -> None:
     """Warn of steps in which a flywheel turns far, and of steps in float that lose increments without a carry."""
     import numpy as np
 
-    from mahovik.use.study.increments import lost_increments, lost_increments_line
+    from mahovik.use.simulate.held import lost_increments, lost_increments_line
 
     _, speeds, _ = case.motion(np.linspace(0.0, case.until, 200))
     largest = np.abs(np.vstack([speeds, case.phi_dot0])).max(axis=0)

@@ -60,8 +60,7 @@ def check(
     from mahovik.core.stand.written import written_numbers
     from mahovik.out.api.stands import Stand
     from mahovik.out.notices import warn_of_speeds
-    from mahovik.use.simulate.held import long_steps
-    from mahovik.use.study.increments import USUAL_STEP, lost_increments
+    from mahovik.use.simulate.held import USUAL_STEP, long_steps, lost_increments
     from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line
 

@@ -264,7 +264,7 @@ def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
 
     from mahovik.contract.functions import ALL
     from mahovik.core.stand.summary import summarize
-    from mahovik.use.study.increments import USUAL_STEP, lost_increments, lost_increments_line
+    from mahovik.use.simulate.held import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line
 

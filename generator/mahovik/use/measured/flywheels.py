@@ -9,7 +9,7 @@ import pandas as pd
 from scipy.interpolate import PchipInterpolator
 
 from mahovik.core.stand.model import Flywheel
-from mahovik.use.measured.recording import Array, count
+from mahovik.use.measured.clocks import Array, count
 
 TURN = 2.0 * np.pi
 

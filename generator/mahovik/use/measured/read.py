@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.model import Stand
 from mahovik.errors import DataError
 from mahovik.nearest import suggestion
-from mahovik.use.measured.clocks import join
+from mahovik.use.measured.clocks import GAP, Array, Recording, count, join
 from mahovik.use.measured.files import READERS, file_content, read_frames
 from mahovik.use.measured.flywheels import with_phases
 from mahovik.use.measured.headers import (
@@ -26,7 +26,6 @@ from mahovik.use.measured.headers import (
     read_names,
     time_scale,
 )
-from mahovik.use.measured.recording import GAP, Array, Recording, count
 
 FEWEST = 4
 """Samples that a recording has at least."""

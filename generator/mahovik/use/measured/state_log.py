@@ -37,9 +37,9 @@ from mahovik.errors import DataError, StateError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.held import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
+from mahovik.use.measured.clocks import Array
 from mahovik.use.measured.files import read_frames
 from mahovik.use.measured.headers import HeaderError, is_time, split_header, time_scale
-from mahovik.use.measured.recording import Array
 
 SUFFIXES = (".csv", ".parquet")
 

@@ -33,7 +33,7 @@ from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.points import jacobian
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Grid, Periodic, Problem
-from mahovik.use.plan.windings import Kind, draw_windings, with_shortest_period
+from mahovik.use.plan.starts import Kind, draw_windings, with_shortest_period
 
 SHARE = 0.1
 """Part of its value by which a number moves that has no bounds of its own."""

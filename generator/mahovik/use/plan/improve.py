@@ -17,8 +17,8 @@ from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.points import InHarmonics, Stage, refine, refine_periodic
 from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.starts import Kind
 from mahovik.use.plan.step import SOLVED, Rules, descend, restore, size
-from mahovik.use.plan.windings import Kind
 
 HARMONICS = 16
 TAIL = 300.0

@@ -32,7 +32,7 @@ from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import Periodic, Problem
 from mahovik.use.plan.runup import shortcomings, with_runup
 from mahovik.use.plan.search import Search, search, single
-from mahovik.use.plan.windings import repeat_motion, with_shortest_period
+from mahovik.use.plan.starts import repeat_motion, with_shortest_period
 
 SEARCH = 0.5
 """Share of the given time for the search, if run-up and run-down follow it; they have the rest."""

@@ -17,8 +17,7 @@ from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import has_bounds
 from mahovik.use.plan.outcome import Budget, OnProgress
 from mahovik.use.plan.problem import Periodic, Problem
-from mahovik.use.plan.starts import StartBatch
-from mahovik.use.plan.windings import Kind, draw_windings, kinds_in_order
+from mahovik.use.plan.starts import Kind, StartBatch, draw_windings, kinds_in_order
 
 Indices = NDArray[np.intp]
 DRAWN, CHOSEN, REFINED = 256, 48, 6
