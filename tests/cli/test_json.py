@@ -1,4 +1,4 @@
-"""`--json` of every command that prints a table: one document on standard output, also where a check fails."""
+"""Every command: `--json` is one document on standard output, also where a check fails; the stand comes first."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import click
 import pytest
 
 import mahovik.proof.evidence as all_pieces
-from cli.run import BENCH8, DEMO3, run
+from cli.run import DEMO3, run
 from mahovik.out.command_line import main
 from mahovik.stands import path
 from report.evidence import BAD, GOOD
@@ -128,5 +128,15 @@ def test_the_reasons_are_in_it_and_nothing_where_the_input_is_bad() -> None:
     assert (result.exit_code, result.stdout) == (2, "")
 
 
-def test_the_same_bytes_each_time() -> None:
-    assert run("check", BENCH8, "--json").stdout == run("check", BENCH8, "--json").stdout
+NO_STAND = {"new", "campaign"}
+"""Commands without a stand file."""
+
+
+def test_the_stand_is_the_first_argument_and_the_only_one() -> None:
+    for name, command in commands():
+        context = click.Context(command)
+        arguments = [p for p in command.params if isinstance(p, click.Argument)]
+        shown = [piece for argument in arguments for piece in argument.get_usage_pieces(context)]
+        expected = [] if name in NO_STAND else ["STAND.toml"]
+        assert [piece.strip("[]") for piece in shown if "STAND" in piece] == expected, name
+        assert len(shown) <= 1 + (name == "verify"), name

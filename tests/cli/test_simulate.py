@@ -83,7 +83,7 @@ def test_ctrl_c_before_the_command_begins(moment: str, work_folder: Path) -> Non
         "builtins.__import__ = lambda name, *a, **k: stop() if name == 'click' else real(name, *a, **k)\n",
         "options": "import click; click.Group.make_context = stop\n",
     }[moment]
-    command = [sys.executable, "-c", f"{stop}{where}from mahovik.__main__ import run\nrun()", "rest", DEMO3]
+    command = [sys.executable, "-c", f"{stop}{where}from mahovik.__main__ import run\nrun()", "check", DEMO3]
     done = subprocess.run(command, capture_output=True, text=True, cwd=work_folder, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "error: interrupted; no file is half written\n")
 

@@ -13,6 +13,8 @@ from derive import table
 from derive.exact import circle, remainders, rotation, trigonometric
 from mahovik.core.derive import accumulate, carrier, flywheel
 from mahovik.core.derive.screw import Phi, T, Theta, bracket, elementary, from_six, six_of, symmetric, vector
+from mahovik.core.formula.derived import FILE
+from mahovik.core.formula.ordering import derive_all
 
 W = flywheel.generic()
 CIRCLE = circle(sp.Symbol("c"), sp.Symbol("s"))
@@ -104,3 +106,8 @@ def test_the_proofs_can_fail(literal: flywheel.Literal, sums: accumulate.Sums) -
     assert remainders(literal.K_dot + of_sums(carrier.mass_matrix_rate(), sums), SO3) != []
     with pytest.raises(TypeError, match="no polynomial"):
         remainders([sp.sin(c)])
+
+
+def test_the_file_of_formulas_is_what_the_derivation_gives() -> None:
+    """`generate` reads the file, without SymPy."""
+    assert derive_all() == FILE.read_text(encoding="ascii"), "run tools/formulas.py"

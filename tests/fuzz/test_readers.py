@@ -189,7 +189,7 @@ def test_half_of_a_pair_is_no_character() -> None:
 
 
 @fuzzed(15)
-@given(text=spoiled_toml(STANDS), command=st.sampled_from(("check", "report", "rest")))
+@given(text=spoiled_toml(STANDS), command=st.sampled_from(("check", "report", "modes")))
 def test_the_commands_end_with_a_status(text: str, command: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.getbasetemp()
     file = folder / "stand.toml"
