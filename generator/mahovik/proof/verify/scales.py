@@ -236,13 +236,15 @@ class Scales:
     def _motion_floor(self, name: str, state: State, at: Pieces) -> Any:
         """RESTING of what the terms of (8) accelerate together: |x_i| <= sqrt((K^-1)_ii) |terms|, in the norm of K^-1.
 
-        Where nothing acts along a freedom, or all that acts cancels, solving leaves rounding of what the hold bears.
+        Where nothing acts along a freedom, or all that acts cancels, solving leaves rounding of what the hold bears. In
+        M V_r products cancel for any numbers, such as those of v x m v: it counts by the size of these.
         """
         S = twists(self.stand.hold)
         if not S.size:
             return 0.0
         root = inverse_root(at.K)
-        size = sum(np.linalg.norm(root @ term) for term in _terms(at, vector(state.V_dot), vector(state.phi_ddot)))
+        terms = [*_terms(at, vector(state.V_dot), vector(state.phi_ddot)), np.abs(at.M) @ np.abs(at.V_r)]
+        size = sum(np.linalg.norm(root @ term) for term in terms)
         along = RESTING * size * np.sqrt(np.diag(np.linalg.inv(S.T @ at.K @ S)))
         if name == "V_dot":
             return np.abs(S) @ along
