@@ -4,14 +4,14 @@ whether answers depend on a key of a state: a program or a log without it may st
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import replace
 from typing import cast
 
 import numpy as np
 
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, numbered_freedoms, twists, words
-from mahovik.core.stand.model import Hold, Stand, Vec3
+from mahovik.core.stand.model import Hold, Sequence, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
@@ -76,9 +76,13 @@ def with_angles(stand: Stand, state: State) -> State:
 
     if state.angles is not None:
         return state
-    axes = "".join("XYZ"[k] for k in AXES[stand.angles])
-    angles = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(axes).tolist()
+    angles = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(turns_of(stand.angles)).tolist()
     return replace(state, quaternion=None, angles=cast(Vec3, tuple(angles)))
+
+
+def turns_of(sequence: Sequence) -> str:
+    """Axes about which psi, theta, phi turn, each in the frame that the one before has turned, as SciPy names them."""
+    return "".join("XYZ"[axis] for axis in AXES[sequence])
 
 
 def with_pose(stand: Stand, state: State, keys: Collection[str]) -> State:
@@ -137,7 +141,7 @@ SAME = 1e-12
 """Relative difference that is rounding."""
 
 
-def depends_on(stand: Stand, wants: Sequence[str], key: str) -> bool:
+def depends_on(stand: Stand, wants: Collection[str], key: str) -> bool:
     """Whether an answer differs between two values of a key of a state, beyond rounding; of V also those of u.
 
     `position`, `quaternion` of a held carrier whose freedoms have coordinates: between poses that the hold allows. What

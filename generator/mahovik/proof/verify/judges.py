@@ -32,6 +32,7 @@ from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.harness import Progress
+from mahovik.proof.verify.held import turns_of
 from mahovik.proof.verify.scales import ROUNDINGS, Scales
 from mahovik.proof.verify.states import Backend, Request
 
@@ -41,9 +42,6 @@ States = Sequence[tuple[str, State]]
 
 NEAR = 10.0
 """m: a coordinate of the carrier in E0 is at most this, since the programs add its position to that of every body."""
-
-SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
-"""Attitude sequences as SciPy names them; capitals: about moving axes."""
 
 POINT = ("position", "C", "twist", "specific_force", "angular_acceleration")
 """What `points` of `eval` says of a point."""
@@ -73,7 +71,7 @@ def attitude(stand: Stand, state: State) -> Rotation:
     """C of the carrier."""
     if state.quaternion is not None:
         return Rotation.from_quat(state.quaternion, scalar_first=True)
-    return Rotation.from_euler(SEQUENCES[stand.angles], state.angles or (0.0, 0.0, 0.0))
+    return Rotation.from_euler(turns_of(stand.angles), state.angles or (0.0, 0.0, 0.0))
 
 
 def places(stand: Stand) -> dict[str, tuple[Array, Array]]:

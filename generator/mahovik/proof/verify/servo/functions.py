@@ -20,14 +20,12 @@ from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import spin_inertia
 from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.held import turns_of
 from mahovik.proof.verify.programme.compiled import Part, compare_with_law, judge_refusals
 from mahovik.proof.verify.servo import law
 
 INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
 """Readings of an encoder that has none."""
-
-SEQUENCES = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
-"""Axes about which psi, theta, phi turn, each in the frame that the one before has turned."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +75,7 @@ def judge_law(case: ServoCase, rows: Rows) -> None:
     """A function by its law, from drawn inputs, and what it must refuse."""
     draw, right = LAWS[rows.function]
     if rows.function == "trim_coordinates":
-        trim, sequence = case.servo.trim, SEQUENCES[case.stand.angles]
+        trim, sequence = case.servo.trim, turns_of(case.stand.angles)
         right = partial(law.trim_coordinates, sequence, () if trim is None else trim.coordinates)
     drawn = [*draw(case, np.random.default_rng((case.seed, 1)))]
     compare_with_law(case.made, rows, drawn, right, np.random.default_rng((case.seed, 2)))
@@ -178,7 +176,7 @@ def poses(case: ServoCase, rng: np.random.Generator) -> Iterator[dict[str, Any]]
     for number in range(case.states):
         angles = rng.uniform(-1, 1, 3) * (math.pi, math.pi / 2 - NEAR, math.pi) * (1.0 if number % 3 else 0.1)
         angles[1] += math.pi / 2 if sequence == "euler" else 0.0
-        attitude = np.roll(Rotation.from_euler(SEQUENCES[sequence], angles).as_quat(), 1)
+        attitude = np.roll(Rotation.from_euler(turns_of(sequence), angles).as_quat(), 1)
         position = rng.normal(size=3) * (1.0 if number % 2 else 1e3)
         yield case.made.round({"position": position, "attitude": attitude, "q": np.full(measured, np.nan)})
 
