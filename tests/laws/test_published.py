@@ -19,7 +19,8 @@ from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, loads, rest_state
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.random import random_state
-from mahovik.laws.control.reference import wrenches
+from mahovik.laws.control.law import ControlDerivatives
+from mahovik.laws.control.reference import control_derivatives
 from mahovik.laws.cross_flow.reference import cross_flow_drag
 from mahovik.laws.damping.law import Damping, DampingTerm, Factor, products_of_added_mass
 from mahovik.laws.damping.reference import products_in_derivatives
@@ -40,7 +41,9 @@ propellers = st.sampled_from([MAIN, WHOLE, STILL, replace(MAIN, speed=-20.0), re
 def test_control_derivatives_are_products_written_out(V: np.ndarray) -> None:
     """The wrench is that of the products, written out by hand, of rudder, speed and propeller race."""
     carrier = loads(CONTROL).carrier
-    wrench = wrenches(carrier, np.zeros(3), V)["control derivatives"]
+    law = carrier.law(ControlDerivatives)
+    assert law is not None
+    wrench = control_derivatives(carrier, law, V)
     u, v, w, p, _, r = V
     race = np.sqrt(u * u + 2e-4 * 90.0**2) - abs(u)
     expected = [-3.1 * u * r * 0.2, 2.5 * u * abs(v) * 0.2 * race, -4.2 * w**3, -0.3 * p * race, 0, 1e-4 * 90.0**2]

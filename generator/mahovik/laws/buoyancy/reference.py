@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from mahovik.core.stand.model import Body
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.proof.reference.array import Array, vector
@@ -11,12 +9,9 @@ from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import force_at
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+def wrenches(body: Body, buoyancy: Buoyancy, gravity: Array, V_r: Array) -> dict[str, Array]:
     """-displaced_mass g at the centre of buoyancy (6; N, N m); `gravity` (3, m/s2) in the body's frame."""
-    buoyancy = body.law(Buoyancy)
-    if buoyancy is None:
-        return {"buoyancy": np.zeros(6)}
     return {"buoyancy": force_at(-buoyancy.displaced_mass * gravity, vector(buoyancy.center))}
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, Buoyancy)

@@ -13,10 +13,9 @@ from mahovik.proof.reference.array import Array, sqrt
 from mahovik.proof.reference.law import BodyReference
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrench (6; N, N m) of all control derivatives; none where there is none."""
-    law = body.law(ControlDerivatives)
-    return {} if law is None else {"control derivatives": control_derivatives(body, law, V_r)}
+def wrenches(body: Body, law: ControlDerivatives, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of all control derivatives."""
+    return {"control derivatives": control_derivatives(body, law, V_r)}
 
 
 def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Array:
@@ -43,4 +42,4 @@ def race(a: float, n: float, u: float) -> Any:
     return np.sign(n) * (sqrt(u**2 + a * n**2) - abs(u))
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, ControlDerivatives)

@@ -12,10 +12,9 @@ from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.law import BodyReference
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrench (6; N, N m) of the cross-flow drag; none where there is none."""
-    law = body.law(CrossFlow)
-    return {} if law is None else {"cross-flow drag": cross_flow_drag(law, V_r)}
+def wrenches(body: Body, law: CrossFlow, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of the cross-flow drag."""
+    return {"cross-flow drag": cross_flow_drag(law, V_r)}
 
 
 def cross_flow_drag(law: CrossFlow, V_r: Array) -> Array:
@@ -42,4 +41,4 @@ def cross_flow_drag(law: CrossFlow, V_r: Array) -> Array:
     return P
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, CrossFlow)

@@ -12,11 +12,8 @@ from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import Phi
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrenches (6; N, N m) of the kinds of damping; none where nothing damps."""
-    damping = body.law(Damping)
-    if damping is None:
-        return {}
+def wrenches(body: Body, damping: Damping, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrenches (6; N, N m) of the kinds of damping."""
     result = {
         "linear damping": linear_damping(damping, V_r),
         "quadratic damping": quadratic_damping(damping, V_r),
@@ -52,4 +49,4 @@ def products_in_derivatives(body: Body, V_r: Array) -> Array:
     return np.asarray(Phi(V_r) @ Lambda @ V_r)
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, Damping)

@@ -10,10 +10,9 @@ from mahovik.proof.reference.array import Array, exp, vector
 from mahovik.proof.reference.law import BodyReference
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrench (6; N, N m) of the fading damping; none where there is none."""
-    law = body.law(FadingDamping)
-    return {} if law is None else {"fading damping": fading_damping(law, V_r)}
+def wrenches(body: Body, law: FadingDamping, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of the fading damping."""
+    return {"fading damping": fading_damping(law, V_r)}
 
 
 def fading_damping(law: FadingDamping, V_r: Array) -> Array:
@@ -22,4 +21,4 @@ def fading_damping(law: FadingDamping, V_r: Array) -> Array:
     return np.asarray(-exp(-law.rate * U) * (vector(law.linear) @ V_r))
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, FadingDamping)

@@ -13,10 +13,9 @@ from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import cross, force_at
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrench (6; N, N m) of all fins; none where there is none."""
-    law = body.law(Fins)
-    return {} if law is None else {"fins": np.sum([lift_and_drag(fin, V_r) for fin in law.fins], axis=0)}
+def wrenches(body: Body, law: Fins, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of all fins."""
+    return {"fins": np.sum([lift_and_drag(fin, V_r) for fin in law.fins], axis=0)}
 
 
 def lift_and_drag(fin: Fin, V_r: Array) -> Array:
@@ -51,4 +50,4 @@ def lift_coefficient(fin: Fin, angle: Any) -> Any:
     return fin.lift_slope * with_sign(size, angle)
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, Fins)

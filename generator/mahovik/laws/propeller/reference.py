@@ -13,10 +13,9 @@ from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import cross, force_at
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """Wrench (6; N, N m) of all propellers; none where there is none."""
-    law = body.law(Propellers)
-    return {} if law is None else {"propellers": np.sum([thrust_and_torque(p, V_r) for p in law.propellers], axis=0)}
+def wrenches(body: Body, law: Propellers, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """Wrench (6; N, N m) of all propellers."""
+    return {"propellers": np.sum([thrust_and_torque(p, V_r) for p in law.propellers], axis=0)}
 
 
 def thrust_and_torque(propeller: Propeller, V_r: Array) -> Array:
@@ -37,4 +36,4 @@ def _times_square(k: Vec3, n: Any, advance: Any) -> Any:
     return k[0] * abs(n) * n + k[1] * abs(n) * advance + k[2] * abs(advance) * advance
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, Propellers)

@@ -8,7 +8,7 @@ from mahovik.proof.reference.law import BodyReference
 from mahovik.proof.reference.screw import force_at
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
+def wrenches(body: Body, _: None, gravity: Array, V_r: Array) -> dict[str, Array]:
     """Weight (6; N, N m): m g at the centre of mass; `gravity` (3, m/s2) in the body's frame."""
     return {"weight": force_at(body.mass * gravity, vector(body.center_of_mass))}
 

@@ -26,8 +26,9 @@ from mahovik.core.stand.state import State
 from mahovik.proof.diagnose.numbers import pairs_explain
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector
+from mahovik.proof.reference.assembly import body_wrenches
 from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.law import BodyReference, CarrierReference, LawParts, LawTerm
+from mahovik.proof.reference.law import CarrierReference, LawParts, LawTerm
 from mahovik.proof.reference.pieces import body_wrench
 from mahovik.proof.reference.rotation import C1, Pose
 from mahovik.proof.reference.screw import Phi, T, block_diagonal, f, force_at, spin, twists
@@ -341,7 +342,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
     """All laws of a stand at n states: those between E0 and the carrier, then those of each body."""
     laws, of_carrier = list[_Law](), cast(tuple[Any, ...], stand.laws)
     poses = [Pose(axial(p.L1[3:, :3] @ p.C.T), p.C, p.V) for p in at]
-    between, of_bodies = parts("reference", CarrierReference), parts("reference", BodyReference, BODY_LAWS)
+    between, none = parts("reference", CarrierReference), np.zeros(6)
     coarse = {part.law: part.terms for part in parts("faults", LawParts, BODY_LAWS)}
 
     def on_carrier(i: int, law: Any) -> Array:
@@ -356,7 +357,7 @@ def laws_at(stand: Stand, states: Sequence[State], at: Sequence[Pieces]) -> list
 
         def on_body(i: int, law: Any, bodies: Any = bodies, V_r: Array = V_r) -> Array:
             alone = replace(bodies[i], laws=(law,))
-            return sum((body_wrench(x.wrenches(alone, np.zeros(3), V_r[i])) for x in of_bodies), np.zeros(6))
+            return body_wrench(body_wrenches(alone, none[:3], V_r[i], none))
 
         of_body: Any = () if isinstance(k.body, Flywheel) else k.body.laws
         for law in of_body:

@@ -7,7 +7,7 @@ import numpy as np
 from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.model import Body, Stand
 from mahovik.core.stand.state import State
-from mahovik.proof.reference.array import Array, transpose, vector
+from mahovik.proof.reference.array import Array, stack, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.law import BodyReference, CarrierReference
 from mahovik.proof.reference.pieces import (
@@ -17,8 +17,7 @@ from mahovik.proof.reference.pieces import (
     coupling,
     coupling_bias,
     mass_matrix,
-    mass_matrix_rate,
-    spin_inertia,
+    mass_matrix_rates,
     stream_at,
     velocity_matrix,
 )
@@ -36,7 +35,7 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
     V_r = V - np.concatenate([u, np.zeros(3)])
     k = (bodies or bodies_of(stand)).at_phases(state.phi, state.phi_dot)
     s = k.flywheels
-    K_bodies, Lambda, K_dot = mass_matrix(k), k.Lambda.sum(axis=0), mass_matrix_rate(s)
+    K_bodies, Lambda, K_dot = mass_matrix(k), k.Lambda.sum(axis=0), mass_matrix_rates(s).sum(axis=0)
     K, gravity, pose = K_bodies + Lambda, C.T @ vector(stand.gravity), Pose(vector(state.position), C, V)
     terms = external_wrenches(stand, state, pose, gravity, V_r, k)
     P = {name: body_wrench(kinds) for name, kinds in terms.items()}
@@ -54,10 +53,9 @@ def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
         M=velocity_matrix(K, K_dot, V_r),
         I=coupling(s),
         J=coupling_bias(s, V_r),
-        Theta_ff=spin_inertia(s),
         terms=terms,
         P=P,
-        F=np.asarray(sum((L @ P_k for L, P_k in zip(k.L, P.values(), strict=True)), np.zeros(6))),  # (7)
+        F=times(k.L, stack(list(P.values()), 6)).sum(axis=0),  # (7)
         gravity=gravity,
         u=u,
     )
@@ -85,8 +83,10 @@ def body_wrenches(body: Body, gravity: Array, V_r: Array, run_time: Array) -> Ki
     `run_time` (6) is the wrench of the caller.
     """
     kinds: dict[str, Array] = {}
+    data = {None: None} | {type(law): law for law in body.laws}
     for law in parts("reference", BodyReference, BODY_LAWS):
-        kinds |= law.wrenches(body, gravity, V_r)
+        if law.data in data:
+            kinds |= law.wrenches(body, data[law.data], gravity, V_r)
     return kinds | {"run-time": run_time}
 
 

@@ -14,9 +14,14 @@ from mahovik.proof.reference.rotation import Pose
 
 @dataclass(frozen=True)
 class BodyReference:
-    """A law of bodies: wrenches (6; N, N m) by kind of a body, of `gravity` (3, m/s2) and V_r (6), all in its frame."""
+    """A law of bodies.
 
-    wrenches: Callable[[Body, Array, Array], dict[str, Array]]
+    wrenches  on a body (6; N, N m) by kind, by its data of the law, `gravity` (3, m/s2) and V_r (6), all in its frame
+    data      class of these data: bodies without them bear no such wrench; None: every body does, and there are none
+    """
+
+    wrenches: Callable[[Body, Any, Array, Array], dict[str, Array]]
+    data: type[Any] | None = None
 
 
 @dataclass(frozen=True)

@@ -42,9 +42,8 @@ def center_of_mass_velocity(at: Pieces, stand: Stand) -> Array:
 
     v_k + omega_k x r_k is the velocity of the mass centre of a body in its own frame.
     """
-    mass = sum(body.mass for body in stand.bodies)
-    in_E1 = np.zeros(3)
-    for body, L, V_k in zip(stand.bodies, at.bodies.L, at.bodies.twists(at.V), strict=True):
-        velocity = V_k[:3] + cross(V_k[3:]) @ vector(body.center_of_mass)
-        in_E1 = in_E1 + body.mass * L[:3, :3] @ velocity
-    return np.asarray(at.C @ in_E1 / mass)
+    mass = vector([body.mass for body in stand.bodies])
+    V_k, r_k = at.bodies.twists(at.V), vector([body.center_of_mass for body in stand.bodies])
+    velocity = V_k[:, :3] + times(cross(V_k[:, 3:]), r_k)
+    in_E1 = times(at.bodies.L[:, :3, :3], mass[:, None] * velocity).sum(axis=0)
+    return np.asarray(at.C @ in_E1 / mass.sum())

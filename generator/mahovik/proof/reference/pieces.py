@@ -31,7 +31,6 @@ class Pieces:
     Lambda       6x6, added mass of all bodies
     K, K_dot, M  6x6, (2), (6), (9); K = K_bodies + Lambda; M at V_r
     I, J         6xN, (9); J at V_r
-    Theta_ff     NxN, diag(f^T Theta_s f)
     terms        every wrench of (7) by body and kind, 6 each, in the body's frame about its origin
     P            their sum by body
     F            6, (7)
@@ -51,7 +50,6 @@ class Pieces:
     M: Array
     I: Array
     J: Array
-    Theta_ff: Array
     terms: Mapping[str, Kinds]
     P: Mapping[str, Array]
     F: Array
@@ -62,6 +60,11 @@ class Pieces:
     def phi_dot(self) -> Array:
         """Speeds of the flywheels (N, rad/s)."""
         return self.bodies.flywheels.phi_dot
+
+    @cached_property
+    def Theta_ff(self) -> Array:
+        """diag(f^T Theta_s f) (NxN, kg m2)."""
+        return spin_inertia(self.bodies.flywheels)
 
     @cached_property
     def P_s(self) -> Array:
@@ -91,15 +94,20 @@ class Pieces:
         return np.concatenate([cross(self.V[3:]) @ self.u, np.zeros(3)])
 
 
+def mass_matrices(k: Bodies) -> Array:
+    """Theta_1, Lp Theta_p Lp^T, Ls Theta_s Ls^T (nx6x6; kg, kg m, kg m2), one of each body."""
+    return k.L @ k.Theta @ transpose(k.L)
+
+
 def mass_matrix(k: Bodies) -> Array:
     """Theta_1 + sum_p Lp Theta_p Lp^T + sum_s Ls Theta_s Ls^T (6x6; kg, kg m, kg m2): K of (2) without added mass."""
-    return np.asarray((k.L @ k.Theta @ transpose(k.L)).sum(axis=0))
+    return np.asarray(mass_matrices(k).sum(axis=0))
 
 
-def mass_matrix_rate(s: Bodies) -> Array:
-    """K* = sum_s Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (6x6; kg/s, kg m/s, kg m2/s), (6), of the flywheels."""
+def mass_matrix_rates(s: Bodies) -> Array:
+    """Ls ([<e>] Theta_s - Theta_s [<e>]) Ls^T phi_s' (Nx6x6; kg/s, kg m/s, kg m2/s): they add up to K*, (6)."""
     turning = s.L @ (spin @ s.Theta - s.Theta @ spin) @ transpose(s.L)
-    return np.asarray((turning * s.phi_dot[:, None, None]).sum(axis=0))
+    return turning * s.phi_dot[:, None, None]
 
 
 def velocity_matrix(K: Array, K_dot: Array, V: Array) -> Array:

@@ -41,8 +41,8 @@ _CROSS = _linear(lambda a: np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a
 
 
 def cross(a: Array) -> Array:
-    """<a> (3x3) of a (3): <a> b = a x b."""
-    return (a @ _CROSS).reshape(3, 3)
+    """<a> (3x3) of a (3), or of each of many: <a> b = a x b."""
+    return (a @ _CROSS).reshape(*a.shape, 3)
 
 
 _PHI = _linear(lambda V: blocks(cross(V[3:]), zero, cross(V[:3]), cross(V[3:])), 6)

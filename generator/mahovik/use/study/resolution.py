@@ -12,7 +12,7 @@ beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,16 +20,16 @@ import numpy as np
 from mahovik.core.stand.model import Flywheel, Stand, Vec6
 from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import Bodies
+from mahovik.proof.reference.array import Array, times
+from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.momentum import momentum
-from mahovik.proof.reference.motion import answer_forward
+from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import (
     Pieces,
     coupling,
     coupling_bias,
-    mass_matrix,
-    mass_matrix_rate,
+    mass_matrices,
+    mass_matrix_rates,
     velocity_matrix,
 )
 from mahovik.proof.verify.scales import Scales
@@ -106,10 +106,12 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
         return []
     result: dict[tuple[int, str], Shortfall] = {}
     scales = Scales(stand, "float")
+    balanced = replace(stand, flywheels=tuple(map(balanced_flywheel, stand.flywheels)))
+    balanced_bodies = bodies_of(balanced)
     for motion in MOTIONS:
         best = {want: np.tile((0.0, np.inf), (len(speeds), 1)) for want in QUANTITIES}
         for state in states(stand, speeds, motion):
-            for want, effects in _effects(scales, state).items():
+            for want, effects in _effects(scales, state, balanced, balanced_bodies).items():
                 better = effects[:, 0] / effects[:, 1] > best[want][:, 0] / best[want][:, 1]
                 best[want][better] = effects[better]
         for want, rows in best.items():
@@ -120,13 +122,12 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
     return [result[key] for key in sorted(result)]
 
 
-def _effects(scales: Scales, state: State) -> dict[str, Array]:
+def _effects(scales: Scales, state: State, balanced: Stand, balanced_bodies: Bodies) -> dict[str, Array]:
     """Effect of each flywheel's unbalance and rounding (Nx2) by want, in the component that shows it best."""
-    stand, effects = scales.stand, {}
+    effects = {}
     with np.errstate(all="ignore"):
-        balanced = replace(stand, flywheels=tuple(map(balanced_flywheel, stand.flywheels)))
-        balanced_pieces = reference.pieces(balanced, state)
-        swapped = list(_with_one_balanced(scales.at(state), balanced_pieces))
+        balanced_pieces = reference.pieces(balanced, state, balanced_bodies)
+        with_one_balanced = _with_one_balanced(scales.at(state), balanced_pieces)
     for want, (key, _) in QUANTITIES.items():
         measured = scales.want(state, want)
         if measured is None:
@@ -135,7 +136,7 @@ def _effects(scales: Scales, state: State) -> dict[str, Array]:
         if want == "mounts":  # each by the accelerations given and its own flywheel
             balanced_values = np.array(reference.evaluate(balanced, state, [want], balanced_pieces)[key])
         else:
-            balanced_values = np.array([WITHOUT_ONE[want](at, stand, state) for at in swapped])
+            balanced_values = with_one_balanced[want]
         change = np.abs(balanced_values - value)
         sizes = np.broadcast_to(size, change.shape)
         at = np.argmax(change / np.maximum(sizes, 1e-300), axis=1)
@@ -145,27 +146,25 @@ def _effects(scales: Scales, state: State) -> dict[str, Array]:
     return effects
 
 
-WITHOUT_ONE: Mapping[str, Callable[[Pieces, Stand, State], Array]] = {
-    "forward": lambda at, stand, state: answer_forward(at, stand, state)["V_dot"],
-    "momentum": lambda at, stand, state: momentum(at),
-}
-"""Quantities in which all flywheels add up, by want."""
+def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
+    """V_dot of (8) and momentum (Nx6 each) with one flywheel after the other as in `balanced`, the rest as in `at`.
 
-
-def _with_one_balanced(at: Pieces, balanced: Pieces) -> Iterator[Pieces]:
-    """What (8) and the momentum take, with one flywheel after the other as in `balanced`, the rest as in `at`."""
-    wheels, change = at.bodies.flywheels, balanced.bodies.flywheels.Theta - at.bodies.flywheels.Theta
-    for s, wheel in enumerate(wheels.bodies):
-        one = slice(s, s + 1)
-        Theta = Bodies((wheel,), wheels.L[one], change[one], wheels.Lambda[one], wheels.phi[one], wheels.phi_dot[one])
-        K, K_bodies = (x + mass_matrix(Theta) for x in (at.K, at.K_bodies))
-        K_dot = at.K_dot + mass_matrix_rate(Theta)
-        I, J = at.I.copy(), at.J.copy()
-        I[:, one] += coupling(Theta)
-        J[:, one] += coupling_bias(Theta, at.V_r)
-        F = at.F + wheels.L[s] @ (balanced.P[wheel.name] - at.P[wheel.name])
-        M = velocity_matrix(K, K_dot, at.V_r)
-        yield replace(at, K_bodies=K_bodies, K=K, K_dot=K_dot, M=M, I=I, J=J, F=F)
+    Flywheels add up in K, K*, J phi' and F. None accelerates, and the carrier is free.
+    """
+    wheels = at.bodies.flywheels
+    change = replace(wheels, Theta=balanced.bodies.flywheels.Theta - wheels.Theta)
+    K, K_dot = mass_matrices(change), mass_matrix_rates(change)
+    turning = wheels.phi_dot[:, None]
+    F = times(wheels.L, balanced.P_s - at.P_s)
+    changed_bias = times(velocity_matrix(K, K_dot, at.V_r), at.V_r) + coupling_bias(change, at.V_r).T * turning
+    K_changed, pull = at.K + K, at.F - bias(at) + F - changed_bias
+    unit = 1.0 / np.sqrt(np.abs(np.diagonal(K_changed, axis1=1, axis2=2)))  # K is scaled to a unit diagonal
+    scaled = K_changed * unit[:, :, None] * unit[:, None, :]
+    V_r_dot = unit * np.linalg.solve(scaled, (unit * pull)[..., None])[..., 0]
+    return {
+        "forward": at.V_dot(V_r_dot),
+        "momentum": momentum(at) + times(K, at.V) + coupling(change).T * turning,
+    }
 
 
 def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State]:

@@ -12,10 +12,9 @@ from mahovik.proof.reference.screw import force_at
 from .law import Tug  # noqa: TID252  # its package is that of the laws
 
 
-def wrenches(body: Body, gravity: Array, V_r: Array) -> dict[str, Array]:
-    """The force (6; N, N m) at the origin; none where there is none."""
-    law = body.law(Tug)
-    return {} if law is None else {"tug": force_at(vector(law.force), np.zeros(3))}
+def wrenches(body: Body, law: Tug, gravity: Array, V_r: Array) -> dict[str, Array]:
+    """The force (6; N, N m) at the origin."""
+    return {"tug": force_at(vector(law.force), np.zeros(3))}
 
 
-LAW = BodyReference(wrenches)
+LAW = BodyReference(wrenches, Tug)
