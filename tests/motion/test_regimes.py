@@ -74,6 +74,15 @@ def test_phases_initial_speeds_and_defaults() -> None:
     assert not kept.by_torque
 
 
+def test_a_motion_is_named() -> None:
+    text = (stands.path("shaker2").parent / "shaker2.motion.json").read_text()
+    with pytest.raises(RegimeError) as error:
+        loads_regime(text, SHAKER, 1.0, "m.json", is_json=True)
+    assert error.value.problems == (
+        "m.json: is a motion file; expected a regime or a programme file here: were two swapped?",
+    )
+
+
 def test_tables(tmp_path: Path) -> None:
     (tmp_path / "a.csv").write_text("t [ms],phi_dot [rpm]\n0,0\n500,300\n1000,600\n")
     (tmp_path / "b.csv").write_text("torque,t\n1,0\n2,1\n")

@@ -54,7 +54,7 @@ FOLDER = stands.path("bench8").parent
     ("name", "words"),
     [
         ("bench8.motion.json", "is JSON, as motions and programmes are; expected a stand file (TOML)"),
-        ("servos/bench8.toml", "is a file of servos; expected a stand file, with [carrier]"),
+        ("servos/bench8.toml", "is a file of servos; expected a stand file here: were two swapped?"),
     ],
 )
 def test_a_file_of_another_kind_is_named(name: str, words: str) -> None:

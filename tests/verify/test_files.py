@@ -65,7 +65,7 @@ def test_every_form_of_a_data_sheet_is_read_twice() -> None:
     """The same file is read by `core/stand` and by the second reading: faults are planted in both."""
     faults = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
     assert max(faults.values()) <= ACCEPTED, faults
-    assert {"sheet inertia", "disc center of mass", "arm axes", "sensor position", "added mass"} <= faults.keys()
+    assert {"sheet inertia", "disc centre of mass", "arm axes", "sensor position", "added mass"} <= faults.keys()
 
 
 @pytest.mark.parametrize("name", ["bench8", "auv6", "remus6", "sat4"])
@@ -84,7 +84,7 @@ def test_a_number_that_was_read_otherwise_fails() -> None:
     for wrong in (replace(w1, center_of_mass=(x, y, z + 1e-9)), replace(w1, mass=w1.mass * (1 + 1e-9))):
         row = check_file(replace(DEMO, flywheels=(wrong, *rest)), document)
         fails.append(f"{row.verdict} {row.words.partition(':')[0]}")
-    assert fails == ["FAILED w1 center of mass", "FAILED w1 mass"]
+    assert fails == ["FAILED w1 centre of mass", "FAILED w1 mass"]
     assert check_file(DEMO, None).verdict == "not compared"
     document["carrier"]["mass"] = "3 stone"
     assert check_file(DEMO, document).words == 'the second reading does not know the unit "stone"'

@@ -222,8 +222,11 @@ def refuse_stand_file(name: str, path: str | Path, expected: str) -> None:
 
     Readers of other files would list every key of it as unknown, and not say what the file is.
     """
-    from mahovik.core.motion.document import is_stand_file
+    from mahovik.core.motion.document import kind_of_text
 
     with contextlib.suppress(OSError, ValueError):  # the reader says what is wrong with it
-        if Path(path).suffix == ".toml" and is_stand_file(Path(path).read_text(encoding="utf-8")):
+        if (
+            Path(path).suffix == ".toml"
+            and kind_of_text(Path(path).read_text(encoding="utf-8"), is_json=False) == "stand"
+        ):
             raise UsageError(f"{name} {path}: this is a stand file, expected {expected}")

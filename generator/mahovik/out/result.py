@@ -372,7 +372,7 @@ class Result(Mapping[str, Any]):
         tables = {key: value for key, value in shown.items() if isinstance(value, Result) and value.count}
         alone = len(tables) == 1 and not self.columns
         for key, value in tables.items():
-            yield value._table(value.title or ("" if alone else key.replace("_", " ")))
+            yield value._table(value.title or ("" if alone else key_words(key)))
 
     def _table(self, title: str) -> Any:
         from rich.box import SIMPLE_HEAD
@@ -396,7 +396,7 @@ class Result(Mapping[str, Any]):
         if self.single or any(one.values.ndim > 2 for one in shown):
             return ["name", "shape", "unit", "values", "meaning"], [self._about(one) for one in shown], [False] * 5
         columns = [part for one in shown for part in one.flat()]
-        heads = [one.head.replace("_", " ") for one in columns]
+        heads = [key_words(one.head) for one in columns]
         places: list[int | None] = [*range(self.count)]
         if self.count > SHOWN:
             places = [*range(SHOWN - 10), None, *range(self.count - 9, self.count)]
@@ -427,7 +427,7 @@ class Result(Mapping[str, Any]):
             if not texts and not any(isinstance(part, bool | int) for part in parts):
                 one = _fitted(one._replace(values=np.array(parts, dtype=np.float64)))
             words = (", " if texts else "  ").join(map(cell_text, one.values))
-            yield f"{key.replace('_', ' ')}: {words} {one.unit}".rstrip()
+            yield f"{key_words(key)}: {words} {one.unit}".rstrip()
 
     def _repr_html_(self) -> str:
         parts = [f"<div><strong>{escape(self.title)}</strong></div>"]
@@ -439,6 +439,11 @@ class Result(Mapping[str, Any]):
                 parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
         parts += [f"<div>{escape(line)}</div>" for line in (*self._lines(), *self.messages)]
         return "".join(parts)
+
+
+def key_words(key: str) -> str:
+    """A key as words of a heading."""
+    return key.replace("_", " ").replace("center", "centre")
 
 
 def plain(value: Any) -> Any:

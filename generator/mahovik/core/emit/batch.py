@@ -37,9 +37,7 @@ def batch_files(stand: Stand, generated: Generated, table_forms: tuple[bool, ...
     made = batches(generated.program, table_forms)
     if not made.batches:
         names = ", ".join(name for name in BATCH_FUNCTIONS)
-        raise UsageError(
-            f"--batch: no function of --only {','.join(generated.only)} has a batch, expected one of {names}"
-        )
+        raise UsageError(f"batch: none of the functions {', '.join(generated.only)} has one, expected one of {names}")
     printer = _Printer(generated, made, Code(made.program, identities(stand)), True in table_forms)
     return {f"{stand.name}_batch.h": printer.header(), f"{stand.name}_batch.c": printer.source()}
 

@@ -66,7 +66,7 @@ def added_files(stand: Stand, generated: Generated, additions: tuple[str, ...]) 
     files: dict[str, str] = {}
     for name in additions:
         if name not in ADDITIONS:
-            raise UsageError(f"--with {name}: there is no such addition{suggestion(name, ADDITIONS)}")
+            raise UsageError(f"with_ {name}: there is no such addition{suggestion(name, ADDITIONS)}")
         files |= ADDITIONS[name](stand, generated)
     return files
 

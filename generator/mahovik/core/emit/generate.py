@@ -69,7 +69,7 @@ def generate_all(
     those of CHOSEN that `chosen` does not name, which is what the judges and Python need.
     """
     if precision_name not in PRECISIONS:
-        raise UsageError(f"--real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
+        raise UsageError(f"real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name])
     named = (*CHOSEN,) if only == ALL else (*(only or ()), *chosen)
     slopes = only in (None, ALL) or any("jac" in name for name in only)  # a slip in the name finds the Jacobian as well
@@ -89,12 +89,10 @@ def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[s
     public = [f.name for f in program.functions if f.public]
     for wanted in only:
         if wanted == "list":
-            raise UsageError(
-                "--only list: `mahovik generate STAND.toml --only list` prints names, expected names or all"
-            )
+            raise UsageError("only list: `mahovik generate STAND.toml --only list` prints names, expected names or all")
         if wanted not in public:
             near = suggestion(wanted, [*public, *CHOSEN, *ALL])
-            raise UsageError(f"--only {wanted}: the C of {name} has no such function{near}")
+            raise UsageError(f"only {wanted}: the C of {name} has no such function{near}")
     names = {*only} or {function for function in public if is_default(function)}
     if any("mounting" in row_of(function).takes for function in names):
         names.add("prepare_mounts")  # which makes the table of mounts

@@ -18,7 +18,7 @@ import numpy as np
 from pydantic import BeforeValidator, ConfigDict, PlainValidator, ValidationInfo
 
 from mahovik.core.stand import toml
-from mahovik.core.stand.content import content
+from mahovik.core.stand.content import content, kind_of, wrong_kind
 from mahovik.core.stand.echoes import echo, list_item
 from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator, vector
 from mahovik.core.stand.units import PLAIN, SPEED, TIME, Dimension, QuantityError, number, show
@@ -67,29 +67,29 @@ def parse(text: str) -> Any:
     return json.loads(text, parse_float=toml.exact, object_pairs_hook=once)
 
 
-def is_stand_file(text: str) -> bool:
-    """Whether a text is TOML whose first level has a name and a carrier, as stand files have."""
+def kind_of_text(text: str, is_json: bool) -> str:
+    """The kind of a file by its text, one of KINDS; empty where it is none."""
     try:
-        document = toml.parse(text)
+        document = parse(text) if is_json else toml.parse(text)
     except (RecursionError, ValueError):
-        return False
-    return "name" in document and isinstance(document.get("carrier"), dict)
+        return ""
+    return kind_of(document) if isinstance(document, dict) else ""
 
 
-def document_of(text: str, source: str, error: type[FileError], is_json: bool = True) -> dict[str, Any]:
-    """The keys of a file of schema 1. Raises `error` with one line."""
+def document_of(text: str, source: str, error: type[FileError], *kinds: str, is_json: bool = True) -> dict[str, Any]:
+    """The keys of a file of schema 1, which is of one of these KINDS. Raises `error` with one line."""
     try:
         document = parse(text) if is_json else toml.parse(text)
         if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
             json.dumps(document, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:
-        if is_json and is_stand_file(text):
-            raise error([f"{source}: is a stand file; expected another file here: were two swapped?"]) from None
+        if (kind := kind_of_text(text, not is_json)) and kind not in kinds:
+            raise error([f"{source}: {wrong_kind(kind, *kinds)}"]) from None
         raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
-    if not is_json and is_stand_file(text):
-        raise error([f"{source}: is a stand file; expected another file here: were two swapped?"])
     if not isinstance(document, dict):
         raise error([f"{source}: expected an object, found {show(document)}"])
+    if (kind := kind_of(document)) and kind not in kinds:
+        raise error([f"{source}: {wrong_kind(kind, *kinds)}"])
     if "schema" not in document:
         raise error([f"{source}: schema: required, but missing"])
     if isinstance(document["schema"], bool) or document["schema"] != 1:

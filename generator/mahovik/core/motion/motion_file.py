@@ -355,9 +355,7 @@ def load_motion_or_slew(path: str | Path, stand: Stand) -> RequiredMotion | Slew
 
 def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:
     """The motion that a text describes, whose course is known or, of a slew, to be found. Raises MotionError."""
-    document = document_of(text, source, MotionError)
-    if "stand" in document and "flywheels" in document:
-        raise MotionError([f"{source}: is a programme file; expected a motion file here: were the two swapped?"])
+    document = document_of(text, source, MotionError, "motion")
     name, problems = Path(source).stem.removesuffix(".motion"), Problems(source)
     if document.get("type") != "slew":
         return _read_course(document, stand, name, problems)

@@ -211,9 +211,7 @@ def load_programme(path: str | Path) -> Programme:
 
 def read_programme(text: str, source: str = "programme") -> Programme:
     """Read and check a programme given as text; `source` names it in messages. Raises ProgrammeError."""
-    document = document_of(text, source, ProgrammeError)
-    if "type" in document and "stand" not in document:
-        raise ProgrammeError([f"{source}: is a motion file; expected a programme file here: were the two swapped?"])
+    document = document_of(text, source, ProgrammeError, "programme")
     problems, names = Problems(source), document.get("flywheels")
     N = len(names) if isinstance(names, list) else 0
     table = problems.valid(ProgrammeTable, document, flywheels=N)

@@ -36,7 +36,7 @@ from mahovik.core.motion.laws import (
     out_of_range,
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
-from mahovik.core.stand.content import TEXT
+from mahovik.core.stand.content import TEXT, kind_of
 from mahovik.core.stand.csv_table import Columns, TableError, read_columns
 from mahovik.core.stand.fields import Table, Text, scalar, validator
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
@@ -286,8 +286,8 @@ def loads_regime(
     text: str, stand: Stand, until: float, source: str = "regime", folder: Path = Path(), is_json: bool = False
 ) -> Regime:
     """Read and check a regime given as text; its tables are in `folder`. Raises RegimeError, ProgrammeError."""
-    document = document_of(text, source, RegimeError, is_json)
-    if is_json and "flywheels" in document and "stand" in document:
+    document = document_of(text, source, RegimeError, "regime", "programme", is_json=is_json)
+    if kind_of(document) == "programme":
         return _of_programme(text, stand, until, source)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}

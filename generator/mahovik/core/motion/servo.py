@@ -127,7 +127,7 @@ def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
     """Read and check a servo given as text; `source` names it in messages. Raises ServoError with every problem."""
     problems, N = Problems(source), len(stand.flywheels)
     known = FREE if stand.hold is None else tuple(freedom_names(stand.hold))
-    document = document_of(text, source, ServoError, is_json=False)
+    document = document_of(text, source, ServoError, "servo", is_json=False)
     servo = problems.valid(Servo, document, flywheels=N, coordinates=known)
     if not N:
         problems.add(f'the stand "{stand.name}" has no flywheels: there is nothing to drive')

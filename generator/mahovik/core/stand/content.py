@@ -1,9 +1,11 @@
-"""Content of a file named by the user, up to a limit of size."""
+"""Content of a file named by the user, up to a limit of size; which kind of file its keys make it."""
 
 from __future__ import annotations
 
 import errno
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from mahovik.core.stand.units import show
 from mahovik.nearest import nearest_name
@@ -17,7 +19,35 @@ TABLE = 256 << 20
 FLIGHT = 1 << 30
 """Largest flight log that is read, bytes: hours of a thousand steps a second."""
 
+KINDS = {
+    "stand": "a stand file",
+    "programme": "a programme file",
+    "motion": "a motion file",
+    "regime": "a regime",
+    "servo": "a file of servos",
+}
+"""Kinds of files in TOML or JSON, in words."""
+
 _PIECE = 1 << 20
+
+
+def kind_of(document: Mapping[str, Any]) -> str:
+    """The kind of a file, one of KINDS, by its keys; empty where they do not tell."""
+    if isinstance(document.get("carrier"), dict) and "name" in document:
+        return "stand"
+    if "stand" in document and "flywheels" in document:
+        return "programme"
+    if document.keys() & {"type", "harmonics"} or isinstance(document.get("samples"), dict):
+        return "motion"
+    if document.keys() & {"default", "wrench"} or isinstance(document.get("flywheel"), dict):
+        return "regime"
+    return "servo" if "sample_period" in document else ""
+
+
+def wrong_kind(kind: str, *expected: str) -> str:
+    """Words on a file of one kind where another was expected."""
+    wanted = " or ".join(KINDS[name] for name in expected) or "another file"
+    return f"is {KINDS[kind]}; expected {wanted} here: were two swapped?"
 
 
 def is_file(path: Path) -> bool:

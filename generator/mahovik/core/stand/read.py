@@ -11,7 +11,7 @@ from typing import Any, Generic, TypeVar
 from pydantic import ValidationError
 
 from mahovik.core.stand import physical
-from mahovik.core.stand.content import readable
+from mahovik.core.stand.content import kind_of, readable, wrong_kind
 from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
 from mahovik.core.stand.echoes import Moments, moments_of
 from mahovik.core.stand.fields import ZERO3, Table
@@ -56,12 +56,19 @@ _CHECKED = {
     "axis", "zero", "angles",
 }  # fmt: skip
 
-_OTHERS = {"sample_period": "a file of servos", "default": "a regime", "wrench": "a regime"}
-"""Keys of other files in TOML, and what these are."""
-
 
 def load(path: str | Path) -> Stand:
     """Read and check the stand file at `path`. Raises StandError with every problem found."""
+    return read(document_at(path), Path(path).name)
+
+
+def loads(text: str, source: str = "stand") -> Stand:
+    """Read and check a stand given as text; `source` names it in messages. Raises StandError."""
+    return read(_document(text, source), source)
+
+
+def document_at(path: str | Path) -> dict[str, Any]:
+    """The keys of the stand file at `path`, floats as Decimal, not checked. Raises StandError of other files."""
     path = Path(path)
     try:
         content = readable(path, "a stand file (TOML)")
@@ -72,11 +79,11 @@ def load(path: str | Path) -> Stand:
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         raise StandError([f"{path.name}: not UTF-8, byte 0x{content[error.start]:02x} in line {line}"]) from None
-    return loads(text, path.name)
+    return _document(text, path.name)
 
 
-def loads(text: str, source: str = "stand") -> Stand:
-    """Read and check a stand given as text; `source` names it in messages. Raises StandError."""
+def _document(text: str, source: str) -> dict[str, Any]:
+    """The keys of a stand file's text. Raises StandError where it is none."""
     try:
         document = parse(text)
     except (RecursionError, ValueError) as error:
@@ -85,10 +92,9 @@ def loads(text: str, source: str = "stand") -> Stand:
                 [f"{source}: is JSON, as motions and programmes are; expected a stand file (TOML)"]
             ) from None
         raise StandError([f"{source}: not TOML: {error}"]) from None
-    other = next((what for key, what in _OTHERS.items() if key in document and "carrier" not in document), None)
-    if other is not None:
-        raise StandError([f"{source}: is {other}; expected a stand file, with [carrier]"])
-    return read(document, source)
+    if "carrier" not in document and (kind := kind_of(document)):
+        raise StandError([f"{source}: {wrong_kind(kind, 'stand')}"])
+    return document
 
 
 def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:

@@ -9,12 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from mahovik import stands
-from mahovik.core.stand import toml
 from mahovik.core.stand import write as writing
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import exact, put
-from mahovik.core.stand.read import load as load_file
-from mahovik.core.stand.read import read
+from mahovik.core.stand.read import document_at, read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
 
@@ -84,9 +82,7 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    stand = Stand.of(load_file(path))
-    # read once more only for its keys: the file was in order a moment ago
-    return _with_document(stand, toml.parse(Path(path).read_text(encoding="utf-8-sig")))
+    return _read(document_at(path), Path(path).name)
 
 
 def examples() -> tuple[str, ...]:

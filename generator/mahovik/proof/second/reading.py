@@ -197,7 +197,7 @@ def differences(stand: Stand, document: Table) -> dict[str, float]:
     for (name, body), column in zip(file.bodies.items(), columns(stand).T, strict=True):
         mass, c, J = column[12], column[13:16], column[16:].reshape(3, 3)
         result[f"{name} mass"] = _relative(mass, body.mass, mass)
-        result[f"{name} center of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
+        result[f"{name} centre of mass"] = _relative(c, body.center_of_mass, np.abs(c).max())
         result[f"{name} inertia"] = _relative(J, body.inertia, np.abs(J).max() + mass * float(c @ c))
     Lambda = np.zeros((6, 6)) if fluid is None else fluid
     result["added mass"] = _relative(Lambda, file.added_mass, np.abs(Lambda).max())
