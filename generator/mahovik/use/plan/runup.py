@@ -17,6 +17,7 @@ from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, StateError
 from mahovik.use.numeric.mechanics import Mechanics
+from mahovik.use.plan.objective import UNITS, ExceededBound
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.step import Range, Rules, descend, size
 from mahovik.use.plan.transient import KEEP, NODES, Boundary, Flight
@@ -172,9 +173,6 @@ def table_of(flight: Flight) -> Samples:
     return Samples(flight.problem.family.t[::2], *(x[::2] for x in flight.angles))
 
 
-UNITS = {"speed": "rad/s", "acceleration": "rad/s2", "torque": "N m"}
-
-
 def with_runup(
     stand: Stand,
     motion: RequiredMotion,
@@ -232,13 +230,12 @@ def runup_figures(solution: RunUpSolution, motion: RequiredMotion, stand: Stand)
     for bound, share in solution.flight.shares(motion.bounds).items():
         i, k = np.unravel_index(int(np.argmax(share)), share.shape)
         if share[i, k] > 1.0:
-            value = abs(float(values[bound][i, k]))
-            unit = ("m", "rad")[k] if bound == "deviation" else UNITS[bound]
-            of = "" if bound == "deviation" else f" of {stand.flywheels[k].name}"
-            exceeded.append(
-                f"{name}: {bound}{of} {value:.4g} {unit} at t = {t[i]:.4g} s exceeds its bound, "
-                f"{value / share[i, k]:.4g} {unit}"
-            )
+            value, used = abs(float(values[bound][i, k])), float(share[i, k])
+            of, unit = "the carrier", ("m", "rad")[k]
+            if bound != "deviation":
+                of, unit = stand.flywheels[k].name, UNITS[bound]
+            excess = ExceededBound(bound, of, value, value / used, used, unit, float(t[i]))
+            exceeded.append(f"{name}: {excess.words}")
     return {
         "terminal_error": solution.error,
         "steps": solution.steps,
@@ -247,6 +244,6 @@ def runup_figures(solution: RunUpSolution, motion: RequiredMotion, stand: Stand)
             kind: {"largest": float(values["deviation"][i, k]), "t": float(t[i])}
             for k, (kind, i) in enumerate(zip(("linear", "angular"), at, strict=True))
         },
-        "peak": {key: np.abs(values[key]).max(axis=0).tolist() for key in UNITS},
+        "peak": {key: np.abs(values[key]).max(axis=0).tolist() for key in ("speed", "acceleration", "torque")},
         "exceeded": exceeded,
     }
