@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.linalg import null_space
 from scipy.optimize import linprog, minimize
 from scipy.spatial.transform import Rotation
 
@@ -202,7 +203,7 @@ def _least_part(mean: Mean, wanted: Array, rows: Array, most: Array, acceleratio
     g, part = solution.x[:N], float(solution.x[N])
     if np.abs(scaled @ (start / unit)).max() <= part * size * (1.0 + 1e-9):
         return start
-    null = _null(A)
+    null = null_space(A, _RANK)
     if null.shape[1]:
         weight = mean.Theta_ff / mean.Theta_ff.max()
         most_part = part * size * (1.0 + 1e-7)
@@ -228,13 +229,6 @@ def _independent(A: Array, b: Array) -> tuple[Array, Array]:
     U, sigma, Vt = np.linalg.svd(A, full_matrices=False)
     kept = sigma > _RANK * sigma[0]
     return np.asarray(sigma[kept, None] * Vt[kept]), np.asarray(U[:, kept].T @ b)
-
-
-def _null(A: Array) -> Array:
-    """An orthonormal basis (N, n) of A x = 0."""
-    _, sigma, Vt = np.linalg.svd(A)
-    rank = int((sigma > _RANK * sigma[0]).sum())
-    return np.asarray(Vt[rank:].T)
 
 
 class NoSlewError(Exception):
