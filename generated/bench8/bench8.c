@@ -233,7 +233,7 @@ BENCH8_CODE BENCH8_APART static bench8_status bench8_within(
 }
 
 /* Looks at a state number by number, where sums of squares do not show that it is within its limits. */
-BENCH8_CODE BENCH8_APART static bench8_status bench8_check_each(const bench8_state *x)
+BENCH8_CODE BENCH8_APART static bench8_status bench8_check_numbers(const bench8_state *x)
 {
     bench8_status status = bench8_within(x->position, 3, BENCH8_MAX_POSITION);
     if (status != BENCH8_OK) { return status; }
@@ -281,7 +281,7 @@ BENCH8_CODE static bench8_status bench8_check_state(const bench8_state *x)
         && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
         && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED
         && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE) { return BENCH8_OK; }
-    return bench8_check_each(x);
+    return bench8_check_numbers(x);
 }
 
 /* Is the state as check_state demands, and are values of the flywheels within a limit? */
@@ -316,7 +316,7 @@ BENCH8_CODE static bench8_status bench8_check_motion(
         && velocity2 < BENCH8_MAX_VELOCITY * BENCH8_MAX_VELOCITY
         && speed2 < BENCH8_MAX_SPEED * BENCH8_MAX_SPEED && phase2 < BENCH8_MAX_PHASE * BENCH8_MAX_PHASE
         && value2 < limit * limit) { return BENCH8_OK; }
-    bench8_status status = bench8_check_each(x);
+    bench8_status status = bench8_check_numbers(x);
     if (status != BENCH8_OK) { return status; }
     return bench8_within(values, BENCH8_N, limit);
 }
@@ -1372,28 +1372,6 @@ BENCH8_CODE static bench8_status bench8_demand(
     return BENCH8_OK;
 }
 
-/* Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place. */
-BENCH8_CODE static void bench8_solve_gram(
-    bench8_real (*restrict gram)[6] /* [6][6] */, bench8_real *restrict z /* [6] */, bench8_real least)
-{
-    for (int j = 0; j < 6; ++j) {
-        for (int k = 0; k < j; ++k) { gram[j][j] -= gram[j][k] * gram[j][k]; }
-        const bench8_real pivot = (gram[j][j] > least) ? gram[j][j] : least;
-        gram[j][j] = bench8_sqrt(pivot);
-        for (int i = j + 1; i < 6; ++i) {
-            for (int k = 0; k < j; ++k) { gram[i][j] -= gram[i][k] * gram[j][k]; }
-            gram[i][j] = gram[i][j] / gram[j][j];
-        }
-        for (int k = 0; k < j; ++k) { z[j] -= gram[j][k] * z[k]; }
-        z[j] = z[j] / gram[j][j];
-    }
-    for (int t = 0; t < 6; ++t) {
-        const int i = 5 - t;
-        for (int k = i + 1; k < 6; ++k) { z[i] -= gram[k][i] * z[k]; }
-        z[i] = z[i] / gram[i][i];
-    }
-}
-
 /* Shares a demand among the flywheels: least weighted norm; others make up for one at its limit, (12). */
 BENCH8_CODE static void bench8_allocate(
     const bench8_inverse_work *work, const bench8_inverse_options *options, int rank,
@@ -1442,7 +1420,29 @@ BENCH8_CODE static void bench8_allocate(
                 }
                 gram[i][i] += least;
             }
-            bench8_solve_gram(gram, z, least);
+            for (int j = 0; j < 6; ++j) {
+                bench8_real pivot = gram[j][j];
+                bench8_real rest = z[j];
+                for (int k = 0; k < j; ++k) {
+                    pivot -= gram[j][k] * gram[k][j];
+                    rest -= gram[k][j] * z[k];
+                }
+                z[j] = rest;
+                pivot = (pivot > least) ? pivot : least;
+                gram[j][j] = pivot;
+                for (int i = j + 1; i < 6; ++i) {
+                    bench8_real below = gram[i][j];
+                    for (int k = 0; k < j; ++k) { below -= gram[i][k] * gram[k][j]; }
+                    gram[i][j] = below;
+                    gram[j][i] = below / pivot;
+                }
+            }
+            for (int t = 0; t < 6; ++t) {
+                const int i = 5 - t;
+                bench8_real rest = z[i] / gram[i][i];
+                for (int k = i + 1; k < 6; ++k) { rest -= gram[i][k] * z[k]; }
+                z[i] = rest;
+            }
             for (int i = 0; i < 6; ++i) { z[i] = row[i] * z[i]; }
             for (int s = 0; s < BENCH8_N; ++s) {
                 bench8_real total = 0.0;
@@ -1529,11 +1529,11 @@ BENCH8_CODE static void bench8_allocate(
     }
     /* rounding may take an answer that just reaches its limit beyond it; what overflows is refused later */
     for (int s = 0; s < BENCH8_N; ++s) {
-        const bench8_real found = phi_ddot[s] * work->scale[s];
-        phi_ddot[s] = found;
-        if (limited[s] > 0 || (((found < 0.0) ? -found : found) > options->limit[s]
-            && ((found < 0.0) ? -found : found) <= BENCH8_LARGEST)) {
-            phi_ddot[s] = (found < 0.0) ? -options->limit[s] : options->limit[s];
+        const bench8_real answer = phi_ddot[s] * work->scale[s];
+        phi_ddot[s] = answer;
+        if (limited[s] > 0 || (((answer < 0.0) ? -answer : answer) > options->limit[s]
+            && ((answer < 0.0) ? -answer : answer) <= BENCH8_LARGEST)) {
+            phi_ddot[s] = (answer < 0.0) ? -options->limit[s] : options->limit[s];
         }
     }
 }
@@ -1543,17 +1543,20 @@ BENCH8_CODE static int bench8_motor_lacks(
     const bench8_inverse_options *options, int number, bench8_real tau, bench8_real speed)
 {
     /* of the motor itself, which bears the friction */
-    bench8_real own = tau + options->motor_viscous[number] * speed;
+    bench8_real needed = tau + options->motor_viscous[number] * speed;
     if (options->motor_coulomb[number] > 0.0 && options->motor_coulomb_speed[number] > 0.0) {
         const bench8_real ratio = speed / options->motor_coulomb_speed[number];
         const bench8_real y = (ratio > 3.0) ? 3.0 : ((ratio < -3.0) ? -3.0 : ratio);  /* tanh y to 0.024 */
         const bench8_real square = y * y;
-        own += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
+        needed += options->motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square));
     }
     /* driving, the torque falls linearly to zero at the no-load speed; braking has all of it */
     bench8_real share = 1.0;
-    if (own * speed > 0.0) { share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number]; }
-    return (share <= 0.0 || ((own < 0.0) ? -own : own) > options->motor_torque[number] * share) ? 1 : 0;
+    if (needed * speed > 0.0) {
+        share = 1.0 - ((speed < 0.0) ? -speed : speed) / options->motor_speed[number];
+    }
+    return (share <= 0.0 || ((needed < 0.0) ? -needed : needed) > options->motor_torque[number] * share) ? 1
+        : 0;
 }
 
 /* Does a motion need more than a motor's torque or speed, or a larger phi_ddot than `most`? */
@@ -1563,10 +1566,10 @@ BENCH8_CODE static void bench8_excessive(
     const bench8_inverse_options *options, int *restrict flags)
 {
     int motors = 0;  /* flywheels whose motor has a limit */
-    int found = 0;
+    int excess = 0;
     for (int s = 0; s < BENCH8_N; ++s) {
         if (((phi_ddot[s] < 0.0) ? -phi_ddot[s] : phi_ddot[s]) > options->most[s]) {
-            found = BENCH8_EXCESSIVE;
+            excess = BENCH8_EXCESSIVE;
         }
         if (options->motor_torque[s] < BENCH8_LARGEST || options->motor_speed[s] < BENCH8_LARGEST) {
             motors = motors + 1;
@@ -1576,10 +1579,10 @@ BENCH8_CODE static void bench8_excessive(
         bench8_real tau[BENCH8_N];  /* drive torques */
         bench8_balance(table, x, sine, cosine, V_dot, phi_ddot, tau);
         for (int s = 0; s < BENCH8_N; ++s) {
-            if (bench8_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) { found = BENCH8_EXCESSIVE; }
+            if (bench8_motor_lacks(options, s, tau[s], x->phi_dot[s]) != 0) { excess = BENCH8_EXCESSIVE; }
         }
     }
-    *flags = found;
+    *flags = excess;
 }
 
 /* (12) */
@@ -1940,24 +1943,26 @@ BENCH8_CODE static bench8_status bench8_check_inertia(
     const bench8_real b2 = mass * c[1];
     const bench8_real b3 = mass * c[2];
     /* P = tr(J)/2 E - J - m c c^T + t |J| E */
-    const bench8_real P11 = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + BENCH8_EPS_INERTIA * size;
-    const bench8_real P22 = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + BENCH8_EPS_INERTIA * size;
-    const bench8_real P33 = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + BENCH8_EPS_INERTIA * size;
-    const bench8_real P12 = -J[3] - b1 * c[1];
-    const bench8_real P13 = -J[4] - b1 * c[2];
-    const bench8_real P23 = -J[5] - b2 * c[2];
+    bench8_real P[6];
+    P[0] = 0.5 * (J[1] + J[2] - J[0]) - b1 * c[0] + BENCH8_EPS_INERTIA * size;
+    P[1] = 0.5 * (J[2] + J[0] - J[1]) - b2 * c[1] + BENCH8_EPS_INERTIA * size;
+    P[2] = 0.5 * (J[0] + J[1] - J[2]) - b3 * c[2] + BENCH8_EPS_INERTIA * size;
+    P[3] = -J[3] - b1 * c[1];  P[4] = -J[4] - b1 * c[2];  P[5] = -J[5] - b2 * c[2];
     /* a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows */
     if (size + (((b1 * c[0] < 0.0) ? -(b1 * c[0]) : b1 * c[0])
         + ((b2 * c[1] < 0.0) ? -(b2 * c[1]) : b2 * c[1]) + ((b3 * c[2] < 0.0) ? -(b3 * c[2]) : b3 * c[2]))
         > 2.225073858507201e-299) {
-        if (!(P11 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
-        const bench8_real l21 = P12 / P11;
-        const bench8_real l31 = P13 / P11;
-        const bench8_real d2 = P22 - l21 * P12;
-        if (!(d2 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
-        const bench8_real p32 = P23 - l31 * P12;
-        const bench8_real d3 = P33 - l31 * P13 - p32 / d2 * p32;
-        if (!(d3 > 0.0)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        if (!(P[0] >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        const bench8_real r1 = 1.0 / P[0];
+        const bench8_real l21 = P[3] * r1;
+        const bench8_real l31 = P[4] * r1;
+        const bench8_real d2 = P[1] - l21 * P[3];
+        if (!(d2 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
+        const bench8_real r2 = 1.0 / d2;
+        const bench8_real p32 = P[5] - l31 * P[3];
+        const bench8_real l32 = p32 * r2;
+        const bench8_real d3 = P[2] - l31 * P[4] - l32 * p32;
+        if (!(d3 >= BENCH8_SMALLEST)) { return BENCH8_NOT_POSITIVE_DEFINITE; }
     }
     return BENCH8_OK;
 }

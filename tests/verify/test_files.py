@@ -105,7 +105,7 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
     by_hand = "edited by hand after mahovik"
     assert row() == ("ok", "")
     assert row("\n -> \r\n") == ("ok", "")
-    verdict, words = row("found = DEMO3_EXCESSIVE -> found = DEMO3_OK")
+    verdict, words = row("excess = DEMO3_EXCESSIVE -> excess = DEMO3_OK")
     assert verdict == "not compared"
     assert words.startswith(by_hand)
     assert words.endswith("wrote it: excessive (internal, of inverse)")

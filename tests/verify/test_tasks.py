@@ -128,8 +128,8 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
 CURVE_FAULTS = {
     "the mirror image of a curve": ("motor_curve", r"(?s)\{\n    int k", "{\n    speed = -speed;\n    int k"),
     "a corner late": ("motor_curve", r"k = i \+ 1", "k = i"),
-    "a curve for what drives alone": ("motor_lacks", r"> (\w+_motor_curve\()", r"* (own * speed > 0.0) > \1"),
-    "no curve in the torques": ("torque_for_pointing", r"\(limit < given\)", "(limit < 0.0)"),
+    "a curve for what drives alone": ("motor_lacks", r"> (\w+_motor_curve\()", r"* (needed * speed > 0.0) > \1"),
+    "no curve in the torques": ("torque_for_pointing", r"\(limit < asked\)", "(limit < 0.0)"),
 }
 
 

@@ -116,8 +116,7 @@ def factors() -> Section:
         "",
         (
             "Six numbers are the linear part, then the angular part, about the origin of the frame they are written "
-            "in. "
-            "$E_1$ is the carrier with origin $O_1$, $E_s$ a flywheel with origin $O_s$; $E$ is the unit matrix. "
+            "in. $E_1$ is the carrier with origin $O_1$, $E_s$ a flywheel with origin $O_s$; $E$ is the unit matrix. "
             "Where nothing else is said, a matrix is in axes of $E_1$ about $O_1$.",
             Formula(rf"\langle a\rangle = {tex(cross(vector('a')))},\quad \langle a\rangle b = a\times b"),
             Formula(r",\quad ".join(f"{name} = {tex(elementary(axis, angle))}" for axis, angle, name in turns)),
@@ -128,8 +127,7 @@ def factors() -> Section:
                 r"L = T[C] = \begin{bmatrix}C & 0\\ \langle O\rangle C & C\end{bmatrix}"
             ),
             "Inertia of a body about its own origin: mass $m$, first moment $b = m r_c$ and moments of inertia $J$, "
-            "also "
-            "about that origin. Every flywheel spins about its own first axis:",
+            "also about that origin. Every flywheel spins about its own first axis:",
             _equal(
                 r"\Theta = \begin{bmatrix}m E & -\langle b\rangle\\ \langle b\rangle & J\end{bmatrix}",
                 Theta(w.m, w.b, w.J),
@@ -190,10 +188,8 @@ def literal_terms() -> Section:
         "(2), (6), (9)",
         (
             r"A flywheel has its origin at $O_s$ and its axes along $C_s = R\,C_1(\varphi_s)$, where $R$ holds the "
-            r"mounting "
-            r"axes (those at $\varphi_s = 0$): $R = C_3(\psi_s)\,C_2(\theta_s)\,C_1(\varphi_0)$, turned by $C_p$ "
-            r"where an "
-            r"instrument bears the flywheel. Since $\dot{L}_s = L_s[\langle e\rangle]\dot{\varphi}_s$:",
+            r"mounting axes (those at $\varphi_s = 0$): $R = C_3(\psi_s)\,C_2(\theta_s)\,C_1(\varphi_0)$, turned by "
+            r"$C_p$ where an instrument bears the flywheel. Since $\dot{L}_s = L_s[\langle e\rangle]\dot{\varphi}_s$:",
             Formula(r"K_s = L_s\Theta_s L_s^T", "2"),
             Formula(
                 r"K^*_s = L_s\left([\langle e\rangle]\Theta_s - \Theta_s[\langle e\rangle]\right)L_s^T\dot{\varphi}_s",
@@ -232,14 +228,11 @@ def harmonics() -> Section:
         (
             r"The flywheel turns about one fixed axis, so its inertia in mounting axes, $\Theta(\varphi) = "
             r"[C_1]\Theta[C_1]^T$, is a Fourier polynomial of second order. Each row is the sum of its cells times "
-            r"the heads "
-            "of the columns:",
+            "the heads of the columns:",
             Table("Inertia of a flywheel in its mounting axes about its own origin", ("", *HEAD), tuple(rows)),
-            r"The constant $L_0 = T(O_s)[R]$ carries every column $k$ to the carrier by itself, $K_s = "
-            r"L_0\Theta(\varphi) "
-            r"L_0^T$. First it is turned, $b^k = R b_s^k$ and $J^k = R J_s^k R^T$, then it is shifted by $T(O)$ (the "
-            r"mass is "
-            "in the column of 1 only):",
+            "The constant $L_0 = T(O_s)[R]$ carries every column $k$ to the carrier by itself, $K_s = "
+            r"L_0\Theta(\varphi) L_0^T$. First it is turned, $b^k = R b_s^k$ and $J^k = R J_s^k R^T$, then it is "
+            "shifted by $T(O)$ (the mass is in the column of 1 only):",
             _equal(r"\mu^k", moved_mu),
             Formula(
                 rf"J_1^k = J^k - \langle O\rangle\langle b^k\rangle - \langle\mu^k\rangle\langle O\rangle = "
@@ -263,8 +256,7 @@ def row_at_a_phase() -> Section:
         "(2), (5), (6), (9)",
         (
             "So a flywheel is a row of constants in $E_1$ about $O_1$; the column of 1 is summed over all bodies "
-            "beforehand. "
-            "At a phase the rest of the row adds to first moment and inertia, and to their rates:",
+            "beforehand. At a phase the rest of the row adds to first moment and inertia, and to their rates:",
             _equal(r"\mu(\varphi)", sums.mu),
             _equal(r"J(\varphi)", from_six(sums.J)),
             Table("Weights of the columns, with c and s given", ("weight", "value"), weights),
@@ -275,8 +267,7 @@ def row_at_a_phase() -> Section:
             ),
             Formula(rf"I_s = {tex(columns.I)},\quad I'_s = {tex(columns.I_prime)}", "9"),
             r"The force part of $I_s$ is the derivative of the first moment by the phase, $\mu'$. With its moment "
-            r"part $t$, "
-            "(9) becomes:",
+            "part $t$, (9) becomes:",
             Formula(
                 r"J_s = \Phi I_s + \dot{\varphi}I'_s = \begin{bmatrix}\omega\times\mu'\\ v\times\mu' + \omega\times t"
                 r"\end{bmatrix} + \dot{\varphi}\begin{bmatrix}\mu''\\ t'\end{bmatrix}",
@@ -345,8 +336,7 @@ def equation(added_mass: bool, weight: sp.Matrix | None, displaces: bool) -> Sec
             *(_equal(f"M_{{{1 + i // 3}{1 + j // 3}}}", M[i : i + 3, j : j + 3], number="9") for i, j in BLOCKS),
             *weighed,
             "The emitted code never forms $M$, $I$ and $J$ to solve (8). It takes the momentum of the whole system, "
-            "and the "
-            "rates of its parts in $E_1$:",
+            "and the rates of its parts in $E_1$:",
             _equal(r"Z = \begin{bmatrix}p\\ h\end{bmatrix}", carrier.momentum(added_mass), number="2"),
             r"Then $F - M V - \sum_s(I_s\ddot{\varphi}_s + J_s\dot{\varphi}_s)$, which $K V^*$ has to equal, is",
             _equal(
@@ -428,8 +418,7 @@ def held() -> tuple[str, Formula, Formula]:
     forces = r"\sum_s\left(I_s\ddot{\varphi}_s + J_s\dot{\varphi}_s\right)"
     return (
         "The carrier is held: it moves as $V = S u$, with $S$ constant in $E_1$, and the hold exerts the wrench $R$, "
-        "which "
-        "has no power in any $u$:",
+        "which has no power in any $u$:",
         Formula(rf"K\dot{{V}} + M V + {forces} - F = R,\quad S^T R = 0"),
         Formula(rf"S^T K S\dot{{u}} = S^T\left(F - M S u - {forces}\right)"),
     )

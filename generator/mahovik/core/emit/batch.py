@@ -18,11 +18,9 @@ from mahovik.core.lower.batch import BOTH, PREPARED, Batch, Batches, batches
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import law_struct
 from mahovik.core.program.call import Argument
-from mahovik.core.program.function import Function
 from mahovik.core.program.refusal import POSITIVE
-from mahovik.core.program.statement import Declare
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.program.walk import statements
+from mahovik.core.program.walk import used_structs
 from mahovik.core.program.widen import BYTES
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
@@ -88,7 +86,7 @@ class _Printer:
         return self._code.render(
             "batch.c.j2",
             **self._known,
-            internal=self._code.structs(s for s in _used_structs(self._code.program.functions) if s.name not in known),
+            internal=self._code.structs(s for s in used_structs(self._code.program.functions) if s.name not in known),
             bits=bool(self._code.casts) or self._code.chooses,
             chooses=self._code.chooses,
             functions=self._code.functions,
@@ -254,19 +252,6 @@ def _reals(struct: Struct) -> str:
     fixed = sum(f.shape[0] for f in struct.fields if isinstance(f.shape[0], int))
     named = sum(1 for f in struct.fields if not isinstance(f.shape[0], int))
     return f"{fixed} + {named} N" if named else str(fixed)
-
-
-def _used_structs(functions: tuple[Function, ...]) -> list[Struct]:
-    """Struct types of arguments and local variables, each after those that it holds."""
-    types = [
-        type_
-        for f in functions
-        for type_ in (
-            *(a.type for a in f.arguments),
-            *(s.variable.type for s in statements(f.body) if isinstance(s, Declare)),
-        )
-    ]
-    return list(dict.fromkeys(s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs()))
 
 
 class Preparing:

@@ -20,6 +20,7 @@ from typing import Any
 from mahovik.core.lower.library import Library
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Ints, Reals, Result, argument, inline, ints, kernel, reals
+from mahovik.core.routines import ldl
 from mahovik.core.routines.jacobi import name_for_rows
 
 
@@ -33,41 +34,9 @@ def most_passes(count: int) -> int:
     return 4 + 6 * count
 
 
-def solve_gram(lib: Library, rows: int = 6) -> Function:
-    """z = gram^-1 z of a symmetric matrix that regularisation keeps positive definite."""
-    sqrt = lib["sqrt"]
-
-    @kernel(name_for_rows("solve_gram", rows))
-    def solve_gram(
-        gram: Reals = argument("lower triangle; becomes its Cholesky factor", rows, rows, direction="inout"),
-        z: Reals = argument("right-hand side; becomes the solution", rows, direction="inout"),
-        least: float = argument("lower bound of the pivots, except for rounding; greater than 0"),
-    ) -> None:
-        """Solves gram z = z for a symmetric positive definite matrix by its Cholesky factor, in place."""
-        for j in range(rows):
-            for k in range(j):
-                gram[j][j] -= gram[j][k] * gram[j][k]
-            pivot = gram[j][j] if gram[j][j] > least else least
-            gram[j][j] = sqrt(pivot)
-            for i in range(j + 1, rows):
-                for k in range(j):
-                    gram[i][j] -= gram[i][k] * gram[j][k]
-                gram[i][j] = gram[i][j] / gram[j][j]
-            for k in range(j):
-                z[j] -= gram[j][k] * z[k]
-            z[j] = z[j] / gram[j][j]
-        for t in range(rows):
-            i = (rows - 1) - t
-            for k in range(i + 1, rows):
-                z[i] -= gram[k][i] * z[k]
-            z[i] = z[i] / gram[i][i]
-
-    return solve_gram
-
-
 def allocate(lib: Library, rows: int = 6) -> Function:
     """phi_ddot of a demand in orthogonal rows, the first `rows` of the work."""
-    layout, solve = lib.layout, lib[name_for_rows("solve_gram", rows)]
+    layout = lib.layout
     N, n = layout.count, int(layout.count)
     regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
     most_real, largest = layout.precision.largest, lib.limits["LARGEST"].expression
@@ -113,7 +82,8 @@ def allocate(lib: Library, rows: int = 6) -> Function:
                         row[i] = 1 / (work.sigma[i] if pass_ < 1 else work.sigma[0])
                 left_over(N, work, phi_ddot, row, z, rows)
                 make_gram(N, work, row, give, gram, least, rows)
-                solve(gram, z, least)
+                ldl.factor(gram, rows, lambda _, least=least: least, z=z)
+                ldl.substitute_back(gram, z, rows)
                 for i in range(rows):
                     z[i] = row[i] * z[i]
                 for s in range(N):
@@ -133,10 +103,10 @@ def allocate(lib: Library, rows: int = 6) -> Function:
                         share[s] = 1
         # rounding may take an answer that just reaches its limit beyond it; what overflows is refused later
         for s in range(N):
-            found = phi_ddot[s] * work.scale[s]
-            phi_ddot[s] = found
-            if limited[s] > 0 or (abs(found) > options.limit[s] and abs(found) <= largest):
-                phi_ddot[s] = -options.limit[s] if found < 0 else options.limit[s]
+            answer = phi_ddot[s] * work.scale[s]
+            phi_ddot[s] = answer
+            if limited[s] > 0 or (abs(answer) > options.limit[s] and abs(answer) <= largest):
+                phi_ddot[s] = -options.limit[s] if answer < 0 else options.limit[s]
 
     return allocate
 

@@ -126,7 +126,7 @@ def add_checks(lib: Library) -> None:
     lib.add(within(lib))
 
     @lib.kernel(apart=True)
-    def check_each(x: Any = lib.x) -> Status:
+    def check_numbers(x: Any = lib.x) -> Status:
         """Looks at a state number by number, where sums of squares do not show that it is within its limits."""
         for name, count, limit in state_limits(lib.layout.state, lib.layout.precision):
             lib["within"](x.member(name), count, limit)
@@ -139,7 +139,7 @@ def add_checks(lib: Library) -> None:
     def check_state(x: Any = lib.x) -> Status:
         """Is the state finite, in its ranges, and its quaternion within 1e-3 of unit length?"""
         look_at_sums(lib, x)
-        return check_each(x)
+        return check_numbers(x)
 
     if lib.layout.flywheels:
 
@@ -147,7 +147,7 @@ def add_checks(lib: Library) -> None:
         def check_motion(x: Any = lib.x, values: Reals = argument("", N), limit: float = argument()) -> Status:
             """Is the state as check_state demands, and are values of the flywheels within a limit?"""
             look_at_sums(lib, x, values, limit)
-            check_each(x)
+            check_numbers(x)
             lib["within"](values, N, limit)
             return OK
 

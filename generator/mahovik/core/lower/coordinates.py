@@ -173,9 +173,8 @@ def add_state_from_coordinates(lib: Library) -> None:
         V_dot[3:6] = formula(turning, **numbers, **rates, a=q_ddot[3:6], b=q_dot[3:6])
         x.position[:] = position
         x.attitude[:] = attitude
-        for i in list(range(3)):
-            x.V[i] = v[i]
-            x.V[i + 3] = omega[i]
+        x.V[0:3] = v
+        x.V[3:6] = omega
         return OK
 
 
@@ -411,20 +410,27 @@ def read_turn(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> Any
 
 @inline
 def read_slides(lib: Library, freedoms: Ways, table: Any, x: Any, out: Any) -> None:
-    """w = C0^T (O1 + C pivot - O1_home) - pivot, along each direction."""
+    """The way of the pivot along each direction."""
+    way = pivot_way(lib, table, x)
+    for k in freedoms.slides:
+        out.q[freedoms.number(k)] = dot(freedoms.direction(k, table.S), way)
+
+
+@inline
+def pivot_way(lib: Library, table: Any, x: Any) -> Any:
+    """w = C0^T (O1 + C pivot - O1_home) - pivot."""
     C0 = reals(9)  # home attitude
     C = reals(9)  # attitude
     lib["rotation"](table.home_attitude, C0)
     lib["rotation"](x.attitude, C)
     arm = reals(3)  # from O1 to the pivot, in E0
     gone = reals(3)  # to the pivot from the home place of O1, in E0
-    own = reals(3)  # in the axes of the home pose
+    way = reals(3)  # of the pivot from the home pose, in its axes
     arm[:] = C @ table.pivot
-    for i in list(range(3)):
-        gone[i] = x.position[i] - table.home_position[i] + arm[i]
-    lib["rotate_back"](C0, gone, own)
-    for k in freedoms.slides:
-        out.q[freedoms.number(k)] = dot(freedoms.direction(k, table.S), own - table.pivot)
+    gone[:] = x.position - table.home_position + arm
+    lib["rotate_back"](C0, gone, way)
+    way -= table.pivot
+    return way
 
 
 @inline
@@ -476,8 +482,7 @@ def write_position(lib: Library, freedoms: Ways, table: Any, q: Any, attitude: A
     gone[:] = C0 @ place
     arm[:] = C @ table.pivot
     position = reals(3)
-    for i in list(range(3)):
-        position[i] = table.home_position[i] + (gone[i] - arm[i])
+    position[:] = table.home_position + (gone - arm)
     return position
 
 

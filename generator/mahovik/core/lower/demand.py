@@ -136,8 +136,7 @@ def add_demand(lib: Library) -> None:
             for k, along in enumerate(S):
                 work.b[k] = -dot(along, missing)
                 work.r[k] = work.b[k]
-                for j in [*range(k + 1)]:
-                    work.G[k][j] = P[place_of(k, j)]
+                work.G[k][0 : k + 1] = [P[place_of(k, j)] for j in range(k + 1)]
         else:
             work.G[:] = mass_matrix(lib, table, seen.sums)
             # b = F - K V_dot: the wrench demanded of the flywheels

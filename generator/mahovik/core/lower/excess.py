@@ -44,12 +44,12 @@ def add_excessive(lib: Library) -> None:
     ) -> None:
         """Does a motion need more than a motor's torque or speed, or a larger phi_ddot than `most`?"""
         motors = ints()  # flywheels whose motor has a limit
-        found = ints()
+        excess = ints()
         motors = 0
-        found = 0
+        excess = 0
         for s in range(N):
             if abs(phi_ddot[s]) > options.most[s]:
-                found = bit("EXCESSIVE")
+                excess = bit("EXCESSIVE")
             if options.motor_torque[s] < largest or options.motor_speed[s] < largest:
                 motors = motors + 1
             if points:
@@ -60,8 +60,8 @@ def add_excessive(lib: Library) -> None:
             lib["balance"](table, x, sine, cosine, V_dot, phi_ddot, wrench, tau)
             for s in range(N):
                 if motor_lacks(options, s, tau[s], x.phi_dot[s]) != 0:
-                    found = bit("EXCESSIVE")
-        flags.value = found
+                    excess = bit("EXCESSIVE")
+        flags.value = excess
 
 
 def add_motor_curve(lib: Library) -> None:
@@ -96,9 +96,9 @@ def add_motor_curve(lib: Library) -> None:
 def at_most(lib: Any, options: Any, s: Any, speed: Any, torque: Any) -> Any:
     """A torque, or what the motor's curve leaves of it at a speed."""
     if lib.layout.motor_points:
-        given = torque
+        asked = torque
         limit = lib["motor_curve"](options, s, speed)
-        return limit if limit < given else given
+        return limit if limit < asked else asked
     return torque
 
 
@@ -120,20 +120,20 @@ def add_motor_lacks(lib: Library) -> None:
         speed: float = argument(unit="rad/s"),
     ) -> int:
         """Does a motor lack the torque tau, with its friction, at this speed? Its no-load speed is above 0."""
-        own: float = tau + options.motor_viscous[number] * speed  # of the motor itself, which bears the friction
+        needed: float = tau + options.motor_viscous[number] * speed  # of the motor itself, which bears the friction
         if options.motor_coulomb[number] > 0 and options.motor_coulomb_speed[number] > 0:
             ratio = speed / options.motor_coulomb_speed[number]
             y = 3.0 if ratio > 3 else -3.0 if ratio < -3 else ratio  # tanh y to 0.024
             square = y * y
-            own += options.motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square))
+            needed += options.motor_coulomb[number] * (y * (27.0 + square) / (27.0 + 9.0 * square))
         if points:
-            if abs(own) > lib["motor_curve"](options, number, speed):
+            if abs(needed) > lib["motor_curve"](options, number, speed):
                 return YES
         # driving, the torque falls linearly to zero at the no-load speed; braking has all of it
         share: float = 1.0
-        if own * speed > 0:
+        if needed * speed > 0:
             share = 1 - abs(speed) / options.motor_speed[number]
-        return 1 if share <= 0 or abs(own) > options.motor_torque[number] * share else 0
+        return 1 if share <= 0 or abs(needed) > options.motor_torque[number] * share else 0
 
 
 @inline

@@ -9,7 +9,7 @@ from mahovik.core import routines
 from mahovik.core.formula.derived import attitude as derived
 from mahovik.core.formula.derived import formula
 from mahovik.core.lower import checks, coordinates
-from mahovik.core.lower.coordinates import Target, Ways, read_slides, read_turn
+from mahovik.core.lower.coordinates import Target, Ways, pivot_way, read_slides, read_turn
 from mahovik.core.lower.freedoms import TURNS, columns, scalar_coordinates, speeds, turns_about_point
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
@@ -147,9 +147,8 @@ def add_off_hold(lib: Library) -> None:
         off: Reals = result("blocked part of V; then of the pose", 12, unit="m/s, rad/s; m, rad"),
     ) -> Status:
         """Part of the twist and of the pose that the hold blocks; RANGE where one is more than rounding."""
-        for i in list(range(6)):
-            off[i] = x.V[i]
-            off[6 + i] = 0
+        off[0:6] = x.V
+        off[6:12] = [0] * 6
         before = list[Any]()
         for k, column in enumerate(columns(lib.layout.ways, table)):
             before.append(take_freedom(off[0:6], column, k + 1, before))
@@ -177,22 +176,11 @@ def take_freedom(rest: Reals, column: Sequence[Any], number: int, before: Sequen
 
 @inline
 def blocked_pose(lib: Library, table: Any, x: Any, off: Reals) -> None:
-    """off[6..8]: w = C0^T (O1 + C pivot - O1_home) - pivot less what slides; off[9..11]: the turn about other axes."""
-    C0 = reals(9)  # home attitude
-    C = reals(9)  # attitude
-    lib["rotation"](table.home_attitude, C0)
-    lib["rotation"](x.attitude, C)
-    arm = reals(3)  # in E0
-    gone = reals(3)  # in E0
-    own = reals(3)  # way of the pivot, in the axes of the home pose
+    """off[6..8]: the way of the pivot less what slides; off[9..11]: the turn about other axes."""
+    way = pivot_way(lib, table, x)
     slid = reals(3)  # its part along what slides
-    arm[:] = C @ table.pivot
-    for i in list(range(3)):
-        gone[i] = x.position[i] - table.home_position[i] + arm[i]
-    lib["rotate_back"](C0, gone, own)
-    own[:] = own - table.pivot
-    slid[:] = table.sliding @ own
-    off[6:9] = own - slid
+    slid[:] = table.sliding @ way
+    off[6:9] = way - slid
     if not turns_about_point(lib.layout.ways):
         turn = reals(4)  # from the home attitude
         turn[:] = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)

@@ -123,9 +123,8 @@ def add_hold(lib: Library) -> None:
         """Puts the pivot of the hold back to where it can slide."""
         C, place, reached = pivot_arms(lib, table, x, y)
         way = reals(3)  # how the pivot went, in E0
-        for i in list(range(3)):
-            place[i] += x.position[i]
-            way[i] = y.position[i] + reached[i] - place[i]
+        place += x.position
+        way[:] = y.position + reached - place
         slid = allowed_way(lib, table, C, way)
         y.position[:] = place + slid - reached
 
@@ -194,11 +193,11 @@ def pivot_arms(lib: Library, table: Any, x: Any, after: Any) -> Any:
 @inline
 def allowed_way(lib: Library, table: Any, C: Reals, way: Reals) -> Any:
     """The part along what slides of a way of the pivot, both in E0."""
-    own = reals(3)  # in E1
-    lib["rotate_back"](C, way, own)
+    way_E1 = reals(3)  # in E1
+    lib["rotate_back"](C, way, way_E1)
     allowed = reals(3)  # of what slides, in E1
     slid = reals(3)  # the part along what slides, in E0
-    allowed[:] = table.sliding @ own
+    allowed[:] = table.sliding @ way_E1
     slid[:] = C @ allowed
     return slid
 

@@ -305,14 +305,18 @@ def add_inverse_alone(lib: Library) -> None:
         lib["within"](V_dot, 6, lib.limit("MAX_ACCELERATION"))
         work = record(layout.inverse_work)
         lib["demand"](table, x, None, None, V_dot, wrench, work)
-        square: float = 0.0
+        largest: float = 0.0
         for i in range(6):
-            square += work.r[i] * work.r[i]
-        wanted = square > 0
+            largest = abs(work.r[i]) if abs(work.r[i]) > largest else largest
+        wanted = largest > 0
         if not wanted:
             # nothing is demanded: any direction is as hard as another
             work.r[5] = 1
-            square = 1
+            largest = 1
+        square: float = 0.0
+        for i in range(6):
+            work.r[i] = work.r[i] / largest  # no square underflows
+            square += work.r[i] * work.r[i]
         length = lib["sqrt"](square)
         for i in range(6):
             out.residual[i] = work.b[i]

@@ -17,7 +17,6 @@ from mahovik.core.lower.task import FREE_NOTE, Rows, base_demand, demanded_rows,
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import (
-    NOT_POSITIVE_DEFINITE,
     Reals,
     argument,
     inline,
@@ -25,40 +24,14 @@ from mahovik.core.program.kernel import (
     record,
     status_of,
 )
+from mahovik.core.routines import ldl
 
 
 @inline
-def solve_definite(lib: Any, gram: Reals, z: Reals) -> Any:
-    """z = gram^-1 z by gram = L D L^T, in place and without a square root.
-
-    The lower triangle is given; then L D is on and below the diagonal, L^T above it. Pivots divide: where they are
-    tiny their inverses overflow, their quotients do not.
-    """
-    size = len(z)
-    for j in range(size):
-        pivot: float = gram[j][j]
-        least = lib.thresholds.gram_pivot * pivot  # a pivot below this is rounding error
-        rest: float = z[j]
-        for k in range(j):
-            pivot -= gram[j][k] * gram[k][j]
-            rest -= gram[k][j] * z[k]
-        z[j] = rest
-        if not pivot > least:
-            return NOT_POSITIVE_DEFINITE
-        gram[j][j] = pivot
-        for i in range(j + 1, size):
-            below: float = gram[i][j]
-            for k in range(j):
-                below -= gram[i][k] * gram[k][j]
-            gram[i][j] = below
-            gram[j][i] = below / pivot
-    for t in range(size):
-        i = (size - 1) - t
-        rest = reals()
-        rest = z[i] / gram[i][i]
-        for k in range(i + 1, size):
-            rest -= gram[i][k] * z[k]
-        z[i] = rest
+def solve_definite(lib: Any, gram: Reals, z: Reals) -> None:
+    """z = gram^-1 z, in place; the function returns where gram is not positive definite."""
+    ldl.factor(gram, len(z), lambda pivot: lib.thresholds.gram_pivot * pivot, True, z)
+    ldl.substitute_back(gram, z, len(z))
 
 
 @inline

@@ -92,8 +92,8 @@ def add_mounts(lib: Library) -> None:
         W[3:6] += symmetric(J) @ omega_dot + cross(v, p) + cross(omega, h) - cross(v_dot, b)
         if layout.weight:
             subtract_weight(lib, mount, s, c, g, W)
-        own: Reals = W  # in Es
-        W[:] = [x for a, b, d in (own[0:3], own[3:6]) for x in (a, b * c - d * s, b * s + d * c)]
+        in_Es: Reals = W  # in Es
+        W[:] = [x for a, b, d in (in_Es[0:3], in_Es[3:6]) for x in (a, b * c - d * s, b * s + d * c)]
 
     purpose = (
         "of the mount on each flywheel, six numbers each, about Os in the axes of Es at phi = 0; the fourth is tau"

@@ -6,8 +6,7 @@ on, with the principal moments about the centre of mass: so this one condition i
 and with it J >= 0. Added mass itself must be positive semidefinite.
 
 Semidefinite to a tolerance: P + t |J| E and Lambda + t diag(Lambda) are positive definite, t of `thresholds`. The stand
-file is refused from half of that on, so whatever it takes is taken here, in float as well. The factors are L D L^T,
-which need no root and are backward stable where the matrix is definite (Higham 2002, chapter 10).
+file is refused from half of that on, so whatever it takes is taken here, in float as well.
 """
 
 from __future__ import annotations
@@ -17,8 +16,8 @@ from typing import Any
 from mahovik.core.derive import SYMMETRIC
 from mahovik.core.lower.checks import check_vector
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.solve import POSITIVE, invert_symmetric
-from mahovik.core.program.expression import Status
+from mahovik.core.lower.solve import POSITIVE, factored, invert_symmetric
+from mahovik.core.program.expression import Status, real
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import (
     NOT_POSITIVE_DEFINITE,
@@ -32,6 +31,7 @@ from mahovik.core.program.kernel import (
 )
 from mahovik.core.program.types import Struct
 from mahovik.core.program.vector import dot
+from mahovik.core.routines import ldl
 
 
 def check_body(lib: Library, struct: Struct) -> Function:
@@ -73,25 +73,18 @@ def add_check_inertia(lib: Library) -> None:
             size = abs(J[k]) if abs(J[k]) > size else size
         b = mass * c
         # P = tr(J)/2 E - J - m c c^T + t |J| E
-        P11 = 0.5 * (J[1] + J[2] - J[0]) - b[0] * c[0] + tolerance * size
-        P22 = 0.5 * (J[2] + J[0] - J[1]) - b[1] * c[1] + tolerance * size
-        P33 = 0.5 * (J[0] + J[1] - J[2]) - b[2] * c[2] + tolerance * size
-        P12 = -J[3] - b[0] * c[1]
-        P13 = -J[4] - b[0] * c[2]
-        P23 = -J[5] - b[1] * c[2]
+        P = reals(6)
+        P[:] = [
+            0.5 * (J[1] + J[2] - J[0]) - b[0] * c[0] + tolerance * size,
+            0.5 * (J[2] + J[0] - J[1]) - b[1] * c[1] + tolerance * size,
+            0.5 * (J[0] + J[1] - J[2]) - b[2] * c[2] + tolerance * size,
+            -J[3] - b[0] * c[1],
+            -J[4] - b[0] * c[2],
+            -J[5] - b[1] * c[2],
+        ]
         # a point mass at the origin has no inertia, nor has a body so small that its tolerance underflows
         if size + (abs(b[0] * c[0]) + abs(b[1] * c[1]) + abs(b[2] * c[2])) > none:
-            if not (P11 > 0):
-                return NOT_POSITIVE_DEFINITE
-            l21 = P12 / P11
-            l31 = P13 / P11
-            d2 = P22 - l21 * P12
-            if not (d2 > 0):
-                return NOT_POSITIVE_DEFINITE
-            p32 = P23 - l31 * P12
-            d3 = P33 - l31 * P13 - p32 / d2 * p32
-            if not (d3 > 0):
-                return NOT_POSITIVE_DEFINITE
+            factored(P, lib.layout.precision.smallest)
         return OK
 
 
@@ -105,7 +98,7 @@ def add_added_mass(lib: Library) -> None:
     ) -> Status:
         """Is the added mass finite, symmetric to the bit and positive semidefinite?"""
         m = added_mass
-        factor = reals(6, 6)  # L below the diagonal, D on it
+        shifted = reals(6, 6)  # Lambda + t diag(Lambda), then its factors
         for i in range(6):
             lib["within"](m[i], 6, lib.limit("MAX_PARAMETER"))
         for i in range(6):
@@ -117,17 +110,9 @@ def add_added_mass(lib: Library) -> None:
             for j in range(6):
                 if (m[i][j] < 0 or m[i][j] > 0) and not (m[i][i] > 0):
                     return NOT_POSITIVE_DEFINITE
-            diagonal: float = m[i][i] + tolerance * m[i][i]
-            for j in range(i):
-                entry: float = m[i][j]  # L_ij D_j
-                for k in range(j):
-                    entry -= factor[i][k] * factor[k][k] * factor[j][k]
-                factor[i][j] = entry / factor[j][j]
-                diagonal -= factor[i][j] * entry
-            if m[i][i] > 0:
-                if not (diagonal > 0):
-                    return NOT_POSITIVE_DEFINITE
-            factor[i][i] = diagonal if m[i][i] > 0 else 1.0
+                shifted[i][j] = m[i][j]
+            shifted[i][i] = m[i][i] + tolerance * m[i][i] if m[i][i] > 0 else 1.0
+        ldl.factor(shifted, 6, lambda _: real(0), True)
         return OK
 
     @lib.kernel(equation="(2)", statuses=POSITIVE)

@@ -37,13 +37,12 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import (
     loops_of_no_turn,
     prune,
-    restrict_program,
     without_idle_calls,
     without_short_loops,
 )
-from mahovik.core.program.types import Precision, Struct
+from mahovik.core.program.types import Precision
 from mahovik.core.program.validate import validate
-from mahovik.core.program.walk import reachable
+from mahovik.core.program.walk import reachable, used_structs
 from mahovik.core.routines.jacobi import name_for_rows
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
@@ -130,7 +129,6 @@ def _add_inverse(lib: Library) -> None:
             demand.add_factor(lib, m)
             demand.add_demand(lib)
         if new:
-            lib.add(allocate.solve_gram(lib, m))
             lib.add(allocate.allocate(lib, m))
         if rows:
             task.add_demand(lib, rows)
@@ -171,11 +169,10 @@ def _program(lib: Library) -> Program:
         without_short_loops(f) if layout.held or any(loops_of_no_turn(f.body)) else f for f in reachable(lib.functions)
     )
     if layout.held:  # clamped carriers have no equations
-        functions = without_idle_calls(functions)
-    program = Program(layout.structure.name, layout.precision, counts, _structs(lib), functions, spare)
-    if layout.held:  # without the structs of what only a free carrier has
-        public = [f.name for f in functions if f.public]
-        program = restrict_program(program, public, ("state", "parameters", "table"))
+        functions = reachable(without_idle_calls(functions))
+    filled = (held for struct in (layout.state, layout.parameters, layout.table) for held in struct.inner_structs())
+    structs = tuple(dict.fromkeys((*filled, *used_structs(functions))))
+    program = Program(layout.structure.name, layout.precision, counts, structs, functions, spare)
     validate(program)
     return program
 
@@ -213,44 +210,3 @@ def _add_wrenches(lib: Library) -> None:
     wrenches.add_check_actuators(lib)
     stream.add_functions(lib)
     wrenches.add_external(lib)
-
-
-def _structs(lib: Library) -> tuple[Struct, ...]:
-    """Struct types in an order in which each comes after those it holds."""
-    ordered: list[Struct] = []
-    layout = lib.layout
-
-    def visit(struct: Struct) -> None:
-        if struct in ordered:
-            return
-        for f in struct.fields:
-            if isinstance(f.type, Struct):
-                visit(f.type)
-        ordered.append(struct)
-
-    for struct in (
-        layout.state,
-        layout.carry,
-        layout.parameters,
-        layout.table,
-        layout.matrices,
-        layout.momentum,
-        layout.generalized,
-        *((layout.mount_table,) if layout.flywheels else ()),
-        *((layout.points_result,) if layout.sensors else ()),
-        layout.sums,
-        *((layout.along_sums,) if layout.along else ()),
-        layout.carrier_factor,
-        *((layout.coupling, layout.schur, layout.schur_factor) if layout.flywheels else ()),
-        layout.inverse_work,
-        *((layout.inverse_options,) if layout.flywheels else ()),
-        layout.inverse_result,
-        *map(layout.task_result, layout.structure.tasks),
-        *map(layout.torque_for_result, layout.structure.tasks),
-        *((layout.coupled_jacobian_result,) if layout.flywheels and (layout.freedoms or not layout.held) else ()),
-        *((layout.forward_jacobian_result,) if layout.freedoms or not layout.held else ()),
-        *((layout.regressor_result,) if "regressor" in lib else ()),
-        *((layout.estimate,) if "identify_step" in lib else ()),
-    ):
-        visit(struct)
-    return tuple(ordered)

@@ -139,9 +139,8 @@ def add_regressor(lib: Library) -> None:
         d[:] = (-seen.g if layout.weight else [0, 0, 0]) + cross(x.V[3:6], x.V[0:3]) + V_dot[0:3]
         a = reals(3)
         w = reals(3)
-        for i in list(range(3)):
-            a[i] = V_dot[i + 3]
-            w[i] = x.V[i + 3]
+        a[:] = V_dot[3:6]
+        w[:] = x.V[3:6]
         lib["body_columns"](d, a, w, out.Y_carrier)
         relative = relative_rate(x, V_dot, seen.stream)
         if layout.added_mass:

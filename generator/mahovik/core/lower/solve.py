@@ -63,34 +63,35 @@ def add_momentum(lib: Library) -> None:
         F[3:6] = F[3:6] - symmetric(sum_.J_dot) @ omega - sum_.g_rel + cross(h, omega) - cross(mu_dot, v) + cross(p, v)
 
 
+@inline
+def factored(S: Reals, least: float) -> Any:
+    """r1, r2, d3, l21, l31, l32, d2 of a 3x3 S = L D L^T, r = 1 / d; the function returns where it is not positive."""
+    if not (S[0] >= least):
+        return NOT_POSITIVE_DEFINITE
+    r1 = 1 / S[0]
+    l21 = S[3] * r1
+    l31 = S[4] * r1
+    d2 = S[1] - l21 * S[3]
+    if not (d2 >= least):
+        return NOT_POSITIVE_DEFINITE
+    r2 = 1 / d2
+    p32 = S[5] - l31 * S[3]
+    l32 = p32 * r2
+    d3 = S[2] - l31 * S[4] - l32 * p32
+    if not (d3 >= least):
+        return NOT_POSITIVE_DEFINITE
+    return r1, r2, d3, l21, l31, l32, d2
+
+
 def add_solution(lib: Library) -> None:
     """Adds the solution of K y = F."""
     layout, least = lib.layout, lib.layout.precision.smallest
     added = layout.added_mass
 
     @inline
-    def factored(S: Reals) -> Any:
-        """r1, r2, d3, l21, l31, l32 of S = L D L^T, which is guarded to be positive."""
-        if not (S[0] >= least):
-            return NOT_POSITIVE_DEFINITE
-        r1 = 1 / S[0]
-        l21 = S[3] * r1
-        l31 = S[4] * r1
-        d2 = S[1] - l21 * S[3]
-        if not (d2 >= least):
-            return NOT_POSITIVE_DEFINITE
-        r2 = 1 / d2
-        p32 = S[5] - l31 * S[3]
-        l32 = p32 * r2
-        d3 = S[2] - l31 * S[4] - l32 * p32
-        if not (d3 >= least):
-            return NOT_POSITIVE_DEFINITE
-        return r1, r2, d3, l21, l31, l32
-
-    @inline
     def solved(factors: Any, b: Reals) -> Any:
         """S^-1 b by the factors of S."""
-        r1, r2, d3, l21, l31, l32 = factors
+        r1, r2, d3, l21, l31, l32 = factors[:6]
         # L z = b, then L^T y = D^-1 z
         z2 = b[1] - l21 * b[0]
         y3 = (b[2] - l31 * b[0] - l32 * z2) / d3
@@ -100,7 +101,7 @@ def add_solution(lib: Library) -> None:
     @lib.kernel(statuses=POSITIVE, short=not added)  # with added mass, compilers copy it unasked
     def factor3(S: Reals = argument("11 22 33 12 13 23", 6), L: Any = result(struct=layout.factors3)) -> Status:
         """Factors a symmetric positive definite 3x3 matrix: S = L D L^T."""
-        L.r1, L.r2, L.d3, L.l21, L.l31, L.l32 = factored(S)
+        L.r1, L.r2, L.d3, L.l21, L.l31, L.l32 = factored(S, least)[:6]
         return OK
 
     @lib.kernel(short=True)
@@ -157,7 +158,7 @@ def add_solution(lib: Library) -> None:
             """Solves K y = F where no other right-hand side follows: factors of K as factor_carrier finds them."""
             rho: Reals = table.mass_inverse * sum_.mu  # mass centre from O1, in E1
             S: Reals = about_mass_center(sum_, rho)  # inertia about the mass centre
-            factors = factored(S)
+            factors = factored(S, least)
             moment: Reals = cross(F[0:3], rho) + F[3:6]  # about the mass centre
             y1, y2, y3 = solved(factors, moment)
             omega_dot = Vector([y1, y2, y3])

@@ -117,8 +117,7 @@ def carry_pivot(lib: Library, table: Any, x: Any, y: Any, before: Reals, after: 
     """
     C, arm, reached = hold.pivot_arms(lib, table, x, y)
     way = reals(3)  # how the pivot went, in E0
-    for i in list(range(3)):
-        way[i] = (y.position[i] - x.position[i]) + (reached[i] - arm[i]) + (after[i] - before[i])
+    way[:] = (y.position - x.position) + (reached - arm) + (after[0:3] - before[0:3])
     slid = hold.allowed_way(lib, table, C, way)
     for i in list(range(3)):
         with block():

@@ -20,10 +20,9 @@ from mahovik.core.lower.flywheels import column_of
 from mahovik.core.lower.forward import STATE_STATUSES
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.library import Library
-from mahovik.core.lower.solve import about_mass_center, lower_left
+from mahovik.core.lower.solve import about_mass_center, factored, lower_left
 from mahovik.core.program.expression import Place, Status
 from mahovik.core.program.kernel import (
-    NOT_POSITIVE_DEFINITE,
     OK,
     Ints,
     Reals,
@@ -118,25 +117,14 @@ def _is_linear(row: TaskRow) -> bool:
 
 
 @inline
-def factor3(S: Reals, work: Any) -> Any:
+def factor3(lib: Any, S: Reals, work: Any) -> None:
     """S (11 22 33 12 13 23) = U D U^T, U unit lower triangular: U below the diagonal of G, D on it, D^-1 in sigma."""
-    G, inverse = work.G, work.sigma
-    G[0][0] = S[0]
-    if not G[0][0] > 0:
-        return NOT_POSITIVE_DEFINITE
-    inverse[0] = 1 / G[0][0]
-    G[1][0] = S[3] * inverse[0]
-    G[2][0] = S[4] * inverse[0]
-    G[1][1] = S[1] - G[1][0] * S[3]
-    if not G[1][1] > 0:
-        return NOT_POSITIVE_DEFINITE
-    inverse[1] = 1 / G[1][1]
-    rest = S[5] - G[2][0] * S[3]
-    G[2][1] = rest * inverse[1]
-    G[2][2] = S[2] - G[2][0] * S[4] - G[2][1] * rest
-    if not G[2][2] > 0:
-        return NOT_POSITIVE_DEFINITE
-    inverse[2] = 1 / G[2][2]
+    r1, r2, d3, l21, l31, l32, d2 = factored(S, lib.layout.precision.smallest)
+    for i, row in enumerate(([S[0]], [l21, d2], [l31, l32, d3])):
+        for j, value in enumerate(row):
+            work.G[i][j] = value
+    for i, inverse in enumerate((r1, r2, 1 / d3)):
+        work.sigma[i] = inverse
 
 
 @inline
@@ -153,7 +141,7 @@ def turning_part(
     lib: Any, F: Reals, S: Reals, work: Any, moment_of: Any, flywheel: Any = None, turns: Any = ()
 ) -> None:
     """The last three rows: the moments of F and of I, whose columns are found by `turns`, when v_dot is eliminated."""
-    factor3(S, work)
+    factor3(lib, S, work)
     moment = reals(3)  # of b, then of each column of I, when v_dot is eliminated
     moment[:] = moment_of(F)
     substitute3(work.G, moment, work.r[:3], "r")
@@ -245,8 +233,7 @@ def base_demand(
             lib["scale_turning"](table, work)
     else:
         still = reals(6)  # V_dot = 0
-        for i in [*range(6)]:
-            still[i] = 0
+        still[:] = [0] * 6
         lib["demand"](table, x, *turns, still, wrench, work)
 
 

@@ -37,7 +37,7 @@ from mahovik.core.program.kernel import (
     record,
     status_of,
 )
-from mahovik.core.program.vector import symmetric
+from mahovik.core.program.vector import Matrix, symmetric
 
 
 def base_of(task: Rows) -> str:
@@ -106,12 +106,9 @@ def add_torque_demand(lib: Library, turning: bool) -> None:
             lib["scale_turning"](table, work)
         else:
             still = reals(6)  # V_dot = 0
-            for i in [*range(6)]:
-                still[i] = 0
+            still[:] = [0] * 6
             moving = relative_rate(x, still, seen.stream)
-            for i in [*range(6)]:
-                for j in [*range(6)]:
-                    work.G[i][j] = element(K, i, j)
+            work.G[:] = Matrix([[element(K, i, j) for j in range(6)] for i in range(6)])
             for i in range(6):
                 work.b[i] = less(F[i], work.G[i], moving)
                 work.r[i] = work.b[i]
@@ -273,8 +270,8 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                         held[s] = 1 if y[s] >= high[s] else -1 if y[s] <= low[s] else 0
         tau = reals(N)
         for s in range(N):
-            found = tau_0[s] + y[s] / work.scale[s]
-            tau[s] = most[s] if found > most[s] else least[s] if found < least[s] else found
+            torque = tau_0[s] + y[s] / work.scale[s]
+            tau[s] = most[s] if torque > most[s] else least[s] if torque < least[s] else torque
             if held[s] > 0:
                 tau[s] = most[s]
             if held[s] < 0:

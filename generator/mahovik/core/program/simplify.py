@@ -18,7 +18,7 @@ from mahovik.core.program.call import Call
 from mahovik.core.program.expression import Binary, Const, Expr, Place, Select, Status, Variable, literal
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.statement import Declare, Do, Let, Loop, Note, Return, Set, Statement, Statements, When
-from mahovik.core.program.types import Kind, Struct
+from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import (
     FreshNames,
     blocks,
@@ -30,6 +30,7 @@ from mahovik.core.program.walk import (
     rebuilt,
     statements,
     substitution,
+    used_structs,
     used_variables,
     with_blocks,
 )
@@ -281,13 +282,6 @@ def _are_same(a: Place, b: Place) -> bool:
 def restrict_program(program: Program, names: Collection[str], kept: Collection[str]) -> Program:
     """The program with the public functions `names`, and those that they call; structs of `kept` stay as well."""
     functions = reachable(tuple(f if f.name in names else replace(f, public=False) for f in program.functions))
-    structs = {struct for f in functions for struct in _used_structs(f)}
-    structs |= {held for struct in program.structs if struct.name in kept for held in struct.inner_structs()}
+    structs = {held for struct in program.structs if struct.name in kept for held in struct.inner_structs()}
+    structs |= {*used_structs(functions)}
     return replace(program, functions=functions, structs=tuple(s for s in program.structs if s in structs))
-
-
-def _used_structs(f: Function) -> set[Struct]:
-    """Struct types of arguments and locals, with those that they hold."""
-    types = [a.type for a in f.arguments]
-    types += [s.variable.type for s in statements(f.body) if isinstance(s, Declare)]
-    return {held for type_ in types if isinstance(type_, Struct) for held in type_.inner_structs()}

@@ -14,6 +14,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.statement import (
     Block,
     Copy,
+    Declare,
     Do,
     Let,
     Loop,
@@ -24,6 +25,7 @@ from mahovik.core.program.statement import (
     Statements,
     When,
 )
+from mahovik.core.program.types import Struct
 
 Leaf = Callable[[Place], Expr]
 
@@ -196,3 +198,16 @@ class FreshNames:
         return Variable(
             self(variable.name), variable.type, variable.shape, pointer=variable.pointer, written=variable.written
         )
+
+
+def used_structs(functions: tuple[Function, ...]) -> list[Struct]:
+    """Struct types of arguments and local variables, each after those that it holds."""
+    types = [
+        type_
+        for f in functions
+        for type_ in (
+            *(a.type for a in f.arguments),
+            *(s.variable.type for s in statements(f.body) if isinstance(s, Declare)),
+        )
+    ]
+    return list(dict.fromkeys(s for type_ in types if isinstance(type_, Struct) for s in type_.inner_structs()))

@@ -15,6 +15,7 @@ from __future__ import annotations
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Ints, Reals, Result, argument, inline, ints, kernel, reals
 from mahovik.core.program.types import NamedCount
+from mahovik.core.routines import ldl
 
 ROUNDS = 3
 """Solutions of a pass, two of them for what the one before has left."""
@@ -53,7 +54,7 @@ def bounded_least_squares(rows: int, count: NamedCount, regular: float) -> Funct
             if going > 0:
                 make_gram(W, weight, held, gram, free, many, lambda_)
                 unknowns = many if many < rows else rows
-                factor(gram, unknowns, lambda_)
+                ldl.factor(gram, unknowns, lambda pivot: 2.0**-52 * pivot + 2.0**-20 * lambda_)  # may be singular
                 solve_free(W, r, weight, y, held, gram, z, left, free, many, goal, unknowns, lambda_)
                 stopped = advance(low, high, y, held, goal)
                 if stopped < 0:
@@ -119,38 +120,6 @@ def make_gram(W: Reals, weight: Reals, held: Ints, gram: Reals, free: Ints, many
 
 
 @inline
-def factor(gram: Reals, size: int, ridge: float) -> None:
-    """L D on and below the diagonal, L^T above it, of L D L^T."""
-    for j in range(size):
-        pivot: float = gram[j][j]
-        least = 2.0**-52 * pivot + 2.0**-20 * ridge  # rounding, of a singular matrix
-        for k in range(j):
-            pivot -= gram[j][k] * gram[k][j]
-        pivot = pivot if pivot > least else least
-        gram[j][j] = pivot
-        for i in range(j + 1, size):
-            below: float = gram[i][j]
-            for k in range(j):
-                below -= gram[i][k] * gram[k][j]
-            gram[i][j] = below
-            gram[j][i] = below / pivot
-
-
-@inline
-def solve(gram: Reals, b: Reals, size: int) -> None:
-    """b = gram^-1 b by the factors."""
-    for i in range(size):
-        for k in range(i):
-            b[i] -= gram[k][i] * b[k]
-    for t in range(size):
-        i = size - 1 - t
-        rest: float = b[i] / gram[i][i]
-        for k in range(i + 1, size):
-            rest -= gram[i][k] * b[k]
-        b[i] = rest
-
-
-@inline
 def solve_free(
     W: Reals, r: Reals, weight: Reals, y: Reals, held: Ints, gram: Reals, z: Reals, left: Reals, free: Ints, many: int,
     goal: Reals, size: int, ridge: float,
@@ -171,7 +140,7 @@ def solve_free(
         if many >= rows and round < ROUNDS:
             for i in range(rows):
                 left[i] = missing[i]
-            solve(gram, left, size)
+            ldl.solve(gram, left, size)
             for i in range(rows):
                 z[i] += left[i]
             for s in range(count):
@@ -187,7 +156,7 @@ def solve_free(
                     left[k] = 0
                     for i in range(rows):
                         left[k] += W[i * count + free[k]] * missing[i]
-                solve(gram, left, size)
+                ldl.solve(gram, left, size)
                 for k in range(many):
                     goal[free[k]] += left[k]
 
