@@ -135,6 +135,15 @@ def test_a_bit_that_rounding_decides_is_judged_by_the_residual(name: str, seed: 
     assert status.words == (words if by_residual else "")
 
 
+def test_what_cancels_for_any_numbers_is_part_of_a_scale() -> None:
+    """Of 80 kg at metres a second v x m v has products of 300 N m, whose rounding in float no perturbation shows."""
+    stand, seed = example("eye4"), 4
+    scales, backend = Scales(stand, "float", seed), CBackend(stand, "float")
+    states = draw_decided(stand, scales, seed, 8, "float")[7:]
+    rows = judge(stand, backend, states, ("forward", "coupled"), LIMITS["float"], scales=scales)
+    assert not any(row.failed for row in rows)
+
+
 CHECKS = [
     ("step", r"!\(dt > 0\.0\)", "!(dt >= 0.0)"),
     ("check_body", r"status != DEMO3_OK", "status == DEMO3_NOT_FINITE"),
