@@ -125,6 +125,8 @@ class _Printer:
         return self._code.render(
             "programme_test.c.j2",
             **self._known,
+            word=self._known["word_type"],
+            hashes_rows=False,
             courses=[self._answers(g) for g in self._golden.courses],
             refused=[self._code.hex(x) for x in REFUSED],
             largest=self._code.real(self._code.precision.largest),

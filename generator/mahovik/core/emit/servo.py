@@ -116,6 +116,8 @@ class _Printer:
         rows = [wrap_statement(f"{{ {', '.join(map(self._code.hex, row))} }},", INDENT) for row in golden.torques]
         return self.render(
             "servo_test.c.j2",
+            word=f"uint{self._code.precision.width}_t",
+            hashes_rows=True,
             torques=[line for lines in rows for line in lines],
             listed=len(golden.torques),
             sweep=expected.SWEEP,
