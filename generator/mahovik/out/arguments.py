@@ -5,7 +5,6 @@ A type is `Annotated` with what stands for its value in the help of the command 
 
 from __future__ import annotations
 
-import contextlib
 import json
 import math
 from collections.abc import Mapping, Sequence
@@ -15,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
+from mahovik.out.file_kinds import MOTION, PROGRAMME, REGIME, SERVO, STATE, expecting
 from mahovik.out.notices import OnProgress
 
 if TYPE_CHECKING:
@@ -69,7 +69,8 @@ def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) ->
     from mahovik.core.motion.regime import load, loads_regime
 
     if isinstance(regime, str | Path):
-        return load(regime, stand, until)
+        with expecting(REGIME, regime):
+            return load(regime, stand, until)
     if isinstance(regime, Mapping):
         return loads_regime(text_of_keys(regime), stand, until, is_json=True)
     return regime
@@ -82,7 +83,8 @@ def motion_of(
     from mahovik.core.motion.motion_file import load_motion, read_motion
 
     if isinstance(motion, str | Path):
-        return load_motion(motion, stand, programme)
+        with expecting(MOTION, motion):
+            return load_motion(motion, stand, programme)
     if isinstance(motion, Mapping):
         return read_motion(text_of_keys(motion), stand, programme=programme)
     return motion
@@ -93,7 +95,8 @@ def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreSt
     from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
     if isinstance(motion, str | Path):
-        return load_motion_or_slew(motion, stand)
+        with expecting(MOTION, motion):
+            return load_motion_or_slew(motion, stand)
     return read_motion_or_slew(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
 
 
@@ -107,7 +110,8 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
             raise UsageError(f"{programme.title}: {programme['status']}: {'; '.join(programme.messages)}")
         programme = programme["programme"]
     if isinstance(programme, str | Path):
-        return load_programme(programme)
+        with expecting(PROGRAMME, programme):
+            return load_programme(programme)
     return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme
 
 
@@ -115,7 +119,8 @@ def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
     """The servos of the flywheels. Raises ServoError."""
     from mahovik.core.motion.servo import load_servo
 
-    return load_servo(servo, stand) if isinstance(servo, str | Path) else servo
+    with expecting(SERVO, servo):
+        return load_servo(servo, stand) if isinstance(servo, str | Path) else servo
 
 
 def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ...], hint: str) -> State:
@@ -127,7 +132,8 @@ def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ..
         return state
     if isinstance(state, Mapping):
         return read_start(text_of_keys(state, schema=False), stand, keys, hint)
-    return load_start(Path(state), stand, keys, hint)
+    with expecting(STATE, state):
+        return load_start(Path(state), stand, keys, hint)
 
 
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
@@ -215,18 +221,3 @@ def by_flywheel(
     if len(values) != len(names):
         raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
     return [quantity(f"{name} of {wheel}", value, dimension) for wheel, value in zip(names, values, strict=True)]
-
-
-def refuse_stand_file(name: str, path: str | Path, expected: str) -> None:
-    """Raise UsageError where a stand file is given in the place of another file.
-
-    Readers of other files would list every key of it as unknown, and not say what the file is.
-    """
-    from mahovik.core.motion.document import kind_of_text
-
-    with contextlib.suppress(OSError, ValueError):  # the reader says what is wrong with it
-        if (
-            Path(path).suffix == ".toml"
-            and kind_of_text(Path(path).read_text(encoding="utf-8"), is_json=False) == "stand"
-        ):
-            raise UsageError(f"{name} {path}: this is a stand file, expected {expected}")

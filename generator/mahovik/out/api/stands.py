@@ -15,6 +15,7 @@ from mahovik.core.stand.numbers import exact, put
 from mahovik.core.stand.read import document_at, read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
+from mahovik.out.file_kinds import STAND, expecting
 
 
 @dataclass(frozen=True, repr=False)
@@ -82,7 +83,8 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    return _read(document_at(path), Path(path).name)
+    with expecting(STAND, path):
+        return _read(document_at(path), Path(path).name)
 
 
 def examples() -> tuple[str, ...]:

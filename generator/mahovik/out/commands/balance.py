@@ -70,10 +70,12 @@ def balance(
 
 
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:
+    from mahovik.out.file_kinds import INFLUENCE, expecting
     from mahovik.use.balance.influence import read_influence, solve, write_polar
     from mahovik.use.balance.pieces import choose_pieces
 
-    problems, off = read_influence(influence)
+    with expecting(INFLUENCE, influence):
+        problems, off = read_influence(influence)
     problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
     w, left = solutions[0].w, solutions[0].left
     largest = float(np.abs(problem.A).max())
@@ -125,12 +127,14 @@ def _pieces(made: Made) -> list[Column]:
 
 def _by_model(source: Any, files: Sequence[Path], plane: Any) -> Result:
     from mahovik.out.api.stands import Stand
+    from mahovik.out.file_kinds import DATA, expecting
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
     from mahovik.use.measured import read_recordings
 
     stand = Stand.of(source)
     planes = _planes(stand, plane or {})
-    recordings = read_recordings(files, stand)
+    with expecting(DATA, *files):
+        recordings = read_recordings(files, stand)
     wheels = balance_wheels(stand, recordings, planes)
     w, made, error, residual = (
         np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "applied", "error", "residual")

@@ -49,6 +49,7 @@ def campaign(
     from mahovik.out.campaign.file import load_campaign
     from mahovik.out.campaign.report import summarise, write_report
     from mahovik.out.campaign.workers import compute
+    from mahovik.out.file_kinds import CAMPAIGN, expecting
     from mahovik.writing import probe
 
     for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
@@ -62,7 +63,9 @@ def campaign(
         raise UsageError("workers: a scheduler has its own; give one of workers and scheduler")
     if workers is not None and workers < 1:
         raise UsageError(f"workers: {workers}: expected 1 or more")
-    campaign_, folder = load_campaign(Path(file)), Path(output)
+    with expecting(CAMPAIGN, file):
+        campaign_ = load_campaign(Path(file))
+    folder = Path(output)
     wanted = range(campaign_.chunks) if chunk is None else [chunk]
     missing = [number for number in wanted if read_chunk(campaign_, folder, number) is None]
     if missing:

@@ -63,13 +63,15 @@ def evidence(
         return Result(f"{check}: every file is as it was written", meta={"folder": str(check)}, details=("folder",))
     if not isinstance(stand, str | Path):
         raise UsageError("stand: expected the path of a stand file, or --check DIR")
-    from mahovik.core.stand import load
     from mahovik.core.stand.content import content
+    from mahovik.core.stand.model import Stand as CoreStand
+    from mahovik.out.api.stands import load
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
     if seconds is not None:
         whole_number("seconds", seconds, 1, 1_000_000)
-    machine, options = load(stand), Options(real or "double")
+    machine: CoreStand = load(stand)
+    options = Options(real or "double")
     if against is not None:
         delivered = delivered_options(Path(against))
         if delivered is None:

@@ -99,7 +99,7 @@ def generate(
         CheckError: a programme that exceeds its bounds, a loop without margin, a folder that differs.
     """
     from mahovik.contract.functions import ALL
-    from mahovik.core.stand import load
+    from mahovik.out.api.stands import Stand
     from mahovik.out.export.folder import (
         Contents,
         add_programme,
@@ -112,7 +112,7 @@ def generate(
     from mahovik.out.export.programme.files import element_type
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in, with_prefix
 
-    machine = load(stand) if isinstance(stand, str | Path) else stand
+    machine = Stand.of(stand)
     only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
     if only_ == ("list",):
         return _functions(machine)
@@ -290,6 +290,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
 
     from mahovik.core.stand.units import TIME
     from mahovik.out.export.fmu import export_fmu
+    from mahovik.out.file_kinds import STATE, expecting
     from mahovik.out.notices import warn_of_turn
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
@@ -306,7 +307,8 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
     target = Path(output) if output is not None else Path(f"{stand.name}.fmu")
     if target.suffix != ".fmu":
         target = target / f"{stand.name}.fmu"
-    start = load_start(Path(chosen["start"]), stand) if chosen["start"] is not None else None
+    with expecting(STATE, chosen["start"]):
+        start = None if chosen["start"] is None else load_start(Path(chosen["start"]), stand)
     if not check:
         probe(target)
     notify(progress, Progress(f"FMU of {stand.name}"))

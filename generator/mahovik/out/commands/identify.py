@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven, refuse_stand_file
+from mahovik.out.arguments import FilePath, StandGiven
+from mahovik.out.file_kinds import DATA, FREE, expecting
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -62,9 +63,11 @@ def identify(
         if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files)]:
             raise UsageError(f"output: {output} is read; expected another file")
         probe(Path(output))
-    paths, delays = read_free(free)
+    with expecting(FREE, free):
+        paths, delays = read_free(free)
     numbers = Free(machine, paths, delays)
-    recordings = read_recordings(files, machine)
+    with expecting(DATA, *files):
+        recordings = read_recordings(files, machine)
     fit, runs = estimate(numbers, recordings, loss)
     values, before = numbers.values(fit.theta), numbers.values(numbers.nominal)
     new = numbers.stand
@@ -119,7 +122,4 @@ def identify(
 
 def files_of(data: str | Path | Sequence[str | Path]) -> list[Path]:
     """The files of measured data of an argument."""
-    files = [Path(data)] if isinstance(data, str | Path) else [Path(file) for file in data]
-    for file in files:
-        refuse_stand_file("data", file, "a file of measured data")
-    return files
+    return [Path(data)] if isinstance(data, str | Path) else [Path(file) for file in data]

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
-from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, refuse_stand_file, time
+from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, time
 from mahovik.out.commands.verify import report_result
+from mahovik.out.file_kinds import DATA, FMU, MAP, expecting
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
 from mahovik.writing import probe
@@ -97,11 +98,6 @@ def judge(
             probe(Path(file))
     if unknown := [word for word in wants if word not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
-    for name in ("with_", "fmu", "map", "log"):
-        noun = {"with_": None, "fmu": "an FMU", "map": "a map of variables", "log": "a log"}[name]
-        path = {"with_": None, "fmu": fmu, "map": map, "log": log}[name]
-        if noun is not None and path is not None:
-            refuse_stand_file(name, path, noun)
     judged = [name for name, subject in (("with_", with_), ("log", log), ("fmu", fmu)) if subject is not None]
     if len(judged) != 1:
         found_words = " and ".join(judged) if judged else "none"
@@ -125,7 +121,8 @@ def judge(
                 worst,
             )
         if fmu is not None and map is not None:
-            program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
+            with expecting(FMU, fmu), expecting(MAP, map):
+                program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
         else:
             program = program_of(str(with_), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(machine, program, longest))
@@ -180,7 +177,8 @@ def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: 
     from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
 
-    log = read_state_log(path, stand)
+    with expecting(DATA, path):
+        log = read_state_log(path, stand)
     for note in log.notes:
         warn(note)
     if log.error and MARGIN * log.error > tolerance:

@@ -92,6 +92,7 @@ def vibration(
     from mahovik.errors import UsageError
     from mahovik.out.api.stands import Stand
     from mahovik.out.arguments import by_flywheel
+    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.out.notices import warn_of_turn
     from mahovik.use.vibration.band import read_band
     from mahovik.use.vibration.chain import Makers
@@ -105,11 +106,13 @@ def vibration(
     seen = _observable(machine, at, quantity, sight)
     limits = read_requirements([require] if isinstance(require, str) else require, seen)
     within = None if band is None else read_band("band", band)
+    with expecting(TABLE, modes):
+        structure = None if modes is None else read_structure(Path(modes), machine)
     makers = Makers(
         _by_wheel(machine, "harmonics", harmonics, read_harmonics),
         _by_wheel(machine, "noise", noise, read_noise),
         _by_wheel(machine, "inner_modes", inner_modes, read_inner_modes),
-        None if modes is None else read_structure(Path(modes), machine),
+        structure,
     )
     plan = read_speeds(machine, speed)
     if improve and (plan.sweep is not None or makers.harmonics):
@@ -139,11 +142,13 @@ def vibration(
 def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
     """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.errors import UsageError
+    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.use.vibration.view import find_view, read_sight
 
     if (at is None) is (sight is None):
         raise UsageError("at, sight: expected a point or a line of sight, one of them")
-    return read_sight(Path(sight), stand) if sight is not None else find_view(stand, str(at), quantity, "angle")
+    with expecting(TABLE, sight):
+        return read_sight(Path(sight), stand) if sight is not None else find_view(stand, str(at), quantity, "angle")
 
 
 def _by_wheel(
@@ -152,6 +157,7 @@ def _by_wheel(
     """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, TableError."""
     from mahovik.errors import UsageError
     from mahovik.nearest import suggestion
+    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.use.vibration.speeds import ALL
 
     if tables is not None and not isinstance(tables, Mapping):
@@ -161,7 +167,8 @@ def _by_wheel(
     for wheel, path in sorted((tables or {}).items(), key=lambda entry: entry[0] != ALL):
         if wheel != ALL and wheel not in names:
             raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
-        result |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
+        with expecting(TABLE, path):
+            result |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
     return result
 
 

@@ -1,0 +1,80 @@
+"""What a file is, by its content: where a reader refuses one of another kind, the message says which it is."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from mahovik.core.stand import toml
+from mahovik.core.stand.content import KINDS, content
+from mahovik.core.stand.content import kind_of as kind_of_keys
+from mahovik.errors import FileError, MahovikError, UsageError
+
+STAND, REGIME, MOTION, PROGRAMME, SERVO = (KINDS[key] for key in ("stand", "regime", "motion", "programme", "servo"))
+STATE, CAMPAIGN, INFLUENCE = "a state", "a campaign file", "a file of influences"
+MAP, FREE, TABLE = "a map of variables", "a list of free numbers", "a table (CSV)"
+DATA, FMU = "a file of measured data", "an FMU"
+
+_ZIP, _ULOG = "a ZIP archive", "a flight log of PX4"
+_FORMS = {DATA: (TABLE, _ULOG), FMU: (_ZIP,)}
+"""What files of a kind may look like."""
+
+_OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
+
+_BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
+    CAMPAIGN: lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
+    MAP: lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
+    INFLUENCE: lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
+    FREE: lambda keys: isinstance(keys.get("free"), list),
+    "a manifest of generated C": lambda keys: str(keys.get("generator", "")).startswith("mahovik "),
+    "what a command printed with --json": lambda keys: {"messages", "ok"} <= keys.keys(),
+    STATE: lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
+}
+"""How the keys of files that only commands read show what they are, the surest first."""
+
+_BY_BEGINNING = {
+    "<robot": "a URDF", "<mujoco": "an MJCF", "<sdf": "an SDF", "<?xml": "an XML file", "<!--": "an XML file",
+    "PK": _ZIP, "\x7fELF": "a program", "ULog": _ULOG,
+}  # fmt: skip
+
+
+def kind_of(path: str | Path) -> str | None:
+    """What a file is, in words; None where it cannot be read or nothing shows it."""
+    try:
+        text = content(Path(path)).decode("utf-8-sig", "replace")
+    except (OSError, ValueError):
+        return None
+    for beginning, words in _BY_BEGINNING.items():
+        if text.lstrip().startswith(beginning):
+            return words
+    for parse in (json.loads, toml.parse):
+        with contextlib.suppress(ValueError, RecursionError):
+            keys = parse(text)
+            keys = keys if isinstance(keys, dict) else {}
+            sure = (words for words, shows in _BY_KEYS.items() if shows(keys))
+            return next(sure, None) or KINDS.get(kind_of_keys(keys))
+    head = text.partition("\n")[0]
+    return TABLE if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
+
+
+@contextlib.contextmanager
+def expecting(kind: str, *sources: Any) -> Iterator[None]:
+    """Where the body refuses one of the sources that is a file of another kind, say which it is, in one line.
+
+    Else a reader lists every key that it does not know. Sources that are no paths are left alone.
+    """
+    try:
+        yield
+    except (FileError, UsageError) as error:
+        for source in sources:
+            if isinstance(source, str | Path) and (other := kind_of(source)) not in (None, kind, *_FORMS.get(kind, ())):
+                line = f"{source}: is {other}, expected {kind}"
+                raise _same_error(error, line) from None
+        raise
+
+
+def _same_error(error: MahovikError, line: str) -> MahovikError:
+    return type(error)([line]) if isinstance(error, FileError) else UsageError(line)
