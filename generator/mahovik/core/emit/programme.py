@@ -15,7 +15,7 @@ from mahovik.core.emit.manifest import manifest_with
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme import CLOCK, Course, ProgrammeProgram
 from mahovik.core.lower.programme_play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
-from mahovik.core.program.types import numbers
+from mahovik.core.program.types import Kind, numbers
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
@@ -125,7 +125,7 @@ class _Printer:
         return self._code.render(
             "programme_test.c.j2",
             **self._known,
-            word=self._known["word_type"],
+            word=self._names.type(Kind.WORD),
             hashes_rows=False,
             courses=[self._answers(g) for g in self._golden.courses],
             refused=[self._code.hex(x) for x in REFUSED],
