@@ -83,3 +83,8 @@ def test_one_line_says_what_a_file_is(expected: str, files: set[str]) -> None:
         said = refused(*shlex.split(COMMANDS[expected].format(name)))
         assert said == f"error: {name}: is {words}, expected {expected}\n"
     assert {path.name for path in Path().iterdir()} == files
+
+
+def test_a_file_that_is_no_model_makes_no_stand(files: set[str]) -> None:
+    assert refused("new", "stand.toml").startswith("error: stand.toml: is a stand file, expected a URDF")
+    assert {path.name for path in Path().iterdir()} == files
