@@ -122,7 +122,7 @@ def test_a_followed_programme_is_a_table_of_required_coordinates() -> None:
     assert "over the last 10 of 11 periods; mismatch 0%, seed 1" in said.stdout
     followed = columns("run.csv")
     assert len(followed["z [m]"]) == 1101
-    assert followed["z [m]"] == pytest.approx(followed["required_z [m]"], abs=1e-7)
+    assert followed["z [m]"] == pytest.approx(followed["required z [m]"], abs=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ def test_a_run_has_speeds_in_rpm_and_angles_in_degrees() -> None:
 
 
 def test_what_is_required_is_dashed_in_the_colour_of_what_is_reached() -> None:
-    (panel,) = shown(("x", "m", T), ("z", "m", 2 * T), ("required_x", "m", T), ("required_z", "m", T)).values()
+    (panel,) = shown(("x", "m", T), ("z", "m", 2 * T), ("required x", "m", T), ("required z", "m", T)).values()
     assert [line.dashed for line in panel.lines] == [False, False, True, True]
     assert [line.colour for line in panel.lines] == [0, 1, 0, 1]
     assert panel.lines[2].name == "x, required"

@@ -148,8 +148,8 @@ def _course(t: Array, columns: Columns) -> list[Panel]:
             Line(a, t, vectors[:, i], i) for i, a in enumerate("xyz")
         ]
     for name, unit, y in columns:
-        required = name.startswith("required")
-        quantity, member = _quantity(name.removeprefix("required").lstrip("_ ") if required else name)
+        required = name.startswith("required ")
+        quantity, member = _quantity(name.removeprefix("required "))
         if required and not member:
             quantity, member = "q", quantity
         if quantity in UNSHOWN or "orientation" in name or (held and quantity in ("", "v", "omega")):

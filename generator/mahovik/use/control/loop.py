@@ -130,8 +130,8 @@ class Record:
         q = self.q
         if stand.hold is None:
             q = q[:, 3:]
-            names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required_{a} [m]" for a in _AXES)]
-            names += [f"required_{a} [rad]" for a in _ANGLES]
+            names += [*(f"{a} [rad]" for a in _ANGLES), *(f"required {a} [m]" for a in _AXES)]
+            names += [f"required {a} [rad]" for a in _ANGLES]
         else:
             held = coordinates_of(stand)
             heads = [f"{a} [{unit}]" if unit else a for a, unit in zip(held.names, held.unit_names, strict=True)]
