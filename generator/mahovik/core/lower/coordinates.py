@@ -427,7 +427,8 @@ def pivot_way(lib: Library, table: Any, x: Any) -> Any:
     gone = reals(3)  # to the pivot from the home place of O1, in E0
     way = reals(3)  # of the pivot from the home pose, in its axes
     arm[:] = C @ table.pivot
-    gone[:] = x.position - table.home_position + arm
+    for i in list(range(3)):  # in this order: near numbers first
+        gone[i] = x.position[i] - table.home_position[i] + arm[i]
     lib["rotate_back"](C0, gone, way)
     way -= table.pivot
     return way
@@ -482,7 +483,8 @@ def write_position(lib: Library, freedoms: Ways, table: Any, q: Any, attitude: A
     gone[:] = C0 @ place
     arm[:] = C @ table.pivot
     position = reals(3)
-    position[:] = table.home_position + (gone - arm)
+    for i in list(range(3)):  # in this order: near numbers first
+        position[i] = table.home_position[i] + (gone[i] - arm[i])
     return position
 
 

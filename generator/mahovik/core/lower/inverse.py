@@ -76,6 +76,28 @@ def accelerate(lib: Any, table: Any, x: Any, turns: Any, phi_ddot: Reals, wrench
 
 
 @inline
+def scale(work: Any, rows: int) -> Any:
+    """The largest element of W, by which W and r are divided.
+
+    All rows of a hold or a task may be tiny, as those of unbalanced wheels in line with their only freedom: no square
+    of them underflows. Rows of a free carrier have a spin inertia.
+    """
+    unit: float = 0.0
+    for i in range(rows):
+        for s in range(work.W.shape[1]):
+            size = abs(work.W[i][s])
+            unit = size if size > unit else unit
+    if not unit > 0:
+        unit = 1
+    inverse_unit = 1 / unit
+    for i in range(rows):
+        work.r[i] = work.r[i] * inverse_unit
+        for s in range(work.W.shape[1]):
+            work.W[i][s] = work.W[i][s] * inverse_unit
+    return unit
+
+
+@inline
 def sort(work: Any, rows: int) -> None:
     """Descending singular values: the order of the rows, by exchanging neighbours a fixed number of times."""
     # sort the singular values in descending order, by exchanging neighbours
@@ -202,6 +224,8 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
         wanted: float = 0.0
         for i in range(m):
             wanted += work.r[i] * work.r[i]
+        if along:
+            unit = scale(work, m)
         orthogonalise(work)
         sort(work, m)
         if task:
@@ -230,6 +254,7 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
                 rest: float = asked[i]
                 for s in range(N):
                     rest -= work.W[i][s] * (answer[s] / work.scale[s])
+                rest = rest * unit
                 left += rest * rest
         else:
             z = reals(m)  # G^-1 residual
@@ -275,9 +300,9 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
             out.residual[i] = residual[i]
         hardest(lib, work, rank, (demanded - 1 if demanded > 0 else 0) if task else m - 1, out.hardest)
         out.rank = rank
-        out.damped_by = damping
+        out.damped_by = damping * unit if along else damping
         for i in range(min(m, int(N))):
-            out.sigma[i] = work.sigma[i]
+            out.sigma[i] = work.sigma[i] * unit if along else work.sigma[i]
         return status_of(flags)
 
 

@@ -117,7 +117,8 @@ def carry_pivot(lib: Library, table: Any, x: Any, y: Any, before: Reals, after: 
     """
     C, arm, reached = hold.pivot_arms(lib, table, x, y)
     way = reals(3)  # how the pivot went, in E0
-    way[:] = (y.position - x.position) + (reached - arm) + (after[0:3] - before[0:3])
+    for i in list(range(3)):  # vectors would be added in another order
+        way[i] = (y.position[i] - x.position[i]) + (reached[i] - arm[i]) + (after[i] - before[i])
     slid = hold.allowed_way(lib, table, C, way)
     for i in list(range(3)):
         with block():

@@ -20,6 +20,9 @@ from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.scales import ROUNDINGS, Equation, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
+LARGEST = {real: float(np.finfo(kind).max) for real, kind in (("double", np.float64), ("float", np.float32))}
+"""Largest number of an element type."""
+
 HALF_TURN = 1e-9
 """Distance from half a turn, rad, at which its angle may be of either sign; or what is accepted, where that is more."""
 
@@ -175,14 +178,18 @@ class Rows:
                 check.note(off, _name(request), reason, request)
 
     def _reached(self, state: State, measured: Measured, answer: Mapping[str, Any]) -> Measured:
-        """What is expected, with UNREACHABLE by the residual of the answer where rounding decides it."""
+        """What is expected, with UNREACHABLE by the residual of the answer where rounding decides it.
+
+        Beyond the largest number of the element type phi_ddot is LIMITED to it.
+        """
         assert self._scales is not None
-        due, expected = self._scales.reach(state, measured, answer.get("residual")), measured.values["status"]
-        bits = bits_of(expected)
-        if due is None or due == ("UNREACHABLE" in bits):
-            return measured
-        self._by_residual += 1
-        status = status_words(sum(STATUS_VALUES[bit] for bit in bits ^ {"UNREACHABLE"}))
+        due, bits = self._scales.reach(state, measured, answer.get("residual")), bits_of(measured.values["status"])
+        if due is not None and due != ("UNREACHABLE" in bits):
+            self._by_residual += 1
+            bits ^= {"UNREACHABLE"}
+        if np.max(np.abs(measured.values["phi_ddot"]), initial=0.0) > LARGEST[self._scales.real]:
+            bits |= {"LIMITED"}
+        status = status_words(sum(STATUS_VALUES[bit] for bit in bits))
         return replace(measured, values={**measured.values, "status": status})
 
     def _differences(
