@@ -556,7 +556,7 @@ def _at_the_edge_of_rank(case: Case, fast: bool, plain: Question) -> Iterator[Qu
         if fast:
             return least_pivot(normal_matrix(scaled, plain.weight, 0.0))
         sigma = np.linalg.svd(scaled.W, compute_uv=False)
-        return float(sigma[-1] / sigma[0])
+        return float(sigma[-1] / sigma[0]) if sigma[0] > 0 else 0.0
 
     for side in FAR_SIDES:
         low, high = -25.0, 0.0  # decimal exponents of the part
