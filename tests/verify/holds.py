@@ -17,7 +17,9 @@ PIVOT = (0.3, -0.2, 0.15)
 HOLDS: dict[str, tuple[Freedom, ...]] = {
     "clamped": (),
     "hinge": (Freedom("turn", (1.0, -2.0, 0.5)),),
-    "knife edge": (Freedom("twist", twist=(1.0, 0.2, 0.0, 0.0, 0.0, 0.3)), FREEDOMS["yaw"]),
+    "knife edge": tuple(
+        Freedom("twist", twist=twist) for twist in ((1.0, 0.2, 0.0, 0.0, 0.0, 0.3), (-0.2, -0.3, 0.0, 0.0, 0.0, 1.0))
+    ),
     "ball joint": (FREEDOMS["roll"], FREEDOMS["pitch"], FREEDOMS["yaw"]),
     "all but one": tuple(FREEDOMS[name] for name in ("z", "x", "y", "pitch", "roll")),
     "free": tuple(FREEDOMS.values()),

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 import numpy as np
+from scipy.linalg import null_space
 from numpy.typing import NDArray
 
 from mahovik.contract.functions import task_of as task_name_of
@@ -362,7 +363,11 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
         return
 
     known = question.scaled(case.stand, case.scales.at(question.state))
-    z = np.linalg.lstsq((known.W / question.weight).T, phi_ddot / np.diag(known.to_phi_ddot), rcond=None)[0]
+    gram, to_y = normal_matrix(known, question.weight, question.damping[1]), (known.W / question.weight).T
+    z = np.linalg.lstsq(to_y, phi_ddot / np.diag(known.to_phi_ddot), rcond=None)[0]
+    if len(gram) == len(z):
+        unseen = null_space(to_y)  # directions in which no flywheel acts: damping alone bounds z there
+        z += unseen @ np.linalg.lstsq(gram @ unseen, known.r - gram @ z, rcond=None)[0]
 
     def sides(stand: Stand, _: State, at: Pieces) -> Values:
         """Both are solved one after the other, each to rounding of its own terms: z is kept, whatever W is."""
@@ -463,6 +468,10 @@ def _questions(
         yield from _at_the_edge_of_rank(case, fast, plain)
 
 
+NO_TORQUE = 1e-9
+"""Torque over what turns the flywheel along with the carrier; below, it is what rounding leaves of none."""
+
+
 def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) -> dict[str, tuple[bool, dict[str, Any]]]:
     """Motors of which one has a little less than an answer needs, and a little more; whether that is EXCESSIVE.
 
@@ -471,6 +480,8 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
     """
     N, s, rng, result = case.count, number % case.count, case.random(600 + number), {}
     tau = np.diag(at.Theta_ff) * phi_ddot if fast else torque(at, forward(at, phi_ddot), phi_ddot)
+    omega = np.linalg.norm(at.V[3:6])
+    turning = np.diag(at.Theta_ff) * (np.abs(phi_ddot) + omega * (omega + np.abs(at.phi_dot)))  # N m
     reach = np.abs(at.phi_dot) + 1.0
     friction = {
         "motor_viscous": 0.3 * np.abs(tau) / reach * rng.uniform(0.5, 2.0, N),
@@ -482,7 +493,7 @@ def _motors(case: Case, fast: bool, number: int, at: Pieces, phi_ddot: Array) ->
     for kind, motors in kinds.items():
         options = options_of(case, number, motor_torque=np.ones(N), **motors)
         needed = shares_of(with_motors(case.stand, options), at, tau, phi_ddot)  # N m of the motor
-        if not 0.0 < needed[s] < np.inf or not np.isfinite(needed).all():
+        if not needed[s] > NO_TORQUE * turning[s] or not np.isfinite(needed).all():
             continue
         for part in SIDES:
             torques = np.where(needed > 0.0, needed * np.where(np.arange(N) == s, part, 2.0), needed[s])
