@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 import numpy as np
-from scipy.linalg import null_space
 from numpy.typing import NDArray
+from scipy.linalg import null_space
 
 from mahovik.contract.functions import task_of as task_name_of
 from mahovik.contract.status import status_bits, status_words
