@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.file_kinds import MOTION, PROGRAMME, REGIME, SERVO, STATE, expecting
 from mahovik.out.notices import OnProgress
 
 if TYPE_CHECKING:
@@ -69,6 +68,8 @@ def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) ->
     from mahovik.core.motion.regime import load, loads_regime
 
     if isinstance(regime, str | Path):
+        from mahovik.out.file_kinds import REGIME, expecting
+
         with expecting(REGIME, regime):
             return load(regime, stand, until)
     if isinstance(regime, Mapping):
@@ -83,6 +84,8 @@ def motion_of(
     from mahovik.core.motion.motion_file import load_motion, read_motion
 
     if isinstance(motion, str | Path):
+        from mahovik.out.file_kinds import MOTION, expecting
+
         with expecting(MOTION, motion):
             return load_motion(motion, stand, programme)
     if isinstance(motion, Mapping):
@@ -95,6 +98,8 @@ def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreSt
     from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
     if isinstance(motion, str | Path):
+        from mahovik.out.file_kinds import MOTION, expecting
+
         with expecting(MOTION, motion):
             return load_motion_or_slew(motion, stand)
     return read_motion_or_slew(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
@@ -110,6 +115,8 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
             raise UsageError(f"{programme.title}: {programme['status']}: {'; '.join(programme.messages)}")
         programme = programme["programme"]
     if isinstance(programme, str | Path):
+        from mahovik.out.file_kinds import PROGRAMME, expecting
+
         with expecting(PROGRAMME, programme):
             return load_programme(programme)
     return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme
@@ -118,6 +125,7 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
 def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
     """The servos of the flywheels. Raises ServoError."""
     from mahovik.core.motion.servo import load_servo
+    from mahovik.out.file_kinds import SERVO, expecting
 
     with expecting(SERVO, servo):
         return load_servo(servo, stand) if isinstance(servo, str | Path) else servo
@@ -132,6 +140,8 @@ def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ..
         return state
     if isinstance(state, Mapping):
         return read_start(text_of_keys(state, schema=False), stand, keys, hint)
+    from mahovik.out.file_kinds import STATE, expecting
+
     with expecting(STATE, state):
         return load_start(Path(state), stand, keys, hint)
 

@@ -109,7 +109,6 @@ def generate(
         refuse_unknown,
         usual_real,
     )
-    from mahovik.out.export.programme.files import element_type
     from mahovik.proof.verify.delivery import Options, delivered_options, stand_in, with_prefix
 
     machine = Stand.of(stand)
@@ -137,6 +136,8 @@ def generate(
     notify(progress, Progress(f"generate {named.name}"))
     contents, usual = Contents(), usual_real(project)
     if programme is not None:
+        from mahovik.out.export.programme.files import element_type
+
         course = programme_of(programme)
         usual = element_type(folder, named, real, usual)
         add_programme(

@@ -12,7 +12,6 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.out.arguments import FilePath, StandGiven
-from mahovik.out.file_kinds import DATA, FREE, expecting
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -63,6 +62,8 @@ def identify(
         if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files)]:
             raise UsageError(f"output: {output} is read; expected another file")
         probe(Path(output))
+    from mahovik.out.file_kinds import DATA, FREE, expecting
+
     with expecting(FREE, free):
         paths, delays = read_free(free)
     numbers = Free(machine, paths, delays)

@@ -13,7 +13,6 @@ from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, time
 from mahovik.out.commands.verify import report_result
-from mahovik.out.file_kinds import DATA, FMU, MAP, expecting
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
 from mahovik.writing import probe
@@ -121,6 +120,8 @@ def judge(
                 worst,
             )
         if fmu is not None and map is not None:
+            from mahovik.out.file_kinds import FMU, MAP, expecting
+
             with expecting(FMU, fmu), expecting(MAP, map):
                 program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
         else:
@@ -172,6 +173,7 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
 
 def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
     """The verdict on a log."""
+    from mahovik.out.file_kinds import DATA, expecting
     from mahovik.proof.diagnose.explain import Judged
     from mahovik.proof.verify.foreign import verify_log
     from mahovik.proof.verify.states import Request

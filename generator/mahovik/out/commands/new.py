@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
-from mahovik.out.file_kinds import kind_of
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
@@ -89,6 +88,8 @@ def new(
         raise UsageError(f"{what}: of a FILE of another program, not of the example {source}")
     if Path(source).is_file():
         words = "a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), or the name of an example"
+        from mahovik.out.file_kinds import kind_of
+
         raise UsageError(f"{source}: is {kind_of(source) or 'a file'}, expected {words}")
     return _example(source, place, name)
 
