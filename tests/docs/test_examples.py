@@ -21,6 +21,7 @@ NOT_RUN = {
         "README.md",
         "pip install",
     ): "installs into an environment from the network; tests/test_package.py does so without",
+    ("docs/architecture.md", "@kernel"): "a kernel is compiled from its text, never run",
     ("docs/judging.md", ". .venv/bin/activate"): "needs a checkout; tests/audits/test_audits.py runs its commands",
     ("docs/verification.md", "mahovik evidence"): "minutes to hours; a short one: tests/report/test_evidence.py",
     ("docs/verification.md", "sh bench8_eva.sh"): "hours of Frama-C; the quick ones are in .ci/run",

@@ -32,7 +32,9 @@ def with_errors(stand: Stand, at: Pieces) -> Iterator[tuple[str, Pieces]]:
     """Every term with a relative error: the matrices, and each kind of wrench on each body."""
     for name in PARTS:
         if np.any(getattr(at, name)):
-            yield name, replace(at, **{name: getattr(at, name) * (1.0 + PLANTED)})
+            wrong = replace(at)
+            vars(wrong)[name] = getattr(at, name) * (1.0 + PLANTED)  # a field, or a property that is kept
+            yield name, wrong
     bodies: tuple[Any, ...] = (*at.fixed, *at.flywheels)
     placed = {k.body.name: k for k in bodies}
     for body, kinds in at.terms.items():
