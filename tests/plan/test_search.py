@@ -125,7 +125,7 @@ QUICK = PlanOptions(verify=False)
 
 
 def test_the_best_of_a_few_is_kept() -> None:
-    """Of `enough` programmes the one with the least objective is returned, with its figures."""
+    """The search stops at `enough` programmes and returns that of the least objective, with its figures."""
     stand, motion = example("bench8")
     plan = plan_motion(stand, replace(motion, winding="rock", bounds=Bounds()), replace(QUICK, enough=2))
     assert plan.status == "OK"

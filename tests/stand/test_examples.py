@@ -54,7 +54,7 @@ FOLDER = stands.path("bench8").parent
     ("name", "words"),
     [
         ("bench8.motion.json", "is JSON, as motions and programmes are; expected a stand file (TOML)"),
-        ("servos/bench8.toml", "is a file of servos; expected a stand file here: were two swapped?"),
+        ("servos/bench8.toml", "is a file of servos, expected a stand file"),
     ],
 )
 def test_a_file_of_another_kind_is_named(name: str, words: str) -> None:
@@ -65,5 +65,5 @@ def test_a_file_of_another_kind_is_named(name: str, words: str) -> None:
 
 def test_a_regime_is_named(tmp_path: Path) -> None:
     (tmp_path / "r.toml").write_text('schema = 1\n[default]\nspeed = "3000 rpm"\n')
-    with pytest.raises(StandError, match=r"r.toml: is a regime; expected a stand file"):
+    with pytest.raises(StandError, match=r"r.toml: is a regime, expected a stand file"):
         load(tmp_path / "r.toml")

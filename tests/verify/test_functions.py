@@ -136,7 +136,7 @@ def test_a_bit_that_rounding_decides_is_judged_by_the_residual(name: str, seed: 
 
 
 def test_what_cancels_for_any_numbers_is_part_of_a_scale() -> None:
-    """Of 80 kg at metres a second v x m v has products of 300 N m, whose rounding in float no perturbation shows."""
+    """The scale of `v x m v` counts its products, which cancel, so that no perturbation shows their rounding."""
     stand, seed = example("eye4"), 4
     scales, backend = Scales(stand, "float", seed), CBackend(stand, "float")
     states = draw_decided(stand, scales, seed, 8, "float")[7:]

@@ -47,7 +47,7 @@ def kind_of(document: Mapping[str, Any]) -> str:
 def wrong_kind(kind: str, *expected: str) -> str:
     """Words on a file of one kind where another was expected."""
     wanted = " or ".join(KINDS[name] for name in expected) or "another file"
-    return f"is {KINDS[kind]}; expected {wanted} here: were two swapped?"
+    return f"is {KINDS[kind]}, expected {wanted}"
 
 
 def is_file(path: Path) -> bool:

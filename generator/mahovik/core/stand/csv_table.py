@@ -19,7 +19,7 @@ from mahovik.errors import FileError
 from mahovik.nearest import suggestion
 
 TEXT = Dimension("a text", "")
-"""Of a column of words, which has no unit."""
+"""Dimension of a column of words, which has no unit."""
 
 _HEAD = re.compile(r"\s*([^\[\]]*?)\s*(?:\[\s*([^\[\]]*?)\s*\])?\s*")
 

@@ -13,6 +13,7 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.limits import Limits
 from mahovik.contract.status import STATUS_VALUES, status_words
+from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
@@ -20,7 +21,7 @@ from mahovik.proof.verify.check import Check, difference
 from mahovik.proof.verify.scales import ROUNDINGS, Equation, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
-LARGEST = {real: float(np.finfo(kind).max) for real, kind in (("double", np.float64), ("float", np.float32))}
+LARGEST = {precision.name: float(precision.largest) for precision in (DOUBLE, FLOAT)}
 """Largest number of an element type."""
 
 HALF_TURN = 1e-9
