@@ -57,7 +57,7 @@ class Status(IntEnum):
 def status_words(status: int | Array) -> Any:
     """A status in words, as `mahovik eval` has it: `OK`, `NEAR_SINGULAR|LIMITED`; of an array a list of them."""
     if isinstance(status, np.ndarray) and status.ndim:
-        return [status_words(statu) for statu in status]
+        return [status_words(bits) for bits in status]
     return words_of_status(int(status))
 
 
