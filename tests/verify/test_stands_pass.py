@@ -114,7 +114,7 @@ spin_inertia = 4e-3
 transverse_inertia = 2.5e-3
 unbalance = { static = "72 g mm" }
 """
-"""A stand whose only singular value is the sine of the phase times a number; in the C 0 where its square underflows."""
+"""A stand whose only singular value is the sine of the phase times a number, so small that its square underflows."""
 
 PUSHED = """
 schema = 1
@@ -225,3 +225,13 @@ def test_slow_bodies_in_a_stream_lose_no_digits_and_no_status(stand: Stand) -> N
     rows = judge(stand, backend, slow, ("momentum", "inverse"), LIMITS["float"], scales=Scales(stand, "float"))
     assert slow
     assert [row for row in rows if row.verdict != "ok"] == []
+
+
+@pytest.mark.parametrize(("real", "phi"), [("double", 1e-195), ("float", 1e-30)])
+def test_a_reach_whose_square_underflows_is_used(real: str, phi: float) -> None:
+    """Along x, (8) of a stand at rest is m x'' = mu sin(phi) phi''."""
+    stand = loads(VANISHING_REACH)
+    state = replace(rest_state(stand), phi=(phi,), V_dot=(1.0, 0.0, 0.0, 0.0, 0.0, 0.0), u_dot=(1.0,))
+    answer = CBackend(stand, real).evaluate(state, ("inverse",))
+    assert (answer["rank"], answer["status"]) == (1, "EXCESSIVE")
+    assert answer["phi_ddot"] == pytest.approx([14.0 / (72e-6 * phi)], rel=1e-5)

@@ -82,6 +82,7 @@ def scale(work: Any, rows: int) -> Any:
     All rows of a hold or a task may be tiny, as those of unbalanced wheels in line with their only freedom: no square
     of them underflows. Rows of a free carrier have a spin inertia.
     """
+    # divide by the largest element: no square of tiny rows underflows
     unit: float = 0.0
     for i in range(rows):
         for s in range(work.W.shape[1]):
