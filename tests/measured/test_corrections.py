@@ -240,43 +240,6 @@ def test_a_second_clock_that_runs_fast(tmp_path: Path) -> None:
     assert np.isfinite(error).mean() > 0.99 and np.nanmax(np.abs(error)) < 0.01 * TURN
 
 
-def two_groups(path: Path, imu: dict[str, Array], enc: dict[str, Array]) -> Path:
-    """A TDMS file with a group of sensors and one of flywheels."""
-    import nptdms
-
-    with nptdms.TdmsWriter(str(path)) as file:
-        for group, columns in (("imu", imu), ("enc", enc)):
-            file.write_segment([nptdms.ChannelObject(group, header, x) for header, x in columns.items()])
-    return path
-
-
-def test_runs_of_one_file_get_their_own_flywheels(tmp_path: Path) -> None:
-    """The second run of the sensors has the flywheels of the second run; none, where their numbers differ."""
-    t, slow = clock(2000), clock(1000, 2e-3)
-    imu = {"time [s]": np.tile(t, 2), RATE: wobble(np.arange(4000.0))}
-    both = {"time [s]": np.tile(slow, 2), "w1.phase [rad]": np.concatenate([50 * slow, 80 * slow])}
-    first, second = read_recordings([two_groups(tmp_path / "a.tdms", imu, both)], STAND)
-    inside = t <= slow[-1]
-    for run, speed in ((first, 50.0), (second, 80.0)):
-        np.testing.assert_allclose(values(run, "w1.phase")[inside], speed * t[inside], atol=1e-9)
-    one = {header: x[:1000] for header, x in both.items()}
-    first, second, alone = read_recordings([two_groups(tmp_path / "b.tdms", imu, one)], STAND)
-    for run in (first, second):
-        assert run.get("w1.phase") is None
-        assert lines(run, "w1.phase: 1 run in the file, but 2 of these sensors: not taken")
-    assert alone.get("w1.phase") is not None
-
-
-def test_flywheels_of_another_time_are_not_taken(tmp_path: Path) -> None:
-    """They stay a recording of their own, and a line says so."""
-    t = clock()
-    imu, enc = {"time [s]": t, RATE: wobble(t)}, {"time [s]": t + 10, "w1.phase [rad]": 50 * t}
-    recording, alone = read_recordings([two_groups(tmp_path / "a.tdms", imu, enc)], STAND)
-    assert list(recording.frame) == ["acc1.rate.x"]
-    assert lines(recording, "no sample at the times of the sensors: not taken")
-    assert alone.get("w1.phase") is not None
-
-
 def test_files_of_several_runs_go_in_pairs(tmp_path: Path) -> None:
     """The k-th file of sensors is joined with the k-th of flywheels."""
     t = clock()

@@ -18,8 +18,8 @@ STATE, CAMPAIGN, INFLUENCE = "a state", "a campaign file", "a file of influences
 MAP, FREE, TABLE = "a map of variables", "a list of free numbers", "a table (CSV)"
 DATA, FMU = "a file of measured data", "an FMU"
 
-_ZIP, _ULOG = "a ZIP archive", "a flight log of PX4"
-_FORMS = {DATA: (TABLE, _ULOG), FMU: (_ZIP,)}
+_ZIP = "a ZIP archive"
+_FORMS = {DATA: (TABLE,), FMU: (_ZIP,)}
 """What files of a kind may look like."""
 
 _OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
@@ -37,7 +37,7 @@ _BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
 
 _BY_BEGINNING = {
     "<robot": "a URDF", "<mujoco": "an MJCF", "<sdf": "an SDF", "<?xml": "an XML file", "<!--": "an XML file",
-    "PK": _ZIP, "\x7fELF": "a program", "ULog": _ULOG,
+    "PK": _ZIP, "\x7fELF": "a program", "ULog": "a flight log of PX4",
 }  # fmt: skip
 
 

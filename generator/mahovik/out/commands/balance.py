@@ -45,7 +45,7 @@ def balance(
 
     Args:
         stand: the stand file, with the sensors as points.
-        data: a file of measured data, with channels of sensors and phases of flywheels; as often as needed.
+        data: a file of measured data, with channels of sensors and phases of flywheels, as often as needed.
         plane: planes of a flywheel, or of "all" others, at these places on its axis, as w1=-10mm,10mm; or a TOML file
             with a table a flywheel of `positions` and `pieces`. Default one plane, at the flywheel's origin.
         influence: a JSON file with "A", and "B" and "U" of trial runs, or "ALPHA"; numbers are "amplitude@degrees".
@@ -59,14 +59,15 @@ def balance(
     """
     if (influence is None) == (stand is None):
         raise UsageError("influence, stand: expected one of them: FILE.json, or STAND.toml with data")
+    given = files_of(data)
     if influence is not None:
-        if data or plane:
+        if given or plane:
             raise UsageError("data, plane: need a stand; a file of influences takes none of them")
         return _by_influence(influence, method)
-    if not data:
+    if not given:
         raise UsageError("data: missing, expected files of measured data of the stand")
     assert stand is not None
-    return _by_model(stand, files_of(data), plane)
+    return _by_model(stand, given, plane)
 
 
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:
@@ -125,7 +126,7 @@ def _pieces(made: Made) -> list[Column]:
     ]
 
 
-def _by_model(source: Any, files: Sequence[Path], plane: Any) -> Result:
+def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     from mahovik.out.api.stands import Stand
     from mahovik.out.file_kinds import DATA, expecting
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels

@@ -15,9 +15,9 @@ from mahovik.out.arguments import FilePath, StandGiven
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
-    pass
+    from pandas import DataFrame
 
-DataGiven = Annotated[str | Path | Sequence[str | Path], "DATA"]
+DataGiven = Annotated["str | Path | DataFrame | Sequence[str | Path | DataFrame]", "DATA"]
 
 
 def identify(
@@ -37,7 +37,7 @@ def identify(
 
     Args:
         stand: the stand file, with the sensors as points.
-        data: a file of measured data, .csv, .parquet, .tdms, .ulg, or of names of columns, .toml; as often as needed.
+        data: a file of measured data, .csv or .parquet, as often as needed; in Python also a DataFrame.
         free: paths of the stand file separated by commas, such as w*.unbalance, or a file that names them, with known
             delays of sensors. `imu.delay` is the delay of a sensor.
         output: write the stand file with the estimated numbers: comments, order and units stay.
@@ -59,7 +59,7 @@ def identify(
     if output is not None:
         if not isinstance(stand, str | Path):
             raise UsageError("output: needs the stand as a file, whose comments stay")
-        if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files)]:
+        if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files) if isinstance(file, str | Path)]:
             raise UsageError(f"output: {output} is read; expected another file")
         probe(Path(output))
     from mahovik.out.file_kinds import DATA, FREE, expecting
@@ -121,6 +121,6 @@ def identify(
     )
 
 
-def files_of(data: str | Path | Sequence[str | Path]) -> list[Path]:
-    """The files of measured data of an argument."""
-    return [Path(data)] if isinstance(data, str | Path) else [Path(file) for file in data]
+def files_of(data: Any) -> list[Any]:
+    """The files and frames of measured data of an argument."""
+    return list(data) if isinstance(data, Sequence) and not isinstance(data, str) else [data]

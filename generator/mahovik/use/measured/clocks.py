@@ -12,7 +12,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -89,32 +89,27 @@ LONGEST = 0.5
 """Largest gap over which a flywheel is interpolated, unless its own step is longer, s."""
 
 
-def join(recordings: Sequence[tuple[str, Recording]]) -> tuple[Recording, ...]:
-    """Recordings of (file, recording): those of flywheels alone are taken into those of sensors, where they fit.
+def join(recordings: Sequence[Recording]) -> tuple[Recording, ...]:
+    """Recordings, of which those of flywheels alone are taken into those of sensors, where they fit.
 
-    Several runs of a file take the flywheels of as many runs, in their order.
+    One is taken into all that it covers, several of the same channels one after another into as many.
     """
-    sensors = [pair for pair in recordings if not pair[1].of_flywheels]
-    donors = [pair for pair in recordings if pair[1].of_flywheels]
+    sensors = [recording for recording in recordings if not recording.of_flywheels]
+    donors = [recording for recording in recordings if recording.of_flywheels]
     joined, used = [], list[Recording]()
-    for place, (file, recording) in enumerate(sensors):
-        runs = [run for source, run in sensors if source == file and set(run.frame) == set(recording.frame)]
-        groups: dict[tuple[Any, ...], list[Recording]] = defaultdict(list)
-        for other, donor in donors:
-            if other == file or _covers(donor, recording):
-                groups[other == file, *sorted(donor.frame)].append(donor)
+    for place, recording in enumerate(sensors):
+        groups: dict[tuple[str, ...], list[Recording]] = defaultdict(list)
+        for donor in donors:
+            if _covers(donor, recording):
+                groups[tuple(sorted(donor.frame))].append(donor)
         whole = recording
-        for (same_file, *labels), group in groups.items():
-            many, at = (len(runs), runs.index(recording)) if same_file else (len(sensors), place)
-            if len(group) == many or (len(group) == 1 and not same_file):
-                donor = group[at if len(group) == many else 0]
-                whole, taken = _take(whole, donor, same_file)
+        for group in groups.values():
+            if len(group) in (1, len(sensors)):
+                donor = group[place if len(group) == len(sensors) else 0]
+                whole, taken = _take(whole, donor)
                 used += [donor] * taken
-            elif same_file:
-                words = f"{count(len(group), 'run')} in the file, but {many} of these sensors: not taken"
-                whole = replace(whole, notes=(*whole.notes, f"{recording.source}: {', '.join(labels)}: {words}"))
         joined.append(whole)
-    return (*joined, *(donor for _, donor in donors if donor not in used))
+    return (*joined, *(donor for donor in donors if donor not in used))
 
 
 def _covers(donor: Recording, recording: Recording) -> bool:
@@ -124,9 +119,9 @@ def _covers(donor: Recording, recording: Recording) -> bool:
     return bool(common > SHARE * np.ptp(recording.t))
 
 
-def _take(recording: Recording, donor: Recording, same_clock: bool) -> tuple[Recording, bool]:
+def _take(recording: Recording, donor: Recording) -> tuple[Recording, bool]:
     """The recording with the channels of a donor that it lacks, and whether there are any."""
-    t, notes = (donor.t, list[str]()) if same_clock else _shift(recording, donor)
+    t, notes = _shift(recording, donor)
     missing = [label for label in donor.frame if label not in recording.frame]
     columns = {label: at_times(t, donor.frame[label].to_numpy(), recording.t, label) for label in missing}
     taken = {label: values for label, values in columns.items() if np.isfinite(values).any()}
@@ -142,7 +137,7 @@ def _take(recording: Recording, donor: Recording, same_clock: bool) -> tuple[Rec
     whole = replace(
         recording,
         frame=recording.frame.assign(**taken),
-        source=recording.source if same_clock else f"{recording.source} + {donor.source}",
+        source=f"{recording.source} + {donor.source}",
         notes=(*recording.notes, *donor.notes, *notes),
         counted=recording.counted | {name for name in donor.counted if f"{name}.phase" in taken},
     )

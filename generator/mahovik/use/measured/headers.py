@@ -1,14 +1,6 @@
 """Headers of measured data, `acc1.acceleration.x [m/s2]`: what they mean on a stand, and their unit in SI.
 
-Columns of a run of `mahovik simulate` and the inertial sensor of a PX4 log are known by the names they have there; a
-file of names says what other columns are:
-
-    [names]
-    "sensor_combined.gyro_rad[0]" = "imu.rate.x [rad/s]"
-    [counts]
-    w1 = 4096
-
-`counts`: counts a turn of encoders that neither a unit nor the stand file states.
+Columns of a run of `mahovik simulate` are known by the names they have there.
 """
 
 from __future__ import annotations
@@ -16,16 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from fractions import Fraction
-from pathlib import Path
-from typing import Annotated, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from pydantic import Field, StrictInt, StrictStr
-
-from mahovik.core.stand import toml
 from mahovik.core.stand.csv_table import split_head
-from mahovik.core.stand.fields import Table
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.units import (
     ACCELERATION,
     ANGLE,
@@ -38,7 +24,6 @@ from mahovik.core.stand.units import (
     QuantityError,
     factor,
 )
-from mahovik.errors import DataError
 from mahovik.nearest import suggestion
 
 AXES, LETTERS = "xyz", "xyzkmn"
@@ -61,12 +46,6 @@ RUN_MARKS = ("qw", "v_x [m/s]", "omega_x [rad/s]")
 RUN_SENSORS = {"force": "acceleration", "gyro": "rate"}
 RUN_FLYWHEELS = {"phi": "phase", "phi_dot": "speed", "tau": "torque"}
 
-PX4 = {
-    **{f"sensor_combined.gyro_rad[{k}]": f"rate.{axis} [rad/s]" for k, axis in enumerate(AXES)},
-    **{f"sensor_combined.accelerometer_m_s2[{k}]": f"acceleration.{axis} [m/s2]" for k, axis in enumerate(AXES)},
-}
-"""Fields of PX4 that are those of the one point of a stand."""
-
 _PART_OF_TURN = re.compile(r"1\s*/\s*(\d{1,9})\s*(?:turn|rev|revolution)s?")
 _RUN = re.compile(r"(?:(force|gyro)_([xyz])|(phi|phi_dot|tau)) (.+) (\[.+\])")
 
@@ -85,25 +64,6 @@ class Channel(NamedTuple):
     label: str
     scale: float = 1.0
     counts: int | None = None
-
-
-class Names(Table):
-    """Keys of a file of names: headers by the name of a column, counts a turn by flywheel."""
-
-    names: Annotated[dict[str, StrictStr], Field(default_factory=dict)]
-    counts: Annotated[dict[str, Annotated[StrictInt, Field(gt=0)]], Field(default_factory=dict)]
-
-
-def read_names(path: Path, raw: bytes) -> Names:
-    """The names of a file. Raises DataError."""
-    problems = Problems(str(path))
-    try:
-        names = problems.valid(Names, toml.parse(raw.decode("utf-8")))
-    except ValueError as error:
-        raise DataError([f"{path}: not TOML: {error}"]) from None
-    if names is None:
-        raise DataError(problems.lines)
-    return names
 
 
 def sensors(stand: Stand) -> tuple[str, ...]:
@@ -148,16 +108,14 @@ def channel_of(header: str, stand: Stand) -> Channel:
     return Channel(text, counts=int(turn[1]) if turn is not None and int(turn[1]) else None)
 
 
-def known_header(column: str, columns: Mapping[str, Any], stand: Stand) -> str | None:
-    """Header of a column of a run of `mahovik simulate` or of a PX4 log; None: it is no measured quantity."""
-    if column in PX4:
-        return f"{stand.points[0].name}.{PX4[column]}" if len(stand.points) == 1 else None
+def known_header(column: str) -> str | None:
+    """Header of a column of a run of `mahovik simulate`; None: it is no measured quantity."""
     run = _RUN.fullmatch(column)
-    if run is not None and run[1]:
+    if run is None:
+        return column if is_time(column) or "." in column.partition(" [")[0] else None
+    if run[1]:
         return f"{run[4]}.{RUN_SENSORS[run[1]]}.{run[2]} {run[5]}"
-    if run is not None:
-        return f"{run[4]}.{RUN_FLYWHEELS[run[3]]} {run[5]}"
-    return column if is_time(column) or (is_run(columns) and "." in column.partition(" [")[0]) else None
+    return f"{run[4]}.{RUN_FLYWHEELS[run[3]]} {run[5]}"
 
 
 def is_run(columns: Mapping[str, Any]) -> bool:

@@ -1,8 +1,13 @@
-"""Files of measured data as recordings of a stand: each channel matched, each fault of the data corrected and noted."""
+"""Measured data as recordings of a stand: each channel matched, each fault of the data corrected and noted.
+
+Data are CSV, Parquet or frames of pandas, with a column under each header.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import io
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -10,22 +15,12 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from mahovik.core.stand.content import TABLE, content
 from mahovik.core.stand.model import Stand
-from mahovik.errors import DataError
-from mahovik.nearest import suggestion
+from mahovik.errors import DataError, UsageError
 from mahovik.use.measured.clocks import GAP, Array, Recording, count, join
-from mahovik.use.measured.files import READERS, file_content, read_frames
 from mahovik.use.measured.flywheels import with_phases
-from mahovik.use.measured.headers import (
-    HeaderError,
-    Names,
-    channel_of,
-    is_run,
-    is_time,
-    known_header,
-    read_names,
-    time_scale,
-)
+from mahovik.use.measured.headers import HeaderError, channel_of, is_run, is_time, known_header, time_scale
 
 FEWEST = 4
 """Samples that a recording has at least."""
@@ -43,47 +38,110 @@ SHOWN = 20
 """Lines of faults in a message."""
 
 
-def read_recordings(paths: Iterable[Path], stand: Stand) -> tuple[Recording, ...]:
-    """The runs of some files of measured data (CSV, Parquet, TDMS, ULog; TOML with names), matched to a stand.
+def read_recordings(data: Iterable[str | Path | pd.DataFrame], stand: Stand) -> tuple[Recording, ...]:
+    """The runs of some files of measured data or frames, matched to a stand.
 
-    Raises DataError with a line for each file that cannot be used; UsageError: a package of an extra is missing.
+    Raises DataError with a line for each file that cannot be used; UsageError: Parquet without pyarrow.
     """
-    files = [Path(path) for path in paths]
-    named = [read_names(path, file_content(path)) for path in files if path.suffix.lower() == ".toml"]
-    names = Names(
-        names={key: header for header_names in named for key, header in header_names.names.items()},
-        counts={key: turn for header_names in named for key, turn in header_names.counts.items()},
-    )
-    wheels = [wheel.name for wheel in stand.flywheels]
-    for name in names.counts:
-        if name not in wheels:
-            raise DataError([f"file of names: counts: {stand.name} has no flywheel {name}{suggestion(name, wheels)}"])
-    data = [path for path in files if path.suffix.lower() != ".toml"]
-    if not data:
-        raise DataError([f"no file of data, expected {', '.join(READERS)}"])
-    recordings, left = list[tuple[str, Recording]](), list[str]()
-    for path in data:
-        for frame in read_frames(path):
-            for recording in _recordings(path, frame, stand, names):
-                if recording.frame.columns.size:
-                    recordings.append((str(path), recording))
-                else:
-                    left += recording.notes
+    recordings, left, sources = list[Recording](), list[str](), list[str]()
+    for number, given in enumerate(data, 1):
+        source = f"frame {number}" if isinstance(given, pd.DataFrame) else str(given)
+        table, notes = _columns_of(given) if isinstance(given, pd.DataFrame) else read_table(Path(given))
+        sources.append(source)
+        for recording in _recordings(source, table, notes, stand):
+            if recording.frame.columns.size:
+                recordings.append(recording)
+            else:
+                left += recording.notes
     if not recordings:
         more = [f"... and {len(left) - SHOWN} more lines like these"] if len(left) > SHOWN else []
-        channels = f"{', '.join(map(str, data))}: no channel of the stand {stand.name} is left"
-        raise DataError([*left[:SHOWN], *more, channels])
-    file, first = recordings[0]
-    recordings[0] = file, Recording(first.frame, first.source, (*first.notes, *left), first.counted)
+        raise DataError([*left[:SHOWN], *more, f"{', '.join(sources)}: no channel of the stand {stand.name} is left"])
+    recordings[0] = replace(recordings[0], notes=(*recordings[0].notes, *left))
     return join(recordings)
 
 
-def _recordings(path: Path, frame: pd.DataFrame, stand: Stand, names: Names) -> Iterator[Recording]:
+# -- tables ------------------------------------------------------------------------------------------------------------
+
+
+def read_table(path: Path) -> tuple[pd.DataFrame, list[str]]:
+    """The columns of a file with numbers, under its headers and in its units, and what was met while reading.
+
+    Raises DataError in one line; UsageError: Parquet without pyarrow.
+    """
+    reader = READERS.get(path.suffix.lower())
+    if reader is None:
+        raise DataError([f'{path}: unknown format "{path.suffix}", expected {" or ".join(READERS)}'])
+    try:
+        return reader(path, content(path, TABLE))
+    except OSError as error:
+        raise DataError([f"{path}: {error.strerror or error}"]) from None
+
+
+def _columns_of(frame: pd.DataFrame) -> tuple[pd.DataFrame, list[str]]:
+    """The columns of a frame with numbers, in double; an index with a name is one of them."""
+    table = frame if frame.index.name is None else frame.reset_index()
+    return table.select_dtypes(["number", "bool"]).astype(np.float64), []
+
+
+def _read_csv(path: Path, raw: bytes) -> tuple[pd.DataFrame, list[str]]:
+    """Columns parted by commas, semicolons or tabs; where they are not parted by commas, a comma is a decimal one.
+
+    Headers are in the first line; `#` begins a comment; a cell that is no number is a missing sample.
+    """
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = raw.decode("latin-1")  # degree signs of older programs
+    if "\0" in text:
+        raise DataError([f"{path}: holds zero bytes, expected a text with columns"])
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    if len(lines) < 2:
+        raise DataError([f"{path}: expected a line of headers and lines of numbers, found {len(lines)} lines"])
+    delimiter = max(",;\t", key=lines[0].count)
+    headers = [cell.strip().strip('"').strip() for cell in lines[0].split(delimiter)]
+    for header in headers:
+        if header and headers.count(header) > 1:
+            raise DataError([f'{path}: line 1: the header "{header}" stands twice; name each column once'])
+    body = "\n".join(lines[1:])
+    try:
+        frame = pd.read_csv(
+            io.StringIO(body if delimiter == "," else body.replace(",", ".")), sep=delimiter, header=None,
+            names=[header or f"column {k + 1}" for k, header in enumerate(headers)], index_col=False,
+            on_bad_lines="skip", float_precision="round_trip", skipinitialspace=True, low_memory=False,
+        )  # fmt: skip
+    except (ValueError, OverflowError) as error:  # pandas' own errors are ValueErrors
+        raise DataError([f"{path}: cannot be read as CSV: {error}".splitlines()[0]]) from None
+    notes = []
+    if len(frame) < len(lines) - 1:
+        notes.append(f"{len(lines) - 1 - len(frame)} lines with more than {len(headers)} cells: left out")
+    numbers = frame.apply(pd.to_numeric, errors="coerce")
+    if holes := int((numbers.isna() & frame.notna()).to_numpy().sum()):
+        notes.append(f"{holes} cells hold no number: taken as missing samples")
+    return numbers.astype(np.float64), notes
+
+
+def _read_parquet(path: Path, raw: bytes) -> tuple[pd.DataFrame, list[str]]:
+    try:
+        return _columns_of(pd.read_parquet(io.BytesIO(raw), engine="pyarrow"))
+    except ImportError:
+        raise UsageError(f'{path}: needs pyarrow; `pip install "mahovik[campaign]"`') from None
+    except Exception as error:  # pyarrow raises what its parser meets
+        raise DataError([f"{path}: cannot be read as Parquet: {error}".splitlines()[0]]) from None
+
+
+READERS: Mapping[str, Callable[[Path, bytes], tuple[pd.DataFrame, list[str]]]] = {
+    ".csv": _read_csv,
+    ".parquet": _read_parquet,
+}
+"""Readers of the formats, by the end of the name."""
+
+
+# -- recordings --------------------------------------------------------------------------------------------------------
+
+
+def _recordings(source: str, table: pd.DataFrame, notes: list[str], stand: Stand) -> Iterator[Recording]:
     """The runs of a table; without channels where nothing of it is left."""
-    source, notes = frame.attrs["source"], list(frame.attrs["notes"])
-    matched, turns = _match(path, frame, stand, names, notes)
-    if path.suffix.lower() == ".ulg" and matched.empty:
-        return
+    matched, turns = _match(table, stand, notes)
     runs = list(_runs(matched))
     for k, run in enumerate(runs):
         lines = list(notes)
@@ -93,26 +151,23 @@ def _recordings(path: Path, frame: pd.DataFrame, stand: Stand, names: Names) -> 
         if ordered.columns.size and len(ordered) < FEWEST:
             lines.append(f"{len(ordered)} samples, expected {FEWEST} or more: left out")
             ordered = ordered.iloc[:, :0]
-        phased, counted = with_phases(ordered, stand.flywheels, {**names.counts, **turns}, lines)
+        phased, counted = with_phases(ordered, stand.flywheels, turns, lines)
         name = f"{source}, run {k + 1}" if len(runs) > 1 else source
         yield Recording(phased, name, tuple(f"{name}: {line}" for line in lines), counted)
 
 
-def _match(
-    path: Path, frame: pd.DataFrame, stand: Stand, names: Names, notes: list[str]
-) -> tuple[pd.DataFrame, dict[str, int]]:
+def _match(table: pd.DataFrame, stand: Stand, notes: list[str]) -> tuple[pd.DataFrame, dict[str, int]]:
     """Channels of a table in SI over the time, by label; counts a turn that headers state, by flywheel."""
-    run, vehicle = is_run(frame), path.suffix.lower() == ".ulg"
+    run = is_run(table)
     if run:
         notes.append("a run of mahovik simulate: readings and flywheels are taken as measured")
     t: Array | None = None
-    columns, turns, unnamed = dict[str, Array](), dict[str, int](), 0
-    for column in frame:
-        header = names.names.get(column) or (known_header(column, frame, stand) if run or vehicle else column)
+    columns, turns = dict[str, Array](), dict[str, int]()
+    for column in table:
+        header = known_header(column) if run else column
         if header is None:
-            unnamed += 1
             continue
-        values = frame[column].to_numpy()
+        values = table[column].to_numpy()
         try:
             if is_time(header):
                 if t is None:
@@ -130,8 +185,6 @@ def _match(
         columns[channel.label] = np.where(np.isfinite(values), channel.scale * values, np.nan)
         if channel.counts is not None:
             turns[channel.label.partition(".")[0]] = channel.counts
-    if vehicle and unnamed:
-        notes.append(f"{unnamed} other columns have no name of the stand: left out")
     if t is None:
         notes.append("no column of time, expected `time [s]`: left out")
         return pd.DataFrame(), turns

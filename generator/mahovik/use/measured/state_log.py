@@ -38,10 +38,8 @@ from mahovik.nearest import suggestion
 from mahovik.proof.verify.held import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.clocks import Array
-from mahovik.use.measured.files import read_frames
 from mahovik.use.measured.headers import HeaderError, is_time, split_header, time_scale
-
-SUFFIXES = (".csv", ".parquet")
+from mahovik.use.measured.read import read_table
 
 MOST_ROWS = 2000
 """Rows of a log that are compared; of more, these are spread evenly."""
@@ -86,10 +84,8 @@ class StateLog:
 
 def read_state_log(path: Path, stand: Stand) -> StateLog:
     """The rows of a log of a stand. Raises DataError."""
-    if path.suffix.lower() not in SUFFIXES:
-        raise DataError([f'{path}: unknown format "{path.suffix}", expected {" or ".join(SUFFIXES)}'])
-    (frame,) = read_frames(path)
-    log = _Log(stand, path, dict(_groups(stand)), list(frame.attrs["notes"]))
+    frame, notes = read_table(path)
+    log = _Log(stand, path, dict(_groups(stand)), notes)
     log.gather(frame)
     if stand.hold is not None:
         log.add_twists(stand.hold)
