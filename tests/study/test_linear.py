@@ -277,3 +277,42 @@ def test_friction_and_a_stop_are_in_the_linear_model() -> None:
     model = linear_model(stand, state, [], locked=True)
     drag = 3 + 0.2 / 0.1 + 100 * depth
     assert pytest.approx(np.array([[0, 1], [-500 / 2.5, -drag / 2.5]]), abs=1e-6) == model.A
+
+
+def course(damping: str) -> float:
+    """Largest growth rate (1/s) of small motions of a hull from a course ahead at U."""
+    stand = loads(f"""
+schema = 1
+name = "hull"
+[carrier]
+mass = 20.0
+inertia = [0.3, 2.0, 2.0]
+added_mass = [2, 25, 24, 0, 1.5, 1.5]
+[carrier.damping]
+{damping}
+""")
+    ahead = linear_model(stand, replace(rest_state(stand), V=(U, 0.0, 0.0, 0.0, 0.0, 0.0)), [], locked=True)
+    return float(np.linalg.eigvals(ahead.A[6:, 6:]).real.max())
+
+
+U = 1.5
+PUBLISHED = 'derivatives = "with added-mass products"'
+
+
+@pytest.mark.parametrize("damping", ["", PUBLISHED])
+def test_growth_by_the_moment_of_munk(damping: str) -> None:
+    """(m + L22) v' = -(m + L11) U r and (J + L66) r' = (L11 - L22) U v; with the key only -m U r is left."""
+    expected = U * math.sqrt((20 + 2) * (25 - 2) / ((20 + 25) * (2.0 + 1.5))) if not damping else 0.0
+    assert course(damping) == pytest.approx(expected, rel=1e-6, abs=1e-4)
+
+
+@pytest.mark.parametrize("Nv", [-3.0, -300.0])
+def test_course_by_the_stability_roots(Nv: float) -> None:
+    """Sway and yaw of (M) x' = (N) x with published derivatives, as in a handbook of ship motion."""
+    Yv, Yr, Nr = -60.0, 8.0, -40.0
+    values = {"Y v": Yv, "Y r": Yr, "N v": Nv, "N r": Nr, "Z w": -90.0, "M q": -50.0, "X |u|": -9.0}
+    terms = (f'{{ wrench = "{key[0]}", of = ["u", "{key[2:]}"], value = {value} }}' for key, value in values.items())
+    M, N = np.diag([45.0, 3.5]), U * np.array([[Yv, Yr - 20.0], [Nv, Nr]])
+    roots = np.linalg.eigvals(np.linalg.solve(M, N)).real
+    expected = max(float(roots.max()), 0.0)  # roll is neutral
+    assert course(f"terms = [{', '.join(terms)}]\n{PUBLISHED}") == pytest.approx(expected, rel=1e-6, abs=1e-4)

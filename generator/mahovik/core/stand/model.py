@@ -127,16 +127,6 @@ class Law(Declared):
         return False
 
     @property
-    def drives(self) -> bool:
-        """Whether a law of bodies is an engine: it is there to do work on its body."""
-        return False
-
-    @property
-    def takes_out_products(self) -> bool:
-        """Whether a law of bodies takes the products of added mass out of the equations, as its own terms have them."""
-        return False
-
-    @property
     def is_round(self) -> bool:
         """Whether the wrench of a law of bodies is the same at every phase of a flywheel about its first axis."""
         return False

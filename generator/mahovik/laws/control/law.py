@@ -179,11 +179,6 @@ class ControlDerivatives(BodyLaw):
         return True
 
     @property
-    def drives(self) -> bool:
-        """Whether a propeller is among the factors."""
-        return any(isinstance(f, Control) and f.what != "deflection" for term in self.terms for f in term.of)
-
-    @property
     def has_kinks(self) -> bool:
         """Whether any factor has a magnitude of the twist in it."""
         factors = [factor for term in self.terms for factor in term.of]

@@ -138,11 +138,6 @@ class Damping(BodyLaw):
         return self.quadratic is not None or bool(self.terms) or self.contains_products
 
     @property
-    def takes_out_products(self) -> bool:
-        """Whether `terms` have those of added mass."""
-        return self.contains_products
-
-    @property
     def has_kinks(self) -> bool:
         """Whether it depends on magnitudes of the twist."""
         return self.quadratic is not None or any(factor.absolute for term in self.terms for factor in term.of)

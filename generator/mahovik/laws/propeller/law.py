@@ -85,11 +85,6 @@ class Propellers(BodyLaw):
         return True
 
     @property
-    def drives(self) -> bool:
-        """True: thrust does work."""
-        return True
-
-    @property
     def has_kinks(self) -> bool:
         """Whether thrust or torque depends on the magnitude of V_a."""
         return any(p.whole or p.thrust[2] or p.torque[2] for p in self.propellers)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import Length, Number, Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
+from mahovik.out.arguments import Length, Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
 from mahovik.out.result import Result, column, columns_of
 
 if TYPE_CHECKING:
@@ -26,7 +26,6 @@ def check(
     phase: Phases | None = None,
     dt: Seconds | None = None,
     planes: Length | None = None,
-    fluid: Number | None = None,
     tools: bool = False,
 ) -> Result:
     """Validate a stand; print its figures.
@@ -43,7 +42,6 @@ def check(
         phase: rest with a flywheel at this phase, rad or "w1=90 deg"; default 0.
         dt: show what float steps of this length, s or "0.1 ms", lose of the speeds.
         planes: grade the residuals at two planes this far apart, m or "40 mm", the mass centre in the middle.
-        fluid: show passivity, added mass and growth of small motions at this velocity ahead, m/s or "2 m/s".
         tools: list compilers, emulators, checkers and extras on this machine, and how to install the others. Only a C
             compiler is needed for daily work; exit status 1 without one.
 
@@ -56,7 +54,7 @@ def check(
     if stand is None:
         raise UsageError("stand: missing, expected a stand file, or --tools")
     from mahovik.core.stand.summary import summarize
-    from mahovik.core.stand.units import LENGTH, SPEED, TIME, VELOCITY
+    from mahovik.core.stand.units import LENGTH, SPEED, TIME
     from mahovik.core.stand.written import written_numbers
     from mahovik.out.api.stands import Stand
     from mahovik.out.notices import warn_of_speeds
@@ -67,7 +65,6 @@ def check(
     machine = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
     apart = None if planes is None else quantity("planes", planes, LENGTH, 1e-6, 1e6)
-    ahead = None if fluid is None else quantity("fluid", fluid, VELOCITY, 1e-3, 1e4)
     step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
     phases = by_flywheel("phase", phase, machine)
     if turning is not None:
@@ -86,11 +83,10 @@ def check(
     warnings = [*summary.warnings, *doubts, *([line] if line else []), *map(str, lost), *map(str, steep)]
     warnings += [str(shortfall) for shortfall in (over, *unreached) if shortfall is not None]
     rest, pose = _rest(machine, phases)
-    in_fluid, words = _fluid(machine, ahead)
     meta, details = _figures(machine, summary, written)
     more: dict[str, Any] = {
         "rest": rest, "float": short, "increments": lost, "friction_steps": steep, "excess": over,
-        "unreached": unreached, **in_fluid,
+        "unreached": unreached,
     }  # fmt: skip
     return Result(
         f"{machine.name}   structure {meta['structure']}, physics {meta['physics']}",
@@ -102,7 +98,7 @@ def check(
         rows="bodies",
         meta=meta | more,
         units={"mass": "kg", "center_of_mass": "m", "inertia": "kg m2", "force": "N"},
-        messages=[*held, *words, *pose, *(f"warning: {line}" for line in warnings)],
+        messages=[*held, *pose, *(f"warning: {line}" for line in warnings)],
         details=(*details, *more),
     )  # fmt: skip
 
@@ -189,17 +185,6 @@ def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None,
         words.append(f"static sag of the isolators from where they are unloaded, mm and mrad in E1: {shown}")
     numbers = {name: getattr(rest_pose, name) for name in ("V_dot", "free", "unstable", "frequencies")}
     return {"state": state_object(rest_pose.state), **numbers, **more}, words
-
-
-def _fluid(stand: Stand, ahead: float | None) -> tuple[dict[str, Any], list[str]]:
-    """Passivity, added mass and growth at a velocity ahead, and sentences about them."""
-    if ahead is None:
-        return {}, []
-    from mahovik.use.study.fluid import fluid
-
-    result = fluid(stand, ahead)
-    powers = [vars(one) | {"speed": one.speed if one.positive else None} for one in result.powers]
-    return {"fluid": vars(result) | {"powers": powers}}, result.words()
 
 
 def _tools() -> Result:
