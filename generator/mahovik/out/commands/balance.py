@@ -59,15 +59,15 @@ def balance(
     """
     if (influence is None) == (stand is None):
         raise UsageError("influence, stand: expected one of them: FILE.json, or STAND.toml with data")
-    given = files_of(data)
+    files = files_of(data)
     if influence is not None:
-        if given or plane:
+        if files or plane:
             raise UsageError("data, plane: need a stand; a file of influences takes none of them")
         return _by_influence(influence, method)
-    if not given:
+    if not files:
         raise UsageError("data: missing, expected files of measured data of the stand")
     assert stand is not None
-    return _by_model(stand, given, plane)
+    return _by_model(stand, files, plane)
 
 
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:

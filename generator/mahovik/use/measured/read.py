@@ -44,9 +44,9 @@ def read_recordings(data: Iterable[str | Path | pd.DataFrame], stand: Stand) -> 
     Raises DataError with a line for each file that cannot be used; UsageError: Parquet without pyarrow.
     """
     recordings, left, sources = list[Recording](), list[str](), list[str]()
-    for number, given in enumerate(data, 1):
-        source = f"frame {number}" if isinstance(given, pd.DataFrame) else str(given)
-        table, notes = _columns_of(given) if isinstance(given, pd.DataFrame) else read_table(Path(given))
+    for number, entry in enumerate(data, 1):
+        source = f"frame {number}" if isinstance(entry, pd.DataFrame) else str(entry)
+        table, notes = _columns_of(entry) if isinstance(entry, pd.DataFrame) else read_table(Path(entry))
         sources.append(source)
         for recording in _recordings(source, table, notes, stand):
             if recording.frame.columns.size:
