@@ -121,7 +121,7 @@ EMPTY = program(ECHO + 'print(json.dumps({"id": d["id"]}))')
 
 def test_a_want_that_is_demanded_must_be_offered() -> None:
     result = run("judge", DEMO3, "--states", "2", "--with", REFUSING, "--want", "torque")
-    assert result.exit_code == 1 and "MISSING" in result.stdout
+    assert result.exit_code == 1 and "MISSING" in result.stdout and "FAILED: torque\n" in result.stdout
     unasked = run("judge", DEMO3, "--states", "2", "--with", REFUSING)
     assert unasked.exit_code == 1 and "nothing was compared" in unasked.stdout
 
@@ -144,14 +144,16 @@ BROKEN = {
     "dies": ("1/0", "ZeroDivisionError"),
     "is killed": ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended with signal 9"),
     "ends with a status of its own": (ECHO + 'print("{}")\nsys.exit(7)', "ended with status 7"),
-    "prints garbage": (ECHO + 'print("hello")', "is no JSON: 'hello"),
-    "prints numbers": (ECHO + "print(1)", "is no object"),
+    "prints garbage": (ECHO + 'print("hello")', "line 1 of its output: found 'hello', expected an object in JSON"),
+    "prints numbers": (ECHO + "print(1)", "found '1', expected an object"),
     "loses the ids": (ECHO + 'print("{}")', "has the id null, expected"),
     "stops half way": (
         ECHO + 'print(json.dumps({"id": d["id"]})); sys.exit(0)',
         "answered 1 of 3 states and ended with status 0",
     ),
-    "never stops": ('while True: print("{}")', "gave more lines than"),
+    "greets": ("print('ready')\n" + answering('"V_dot": [0] * 6'), "line 1 of its output: found 'ready'"),
+    "never stops": ('while True: print("{}")', "line 1 of its output has the id null"),
+    "answers more": (answering('"V_dot": [0] * 6') + '\nprint("{}")', "it gave more lines than the 3 states"),
     "dies half way": (ECHO + 'print(json.dumps({"id": d["id"], "V_dot": [0] * 6}), flush=True); 1/0', "1: ZeroDiv"),
     "misspells a key": (
         answering('"Vdot": [0] * 6'),
@@ -159,7 +161,7 @@ BROKEN = {
     ),
     "lacks a number": (answering('"V_dot": [0] * 5'), "V_dot: found a list of 5, expected a list of 6"),
     "mixes lengths": (answering('"V_dot": [[0], 1]'), "V_dot: found lists of different lengths"),
-    "hangs": ("import time; time.sleep(60)", "answered none of 3 states in 1 s and had not ended: --timeout"),
+    "hangs": ("import time; time.sleep(60)", "answered none of 3 states in 1 s, its timeout, and had not ended"),
 }
 
 

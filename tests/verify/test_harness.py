@@ -204,7 +204,7 @@ def test_reports_as_json_and_junit() -> None:
     broken = replace(report, rows=(bad,))
     assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["value"] is None
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
-    assert "?? & <missing>" in str(case.get("message"))
+    assert "; ?? & <missing>" in str(case.get("message"))
     assert conclusion(broken) == "FAILED: forward V_dot"
 
     empty = replace(report, rows=())

@@ -288,7 +288,8 @@ def _usage_words(error: click.UsageError) -> str:
     match = re.match(r"'(.*)' is not ", error.message)
     if match and isinstance(param.type, click.Choice):
         return f'{name}: unknown "{match[1]}", expected one of {", ".join(map(str, param.type.choices))}'
-    return f"{name} {match[1]}: expected a whole number" if match else words
+    number = "a whole number" if param.type is click.INT else "a number"
+    return f"{name} {match[1]}: expected {number}" if match else words
 
 
 # ---- all of them

@@ -97,10 +97,9 @@ def judge(
             probe(Path(file))
     if unknown := [word for word in wants if word not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
-    judged = [name for name, subject in (("with_", with_), ("log", log), ("fmu", fmu)) if subject is not None]
-    if len(judged) != 1:
-        found_words = " and ".join(judged) if judged else "none"
-        raise UsageError(f"with_, log, fmu: found {found_words}, expected one of them")
+    judged = sum(subject is not None for subject in (with_, log, fmu))
+    if judged != 1:
+        raise UsageError(f"with_, log, fmu: found {judged or 'none'} of them, expected one")
     if (fmu is None) != (map is None):
         raise UsageError("fmu, map: one is missing, expected both")
     if attitude is not None and with_ is None:

@@ -241,7 +241,9 @@ def conclusion(report: Report) -> str:
 
     Where nothing was compared, the report is not passed, but nothing failed either.
     """
-    names = (row.quantity if row.request is not None else f"{row.judged} {row.quantity}" for row in report.failures)
+    names = (
+        row.quantity if row.request else " ".join(dict.fromkeys((row.judged, row.quantity))) for row in report.failures
+    )
     ok = [row for row in report.rows if row.verdict == "ok"]
     if report.failures and all(row.verdict == "not installed" for row in report.failures):
         verdict = f"not everything was run: {', '.join(dict.fromkeys(row.judged for row in report.failures))}"
@@ -285,7 +287,7 @@ def as_junit(report: Report) -> str:
         if row.limit:
             ET.SubElement(case, "system-out").text = _printable(words)
         if row.failed:
-            failure = ET.SubElement(case, "failure", message=_printable(f"{words} {row.words}".strip()))
+            failure = ET.SubElement(case, "failure", message=_printable("; ".join(filter(None, (words, row.words)))))
             failure.text = _printable(state_line(row.request) if row.request else row.words)
         elif row.verdict != "ok":
             skipped += 1

@@ -89,9 +89,9 @@ def program_of(command: str, stand_file: str, attitude: Attitude | None = None) 
     try:
         words = tuple(word.replace("{stand}", stand_file) for word in shlex.split(command))
     except ValueError as error:
-        raise UsageError(f"--with {command}: {error}") from None
+        raise UsageError(f"with_ {command}: {error}; expected a command of the shell") from None
     if not words:
-        raise UsageError("--with: no command")
+        raise UsageError("with_: found nothing, expected a command")
     return Program(command, words, attitude=attitude)
 
 
@@ -112,9 +112,9 @@ def verify_program(
     """
     asked = tuple(wants) or program.wants(stand)
     if not stand.tasks and TORQUE_FOR in asked:
-        raise UsageError(f"--want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
+        raise UsageError(f"want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     if program.attitude == "quaternion" and "generalized" in wants and stand.hold is None:
-        raise UsageError("--want generalized: needs angles, not with --attitude quaternion")
+        raise UsageError("want, attitude: generalized needs angles, found quaternion")
     states = [(name, program.state(stand, state)) for name, state in draw(stand, seed, count, wrenches=False)]
     if program.actuators:  # two sets, since the second derivation is made for each, and every third state as it is
         rng = np.random.default_rng(seed)
@@ -281,19 +281,19 @@ def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Ma
     """A result for every request, in order. Raises CheckError."""
     results: list[Mapping[str, Any]] = []
     for number, (line, request) in enumerate(zip(lines, requests, strict=False), start=1):
-        kind = "object"
         try:
             result = json.loads(line)
         except (ValueError, RecursionError):
-            result, kind = None, "JSON"
-        start = ascii(line[:60].decode("utf-8", "replace"))
-        if fault := _fault(request, result) if isinstance(result, dict) else f" is no {kind}: {start}":
+            result = None
+        start = ascii(line[:60].decode("utf-8", "replace").strip())
+        otherwise = f": found {start}, expected an object in JSON, an answer a line; messages go to standard error"
+        if fault := _fault(request, result) if isinstance(result, dict) else otherwise:
             raise CheckError(f"line {number} of its output{fault}")
         results.append(result)
     if all(result == json.loads(state_line(request)) for result, request in zip(results, requests, strict=False)):
         raise CheckError("it answered nothing: each line of its output is the state that it was given, without results")
-    if len(lines) != len(requests):
-        raise CheckError(f"{len(lines)} lines of output for {len(requests)} states")
+    if len(lines) > len(requests):
+        raise CheckError(f"it gave more lines than the {len(requests)} states, expected an answer to each")
     return results
 
 
@@ -326,7 +326,7 @@ def _size(shape: Sequence[int]) -> str:
 
 
 def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> list[bytes]:
-    """Output lines of a program for these input lines, without blank lines.
+    """Output lines of a program for these input lines, without blank lines; at most one more.
 
     It finds all lines and the end of its input, whether it answers each at once or all at the end.
     Raises CheckError where it dies, hangs or does not stop printing; UsageError where it cannot be started.
@@ -339,7 +339,7 @@ def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> l
             process = subprocess.Popen(words, stdin=states, stdout=pipe, stderr=pipe, start_new_session=True)
         except (OSError, ValueError) as error:
             reason = error.strerror if isinstance(error, OSError) else error
-            raise UsageError(f"--with {words[0]}: cannot be started: {reason}") from None
+            raise UsageError(f"with_ {words[0]}: cannot be started: {reason}") from None
     with process:
         timer = threading.Timer(timeout, _kill, (process,))
         listener = threading.Thread(target=lambda: last_words.extend(_lines(process.stderr)), daemon=True)
@@ -347,18 +347,16 @@ def run_program(words: Sequence[str], lines: Sequence[str], timeout: float) -> l
             timer.start()
             listener.start()
             answers = list(islice(_lines(process.stdout), len(lines) + 1))
-            if len(answers) > len(lines):
-                raise CheckError(f"{words[0]} gave more lines than the {len(lines)} states")
-            status = process.wait()
+            status = process.wait() if len(answers) <= len(lines) else 0
         finally:
             timer.cancel()
             _kill(process)
             listener.join()
     answered = f"{words[0]} answered {len(answers) or 'none'} of {len(lines)} states"
-    if status in (0, 1) and len(answers) == len(lines):  # 1: some states failed, which their lines say
+    if status in (0, 1) and len(answers) >= len(lines):  # 1: some states failed, which their lines say
         return answers
     if monotonic() - start >= timeout:
-        raise CheckError(f"{answered} in {timeout:g} s and had not ended: --timeout gives it longer")
+        raise CheckError(f"{answered} in {timeout:g} s, its timeout, and had not ended: give it longer")
     end = f"signal {-status}" if status < 0 else f"status {status}"
     reason = b"".join(last_words).decode("utf-8", "replace").strip()[:200] or "nothing on its standard error"
     raise CheckError(f"{answered} and ended with {end}: {reason}")
