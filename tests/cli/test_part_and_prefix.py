@@ -59,25 +59,6 @@ def self_test(folder: Path, name: str, scratch: Path) -> Path:
     return scratch / "board.log"
 
 
-def test_evidence_is_of_what_was_delivered(part: Path, tmp_path: Path) -> None:
-    """The C of the evidence has the prefix and the functions of the folder, and is checked by the same options."""
-    out = tmp_path / "out"
-    result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "delivery,selftest")
-    assert result.exit_code == 0, result.output
-    assert (out / "c" / "shakerp.c").read_bytes() == (part / "shakerp.c").read_bytes()
-    assert (out / "c" / "provenance.json").is_file()
-
-
-@pytest.mark.slow
-def test_a_part_runs_on_targets_and_its_branches_are_counted(part: Path, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    result = run("evidence", SHAKER2, "--against", str(part), "-o", str(out), "--only", "branches,targets,fuzz")
-    assert result.exit_code == 0, result.output
-    verdicts = {e["name"]: e for e in json.loads((out / "evidence.json").read_text())["pieces"]}
-    pieces = ("branches", "targets", "fuzz")  # the last is of C with all functions
-    assert {name: verdicts[name]["verdict"] for name in pieces} == dict.fromkeys(pieces, "passed")
-
-
 def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path) -> None:
     result = run("verify", SHAKER2, str(part), "--states", "9", "--json")
     assert result.exit_code == 0, result.output

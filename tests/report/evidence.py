@@ -7,7 +7,6 @@ from pathlib import Path
 
 from mahovik.core.stand import load
 from mahovik.proof.evidence import Need, Outcome, Piece, collect
-from mahovik.proof.verify.delivery import Options
 from mahovik.stands import path
 
 DEMO3 = str(path("demo3"))
@@ -27,4 +26,4 @@ ABLE = piece("able", "exit 1", ABSENT)
 
 def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[Outcome]:
     """The evidence of demo3."""
-    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, Options(), **options)  # type: ignore[arg-type]  # what a test gives by name is not typed
+    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

@@ -40,8 +40,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.static_checks import ANALYSER, CPPCHECK, DEVIATIONS, STANDING_FINDINGS, WARNINGS, version
 from mahovik.errors import UsageError
-from mahovik.nearest import suggestion
-from mahovik.proof.verify.delivery import Options, deliver, provenance
+from mahovik.nearest import names_in, suggestion
+from mahovik.proof.verify.delivery import deliver, provenance
 from mahovik.proof.verify.selftest import parse_targets
 from mahovik.writing import write, write_folder
 
@@ -72,8 +72,6 @@ class Subject:
     folder   of the evidence: the delivered C lies in `c/`, the stand file beside it
     scratch  for what is not kept
     full     everything, for as long as it takes; else a selection, minutes
-    seconds  of fuzzing
-    only     public functions of the delivered C, as `generate` takes them; empty: the default
     """
 
     stand: Stand
@@ -81,20 +79,11 @@ class Subject:
     folder: Path
     scratch: Path
     full: bool = False
-    seconds: int = 20
-    only: tuple[str, ...] = ()
 
     @property
     def file(self) -> str:
         """Name of the copy of the stand file."""
         return f"{self.stand.name}.toml"
-
-    @property
-    def sources(self) -> list[str]:
-        """C for firmware in `c/`."""
-        name = self.stand.name
-        known = (f"{name}.c", f"{VERIFICATION}{name}_recorder.c")
-        return [file for file in known if (self.folder / "c" / file).is_file()]
 
     @property
     def selftest(self) -> str:
@@ -181,9 +170,11 @@ def _run_selftest(subject: Subject) -> str:
     build = (
         f"cc -std=c99 -O2 -ffp-contract=off -D{name.upper()}_SELFTEST_MAIN c/{name}.c c/{subject.selftest} -o selftest"
     )
-    some = f" --only {','.join(subject.only)}" if subject.only else ""
-    return f"{build} && ./selftest > selftest.log; mahovik verify {subject.file} selftest.log{some}"
+    return f"{build} && ./selftest > selftest.log; mahovik verify {subject.file} selftest.log"
 
+
+FUZZ_SECONDS = (20, 600)
+"""s of fuzzing: quick, full."""
 
 LEAST_BRANCHES = 82
 """Least percentage taken: no caller takes all, such as a pivot of a definite matrix that is zero."""
@@ -204,7 +195,7 @@ def _without_judges(subject: Subject) -> str:
 
 
 def _compile_strictly(subject: Subject) -> str:
-    files = " ".join([*subject.sources, subject.selftest])
+    files = f"{subject.stand.name}.c {subject.selftest}"
     both = " && ".join(f"{compiler} {shlex.join(WARNINGS)} -O2 -fsyntax-only {files}" for compiler in ("gcc", "clang"))
     return f"cd c && {both} && {shlex.join(ANALYSER)} {files} && echo {len(files.split())} files, no complaint"
 
@@ -214,7 +205,7 @@ def _check_misra(subject: Subject) -> str:
     rules = "|".join(re.escape(rule) for rule in (*DEVIATIONS, *STANDING_FINDINGS))
     unlisted = f"grep -Ev '^(misra-c2012-)?({rules}):' ../findings.txt"
     figure = 'echo "$(wc -l <../findings.txt) findings, each under a rule with a reason"'
-    return f"cd c && {shlex.join(CPPCHECK)} {' '.join(subject.sources)} 2>../findings.txt && ! {unlisted} && {figure}"
+    return f"cd c && {shlex.join(CPPCHECK)} {subject.stand.name}.c 2>../findings.txt && ! {unlisted} && {figure}"
 
 
 _QUICK_DRIVERS = ("any_wrap", "any_forward", "any_torque", "normal_prepare", "routine_sincos", "routine_sqrt")
@@ -222,7 +213,7 @@ _UNCLAIMED = ", ".join(f"`{row.name}`" for row in ROWS.values() if not row.claim
 
 
 def _eva_command(subject: Subject) -> str:
-    every = drivers(generate_all(subject.stand, subject.real, subject.only).program)
+    every = drivers(generate_all(subject.stand, subject.real).program)
     claimed = [f"{driver.set}_{driver.function}" for driver in every if driver.claimed]
     chosen = "" if subject.full else "".join(f" {name}" for name in claimed if name in _QUICK_DRIVERS)
     limit = 1800 if subject.full else 300  # s a driver may take
@@ -360,7 +351,8 @@ PIECES: tuple[Piece, ...] = (
         ),
         limits="Inputs that were not tried: it looks for counter-examples for some time, and proves nothing.",
         command=lambda s: (
-            f"mahovik generate {s.file} --project fuzz -o fuzz --real {s.real} && make -C fuzz run SECONDS={s.seconds}"
+            f"mahovik generate {s.file} --project fuzz -o fuzz --real {s.real} && "
+            f"make -C fuzz run SECONDS={FUZZ_SECONDS[s.full]}"
         ),
         figure=r"^Done (\d+ runs in \d+ second\S*)",
         kept=("fuzz/crash-*", "fuzz/leak-*", "fuzz/timeout-*", "fuzz/oom-*"),
@@ -388,7 +380,7 @@ PIECES: tuple[Piece, ...] = (
         needs=lambda s: _target_tools(_COST_TARGETS[s.real], s.real),
     ),
 )
-"""In the order in which they are run and shown; each can be named by `--only` and `--without`."""
+"""In the order in which they are run and shown; each can be named by `--only`."""
 
 
 # -- running them, and the folder --------------------------------------------------------------------------------------
@@ -397,21 +389,14 @@ Say = Callable[[str, str], None]
 """Progress: name of the running piece, and what it does; "" when it is done."""
 
 
-def select_pieces(pieces: Sequence[Piece], only: str | None, without: str | None) -> frozenset[str]:
-    """Names of the pieces to run. Raises UsageError for an unknown name."""
+def select_pieces(pieces: Sequence[Piece], only: str | None) -> frozenset[str]:
+    """Names of the pieces to run: all, or those between the commas of `only`. Raises UsageError for an unknown name."""
     known = [piece.name for piece in pieces]
-
-    def names(option: str, text: str | None) -> list[str]:
-        words = [] if text is None else [word.strip() for word in text.split(",")]
-        for word in words:
-            if word not in known:
-                raise UsageError(f'{option}: unknown "{word}"{suggestion(word, known)}')
-        return words
-
-    chosen = frozenset(names("--only", only) or known) - frozenset(names("--without", without))
-    if not chosen:
-        raise UsageError("--only, --without: no piece is left to run")
-    return chosen
+    wanted = known if only is None else names_in("only", only)
+    for name in wanted:
+        if name not in known:
+            raise UsageError(f'only: unknown "{name}"{suggestion(name, known)}')
+    return frozenset(wanted)
 
 
 def collect(
@@ -419,23 +404,21 @@ def collect(
     text: bytes,
     folder: Path,
     pieces: Sequence[Piece],
-    options: Options,
+    real: str = "double",
     *,
     full: bool = False,
-    seconds: int = 20,
     wanted: Collection[str] | None = None,
     say: Say = lambda name, what: None,
 ) -> list[Outcome]:
-    """Collects the evidence of a stand, whose file has the content `text`, into a folder; `options` of its C.
+    """Collects the evidence of a stand, whose file has the content `text`, into a folder; `real` of its C.
 
     Raises UsageError if the folder holds other files, before anything is run.
     """
     results: list[Outcome] = []
 
     def fill(draft: Path) -> None:
-        subject = Subject(stand, options.real, draft, Path(scratch), full, seconds, options.only)
-        additions = tuple(dict.fromkeys((*options.additions, "selftest", "eva")))  # which the pieces run
-        files = delivery(stand, options.real, options.only, additions)
+        subject = Subject(stand, real, draft, Path(scratch), full)
+        files = delivery(stand, real, (), ("selftest", "eva"))  # which the pieces run
         deliver(draft / "c", stand, files, made_by=provenance(text))
         write(draft / subject.file, text)
         for piece in pieces:

@@ -7,13 +7,10 @@ import sys
 from pathlib import Path
 from typing import Literal
 
-from mahovik.errors import CheckError, UsageError, whole_number
+from mahovik.errors import CheckError, UsageError
 from mahovik.out.arguments import Folder, Progressing, StandGiven, Text
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
-
-FUZZ_SECONDS = (20, 600)
-"""s of fuzzing: quick, full."""
 
 
 def evidence(
@@ -22,10 +19,7 @@ def evidence(
     output: Folder | None = None,
     full: bool = False,
     only: Text | None = None,
-    without: Text | None = None,
-    seconds: int | None = None,
-    real: Literal["double", "float"] | None = None,
-    against: Folder | None = None,
+    real: Literal["double", "float"] = "double",
     check: Folder | None = None,
     progress: Progressing = None,
 ) -> Result:
@@ -42,10 +36,7 @@ def evidence(
         output: write into this folder; default ./NAME-evidence of the stand.
         full: run everything, possibly for hours; else fewer states, drivers and processors, for minutes.
         only: run only these pieces, names between commas, and list the others as left out.
-        without: run all pieces but these.
-        seconds: fuzz for this number of seconds; default 20, with --full 600.
-        real: element type; default double.
-        against: use the prefix, element type, functions and additions of this folder.
+        real: element type.
         check: check the SHA-256 sums of this folder only.
 
     Raises:
@@ -64,22 +55,10 @@ def evidence(
     if not isinstance(stand, str | Path):
         raise UsageError("stand: expected the path of a stand file, or --check DIR")
     from mahovik.core.stand.content import content
-    from mahovik.core.stand.model import Stand as CoreStand
     from mahovik.out.api.stands import load
-    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
-    if seconds is not None:
-        whole_number("seconds", seconds, 1, 1_000_000)
-    machine: CoreStand = load(stand)
-    options = Options(real or "double")
-    if against is not None:
-        delivered = delivered_options(Path(against))
-        if delivered is None:
-            raise UsageError(f"against {against}: no manifest.json, expected a folder of `mahovik generate`")
-        if real is not None and real != delivered.real:
-            raise UsageError(f"against {against}: its C is {delivered.real}, expected {real}: leave --real out")
-        machine, options = stand_in(Path(against), machine), delivered
-    wanted = select_pieces(PIECES, only, without)
+    machine = load(stand)
+    wanted = select_pieces(PIECES, only)
     folder = Path(output) if output is not None else Path(f"{machine.name}-evidence")
     order = [piece.name for piece in PIECES if piece.name in wanted]
 
@@ -90,10 +69,7 @@ def evidence(
         if not what and progress is not None and not sys.stderr.isatty():
             print(now, file=sys.stderr)
 
-    outcomes = collect(
-        machine, content(Path(stand)), folder, PIECES, options, full=full, seconds=seconds or FUZZ_SECONDS[full],
-        wanted=wanted, say=say,
-    )  # fmt: skip
+    outcomes = collect(machine, content(Path(stand)), folder, PIECES, real, full=full, wanted=wanted, say=say)
     strict = os.environ.get("CI", "").lower() in ("true", "1")
     messages, bad = [conclusion(outcomes), str(folder / "index.html")], failures(outcomes, strict)
     none = not any(outcome.verdict in (Verdict.PASSED, Verdict.FAILED) for outcome in outcomes)
