@@ -35,47 +35,24 @@ def progress(what: str) -> Iterator[OnProgress]:
     if not (sys.stderr.isatty() and os.environ.get("TERM", "").lower() not in ("", "dumb", "unknown")):
         yield lambda _now: None
         return
-    line = _Line(Progress(what))
+    line = _line()
+    task = line.add_task(what, total=None)
+    timer = threading.Timer(PATIENCE, line.start)  # which draws from a thread, so that drawing never delays the work
+    timer.daemon = True
+    timer.start()
+
+    def show(now: Progress) -> None:
+        line.update(task, description=now.words, completed=now.done, total=now.total)
+
     try:
-        yield line.show
+        yield show
     finally:
-        line.end()
+        timer.cancel()
+        timer.join()
+        line.stop()
 
 
-class _Line:
-    """The line, drawn from a thread, so that drawing never delays the work."""
-
-    def __init__(self, now: Progress) -> None:
-        self._now, self._ended, self._drawn = now, False, None
-        self._lock = threading.Lock()
-        self._timer = threading.Timer(PATIENCE, self._begin)
-        self._timer.daemon = True
-        self._timer.start()
-
-    def show(self, now: Progress) -> None:
-        """Show this from now on."""
-        self._now = now
-        if self._drawn is not None:
-            line: Any = self._drawn
-            line.update(line.task_ids[0], description=now.words, completed=now.done, total=now.total)
-
-    def _begin(self) -> None:
-        drawn = _drawn_line(self._now)
-        with self._lock:
-            if not self._ended:
-                drawn.start()
-                self._drawn = drawn
-
-    def end(self) -> None:
-        """Clear the line; nothing is drawn after this."""
-        self._timer.cancel()
-        with self._lock:
-            self._ended = True
-            if self._drawn is not None:
-                self._drawn.stop()
-
-
-def _drawn_line(now: Progress) -> Any:
+def _line() -> Any:
     """The line, as rich draws it: words, a bar, how far it is, and the time that is left, else that has passed."""
     from rich.console import Console
     from rich.progress import BarColumn, ProgressColumn, SpinnerColumn, TextColumn
@@ -95,11 +72,7 @@ def _drawn_line(now: Progress) -> Any:
     if console.width >= NARROW:
         columns.insert(2, BarColumn(BAR))
     # standard streams stay what they are: results may go to a pipe meanwhile
-    progress = Lines(
-        *columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False
-    )
-    progress.add_task(now.words, completed=int(now.done or 0), total=now.total)
-    return progress
+    return Lines(*columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False)
 
 
 def clock(seconds: float) -> str:
