@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
     from mahovik.core.stand.state import State
     from mahovik.core.stand.units import Dimension
-    from mahovik.out.api.stands import Stand
 
 Keys = Mapping[str, Any]
 Number = float | str
@@ -63,18 +63,30 @@ def output_path(name: str, path: str | Path, read: Sequence[str | Path]) -> Path
     return path
 
 
-def regime_of(regime: Regime | Keys | str | Path, stand: Stand, until: float) -> Regime:
+Made = TypeVar("Made")
+
+
+def reading(kind: str, source: Any, read: Callable[..., Made], *more: Any) -> Made:
+    """What a reader makes of a file, or of several; a file that is not of the kind (of EXPECTED) is refused by name."""
+    from mahovik.out.file_kinds import expecting
+
+    with expecting(kind, *(source if isinstance(source, list) else [source])):
+        return read(source, *more)
+
+
+def _made(kind: str, source: Any, load: Callable[..., Made], read: Callable[..., Made], *more: Any) -> Made:
+    """What a file holds, or a mapping with its keys; anything else as it is."""
+    if isinstance(source, str | Path):
+        return reading(kind, Path(source), load, *more)
+    made: Made = read(text_of_keys(source, kind != "state"), *more) if isinstance(source, Mapping) else source
+    return made
+
+
+def regime_of(regime: Regime | Keys | str | Path, stand: CoreStand, until: float) -> Regime:
     """The regime of a run of `until` s. Raises RegimeError."""
     from mahovik.core.motion.regime import load, loads_regime
 
-    if isinstance(regime, str | Path):
-        from mahovik.out.file_kinds import REGIME, expecting
-
-        with expecting(REGIME, regime):
-            return load(regime, stand, until)
-    if isinstance(regime, Mapping):
-        return loads_regime(text_of_keys(regime), stand, until, is_json=True)
-    return regime
+    return _made("regime", regime, load, partial(loads_regime, is_json=True), stand, until)
 
 
 def motion_of(
@@ -83,26 +95,15 @@ def motion_of(
     """The required motion of the carrier; of a slew, with the course that `programme` keeps. Raises MotionError."""
     from mahovik.core.motion.motion_file import load_motion, read_motion
 
-    if isinstance(motion, str | Path):
-        from mahovik.out.file_kinds import MOTION, expecting
-
-        with expecting(MOTION, motion):
-            return load_motion(motion, stand, programme)
-    if isinstance(motion, Mapping):
-        return read_motion(text_of_keys(motion), stand, programme=programme)
-    return motion
+    load, read = (partial(one, programme=programme) for one in (load_motion, read_motion))
+    return _made("motion", motion, load, read, stand)
 
 
 def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
     """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
     from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
-    if isinstance(motion, str | Path):
-        from mahovik.out.file_kinds import MOTION, expecting
-
-        with expecting(MOTION, motion):
-            return load_motion_or_slew(motion, stand)
-    return read_motion_or_slew(text_of_keys(motion), stand) if isinstance(motion, Mapping) else motion
+    return _made("motion", motion, load_motion_or_slew, read_motion_or_slew, stand)
 
 
 def programme_of(programme: Programme | Keys | str | Path) -> Programme:
@@ -114,36 +115,21 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
         if programme["programme"] is None:
             raise UsageError(f"{programme.title}: {programme['status']}: {'; '.join(programme.messages)}")
         programme = programme["programme"]
-    if isinstance(programme, str | Path):
-        from mahovik.out.file_kinds import PROGRAMME, expecting
-
-        with expecting(PROGRAMME, programme):
-            return load_programme(programme)
-    return read_programme(text_of_keys(programme)) if isinstance(programme, Mapping) else programme
+    return _made("programme", programme, load_programme, read_programme)
 
 
 def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
     """The servos of the flywheels. Raises ServoError."""
     from mahovik.core.motion.servo import load_servo
-    from mahovik.out.file_kinds import SERVO, expecting
 
-    with expecting(SERVO, servo):
-        return load_servo(servo, stand) if isinstance(servo, str | Path) else servo
+    return reading("servo", servo, load_servo, stand) if isinstance(servo, str | Path) else servo
 
 
-def state_of(state: State | Keys | str | Path, stand: Stand, keys: tuple[str, ...], hint: str) -> State:
+def state_of(state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str, ...], hint: str) -> State:
     """A state as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
-    from mahovik.core.stand.state import State
     from mahovik.use.simulate.case import load_start, read_start
 
-    if isinstance(state, State):
-        return state
-    if isinstance(state, Mapping):
-        return read_start(text_of_keys(state, schema=False), stand, keys, hint)
-    from mahovik.out.file_kinds import STATE, expecting
-
-    with expecting(STATE, state):
-        return load_start(Path(state), stand, keys, hint)
+    return _made("state", state, load_start, read_start, stand, keys, hint)
 
 
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
@@ -206,28 +192,18 @@ def time_limit(name: str, value: Number | None) -> float | None:
     return result
 
 
-def by_flywheel(
-    name: str, values: Mapping[str, Number] | Sequence[Number] | None, stand: Stand, dimension: Dimension | None = None
-) -> list[float]:
-    """Numbers of an argument `name`, angles by default: by names of flywheels, others 0, or one for each.
-
-    Raises UsageError.
-    """
+def by_flywheel(name: str, values: Mapping[str, Number] | Sequence[Number] | None, stand: CoreStand) -> list[float]:
+    """Angles of an argument `name`: by names of flywheels, others 0, or one for each. Raises UsageError."""
     from mahovik.core.stand.units import ANGLE, show
 
-    dimension = dimension or ANGLE
     names = [flywheel.name for flywheel in stand.flywheels]
-    result = [0.0] * len(names)
     if values is None:
-        return result
-    if isinstance(values, Mapping):
-        for key, value in values.items():
-            if key not in names:
-                raise UsageError(
-                    f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}"
-                )
-            result[names.index(key)] = quantity(f"{name} of {key}", value, dimension)
-        return result
-    if len(values) != len(names):
-        raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
-    return [quantity(f"{name} of {wheel}", value, dimension) for wheel, value in zip(names, values, strict=True)]
+        return [0.0] * len(names)
+    if not isinstance(values, Mapping):
+        if len(values) != len(names):
+            raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
+        values = dict(zip(names, values, strict=True))
+    for key in values:
+        if key not in names:
+            raise UsageError(f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}")
+    return [quantity(f"{name} of {wheel}", values[wheel], ANGLE) if wheel in values else 0.0 for wheel in names]

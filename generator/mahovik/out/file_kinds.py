@@ -11,27 +11,29 @@ from typing import Any
 from mahovik.core.stand import toml
 from mahovik.core.stand.content import KINDS, content
 from mahovik.core.stand.content import kind_of as kind_of_keys
-from mahovik.errors import FileError, MahovikError, UsageError
+from mahovik.errors import FileError, UsageError
 
-STAND, REGIME, MOTION, PROGRAMME, SERVO = (KINDS[key] for key in ("stand", "regime", "motion", "programme", "servo"))
-STATE, CAMPAIGN, INFLUENCE = "a state", "a campaign file", "a file of influences"
-MAP, FREE, TABLE = "a map of variables", "a list of free numbers", "a table (CSV)"
-DATA, FMU = "a file of measured data", "an FMU"
+_TABLE, _ZIP = "a table (CSV)", "a ZIP archive"
 
-_ZIP = "a ZIP archive"
-_FORMS = {DATA: (TABLE,), FMU: (_ZIP,)}
+EXPECTED = {
+    **KINDS, "state": "a state", "campaign": "a campaign file", "influence": "a file of influences", "fmu": "an FMU",
+    "map": "a map of variables", "free": "a list of free numbers", "table": _TABLE, "data": "a file of measured data",
+}  # fmt: skip
+"""What a reader expects, in words."""
+
+_FORMS = {"data": (_TABLE,), "fmu": (_ZIP,)}
 """What files of a kind may look like."""
 
 _OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
 
 _BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
-    CAMPAIGN: lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
-    MAP: lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
-    INFLUENCE: lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
-    FREE: lambda keys: isinstance(keys.get("free"), list),
+    "campaign": lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
+    "map": lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
+    "influence": lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
+    "free": lambda keys: isinstance(keys.get("free"), list),
     "a manifest of generated C": lambda keys: str(keys.get("generator", "")).startswith("mahovik "),
     "what a command printed with --json": lambda keys: {"messages", "ok"} <= keys.keys(),
-    STATE: lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
+    "state": lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
 }
 """How the keys of files that only commands read show what they are, the surest first."""
 
@@ -55,26 +57,26 @@ def kind_of(path: str | Path) -> str | None:
             keys = parse(text)
             keys = keys if isinstance(keys, dict) else {}
             sure = (words for words, shows in _BY_KEYS.items() if shows(keys))
-            return next(sure, None) or KINDS.get(kind_of_keys(keys))
+            kind = next(sure, None)
+            return EXPECTED.get(kind, kind) if kind else KINDS.get(kind_of_keys(keys))
     head = text.partition("\n")[0]
-    return TABLE if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
+    return _TABLE if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
 
 
 @contextlib.contextmanager
 def expecting(kind: str, *sources: Any) -> Iterator[None]:
     """Where the body refuses one of the sources that is a file of another kind, say which it is, in one line.
 
+    kind  of EXPECTED
+
     Else a reader lists every key that it does not know. Sources that are no paths are left alone.
     """
     try:
         yield
     except (FileError, UsageError) as error:
+        known = (None, EXPECTED[kind], *_FORMS.get(kind, ()))
         for source in sources:
-            if isinstance(source, str | Path) and (other := kind_of(source)) not in (None, kind, *_FORMS.get(kind, ())):
-                line = f"{source}: is {other}, expected {kind}"
-                raise _same_error(error, line) from None
+            if isinstance(source, str | Path) and (other := kind_of(source)) not in known:
+                line = f"{source}: is {other}, expected {EXPECTED[kind]}"
+                raise (type(error)([line]) if isinstance(error, FileError) else UsageError(line)) from None
         raise
-
-
-def _same_error(error: MahovikError, line: str) -> MahovikError:
-    return type(error)([line]) if isinstance(error, FileError) else UsageError(line)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.regime import Regime, load, loads_regime, steady_regime
+from mahovik.core.motion.regime import Regime, steady_regime
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.block import Block
@@ -18,6 +17,7 @@ from mahovik.errors import InputError, RefusedError, UsageError
 from mahovik.out.api.calls import Array, Calls, OnError
 from mahovik.out.api.inputs import time
 from mahovik.out.api.tables import Tables, make_tables
+from mahovik.out.arguments import regime_of
 from mahovik.out.result import Axis, Column, Result
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.course import NEEDS, motion, parts_of, stand_for, why_refused
@@ -51,7 +51,9 @@ def simulate(
     speeds = x[13 + len(calls.flywheels) :]
     if regime is None and np.any(speeds != speeds[:, :1]):
         raise InputError("start: the states have different speeds, expected a regime that gives them")
-    chosen = steady_regime(calls.stand, speeds[:, 0].tolist()) if regime is None else _regime(calls.stand, regime, end)
+    chosen = (
+        steady_regime(calls.stand, speeds[:, 0].tolist()) if regime is None else regime_of(regime, calls.stand, end)
+    )
     stand = stand_for(calls.stand, chosen)
     if stand != calls.stand:  # the regime puts wrenches on bodies that take none
         other = Calls(stand, calls.real, calls.compiler, calls.threads)
@@ -120,12 +122,6 @@ def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array,
     n = calls.check_tables(tables, n) if tables is not None else n
     x = np.broadcast_to(states.reshape(-1, states.shape[-1]), (n or 1, states.shape[-1]))
     return np.ascontiguousarray(x.T), n
-
-
-def _regime(stand: Stand, regime: Regime | Mapping[str, Any] | str | Path, until: float) -> Regime:
-    if isinstance(regime, Mapping):
-        return loads_regime(json.dumps({"schema": 1, **regime}), stand, until, is_json=True)
-    return regime if isinstance(regime, Regime) else load(regime, stand, until)
 
 
 def _state_of(stand: Stand, x: Array) -> Any:

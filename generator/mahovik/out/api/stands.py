@@ -15,7 +15,7 @@ from mahovik.core.stand.numbers import exact, put
 from mahovik.core.stand.read import document_at, read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
-from mahovik.out.file_kinds import STAND, expecting
+from mahovik.out.file_kinds import expecting
 
 
 @dataclass(frozen=True, repr=False)
@@ -83,7 +83,7 @@ class Stand(CoreStand):
 
 def load(path: str | Path) -> Stand:
     """The stand of a stand file, checked and in SI. Raises StandError with every problem of the file."""
-    with expecting(STAND, path):
+    with expecting("stand", path):
         return _read(document_at(path), Path(path).name)
 
 

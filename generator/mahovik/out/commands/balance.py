@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.arguments import FileGiven, Number, StandGiven, quantity
+from mahovik.out.arguments import FileGiven, Number, StandGiven, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
 from mahovik.out.result import Column, Result, column, columns_of
 
@@ -71,12 +71,10 @@ def balance(
 
 
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:
-    from mahovik.out.file_kinds import INFLUENCE, expecting
     from mahovik.use.balance.influence import read_influence, solve, write_polar
     from mahovik.use.balance.pieces import choose_pieces
 
-    with expecting(INFLUENCE, influence):
-        problems, off = read_influence(influence)
+    problems, off = reading("influence", influence, read_influence)
     problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
     w, left = solutions[0].w, solutions[0].left
     largest = float(np.abs(problem.A).max())
@@ -128,14 +126,12 @@ def _pieces(made: Made) -> list[Column]:
 
 def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     from mahovik.out.api.stands import Stand
-    from mahovik.out.file_kinds import DATA, expecting
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
     from mahovik.use.measured import read_recordings
 
     stand = Stand.of(source)
     planes = _planes(stand, plane or {})
-    with expecting(DATA, *files):
-        recordings = read_recordings(files, stand)
+    recordings = reading("data", list(files), read_recordings, stand)
     wheels = balance_wheels(stand, recordings, planes)
     w, made, error, residual = (
         np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "applied", "error", "residual")

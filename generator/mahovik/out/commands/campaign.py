@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Annotated
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import Folder, Progressing
+from mahovik.out.arguments import Folder, Progressing, reading
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result
 
@@ -49,7 +49,6 @@ def campaign(
     from mahovik.out.campaign.file import load_campaign
     from mahovik.out.campaign.report import summarise, write_report
     from mahovik.out.campaign.workers import compute
-    from mahovik.out.file_kinds import CAMPAIGN, expecting
     from mahovik.writing import probe
 
     for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
@@ -63,8 +62,7 @@ def campaign(
         raise UsageError("workers: a scheduler has its own; give one of workers and scheduler")
     if workers is not None and workers < 1:
         raise UsageError(f"workers: {workers}: expected 1 or more")
-    with expecting(CAMPAIGN, file):
-        campaign_ = load_campaign(Path(file))
+    campaign_ = reading("campaign", Path(file), load_campaign)
     folder = Path(output)
     wanted = range(campaign_.chunks) if chunk is None else [chunk]
     missing = [number for number in wanted if read_chunk(campaign_, folder, number) is None]

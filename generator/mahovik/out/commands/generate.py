@@ -21,6 +21,7 @@ from mahovik.out.arguments import (
     motion_of,
     programme_of,
     quantity,
+    reading,
     servo_of,
 )
 from mahovik.out.notices import Progress, notify, warn
@@ -291,7 +292,6 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
 
     from mahovik.core.stand.units import TIME
     from mahovik.out.export.fmu import export_fmu
-    from mahovik.out.file_kinds import STATE, expecting
     from mahovik.out.notices import warn_of_turn
     from mahovik.use.simulate.case import load_start
     from mahovik.writing import probe, write
@@ -308,8 +308,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
     target = Path(output) if output is not None else Path(f"{stand.name}.fmu")
     if target.suffix != ".fmu":
         target = target / f"{stand.name}.fmu"
-    with expecting(STATE, chosen["start"]):
-        start = None if chosen["start"] is None else load_start(Path(chosen["start"]), stand)
+    start = None if chosen["start"] is None else reading("state", Path(chosen["start"]), load_start, stand)
     if not check:
         probe(target)
     notify(progress, Progress(f"FMU of {stand.name}"))

@@ -6,12 +6,12 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven
+from mahovik.out.arguments import FilePath, StandGiven, reading
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -62,13 +62,9 @@ def identify(
         if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files) if isinstance(file, str | Path)]:
             raise UsageError(f"output: {output} is read; expected another file")
         probe(Path(output))
-    from mahovik.out.file_kinds import DATA, FREE, expecting
-
-    with expecting(FREE, free):
-        paths, delays = read_free(free)
+    paths, delays = reading("free", free, read_free)
     numbers = Free(machine, paths, delays)
-    with expecting(DATA, *files):
-        recordings = read_recordings(files, machine)
+    recordings = reading("data", files, read_recordings, machine)
     fit, runs = estimate(numbers, recordings, loss)
     values, before = numbers.values(fit.theta), numbers.values(numbers.nominal)
     new = numbers.stand

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
-from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, time
+from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, reading, time
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
@@ -119,9 +119,9 @@ def judge(
                 worst,
             )
         if fmu is not None and map is not None:
-            from mahovik.out.file_kinds import FMU, MAP, expecting
+            from mahovik.out.file_kinds import expecting
 
-            with expecting(FMU, fmu), expecting(MAP, map):
+            with expecting("fmu", fmu), expecting("map", map):
                 program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
         else:
             program = program_of(str(with_), str(stand), attitude)
@@ -172,14 +172,12 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
 
 def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
     """The verdict on a log."""
-    from mahovik.out.file_kinds import DATA, expecting
     from mahovik.proof.diagnose.explain import Judged
     from mahovik.proof.verify.foreign import verify_log
     from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
 
-    with expecting(DATA, path):
-        log = read_state_log(path, stand)
+    log = reading("data", path, read_state_log, stand)
     for note in log.notes:
         warn(note)
     if log.error and MARGIN * log.error > tolerance:

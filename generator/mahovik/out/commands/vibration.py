@@ -8,7 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
-from mahovik.out.arguments import Band, FilePath, Phases, Progressing, Seconds, Speed, StandGiven, Text, Turning
+from mahovik.out.arguments import (
+    Band,
+    FilePath,
+    Phases,
+    Progressing,
+    Seconds,
+    Speed,
+    StandGiven,
+    Text,
+    Turning,
+    reading,
+)
 from mahovik.out.result import Column, Result, column, quantity_text
 
 if TYPE_CHECKING:
@@ -88,11 +99,9 @@ def vibration(
         UsageError: an argument that cannot be; TableError: a table that cannot.
         CheckError: no equilibrium, no steady motion, no speeds within the limits.
     """
-    from mahovik.core.stand.units import ANGLE
     from mahovik.errors import UsageError
     from mahovik.out.api.stands import Stand
     from mahovik.out.arguments import by_flywheel
-    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.out.notices import warn_of_turn
     from mahovik.use.vibration.band import read_band
     from mahovik.use.vibration.chain import Makers
@@ -106,8 +115,7 @@ def vibration(
     seen = _observable(machine, at, quantity, sight)
     limits = read_requirements([require] if isinstance(require, str) else require, seen)
     within = None if band is None else read_band("band", band)
-    with expecting(TABLE, modes):
-        structure = None if modes is None else read_structure(Path(modes), machine)
+    structure = None if modes is None else reading("table", Path(modes), read_structure, machine)
     makers = Makers(
         _by_wheel(machine, "harmonics", harmonics, read_harmonics),
         _by_wheel(machine, "noise", noise, read_noise),
@@ -121,7 +129,7 @@ def vibration(
         raise UsageError("momentum, limit, avoid: say what holds in a search; expected improve as well")
     _warn_of_speeds(machine, speed, plan)
     clock = _Clock(time, progress)
-    phases = by_flywheel("phase", phase, machine, ANGLE)
+    phases = by_flywheel("phase", phase, machine)
     bands = [within, *(requirement.band for requirement in limits)]
     result = find(
         machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
@@ -142,13 +150,13 @@ def vibration(
 def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
     """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
     from mahovik.errors import UsageError
-    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.use.vibration.view import find_view, read_sight
 
     if (at is None) is (sight is None):
         raise UsageError("at, sight: expected a point or a line of sight, one of them")
-    with expecting(TABLE, sight):
-        return read_sight(Path(sight), stand) if sight is not None else find_view(stand, str(at), quantity, "angle")
+    if sight is not None:
+        return reading("table", Path(sight), read_sight, stand)
+    return find_view(stand, str(at), quantity, "angle")
 
 
 def _by_wheel(
@@ -157,7 +165,6 @@ def _by_wheel(
     """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, TableError."""
     from mahovik.errors import UsageError
     from mahovik.nearest import suggestion
-    from mahovik.out.file_kinds import TABLE, expecting
     from mahovik.use.vibration.speeds import ALL
 
     if tables is not None and not isinstance(tables, Mapping):
@@ -167,8 +174,7 @@ def _by_wheel(
     for wheel, path in sorted((tables or {}).items(), key=lambda entry: entry[0] != ALL):
         if wheel != ALL and wheel not in names:
             raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
-        with expecting(TABLE, path):
-            result |= dict.fromkeys(names if wheel == ALL else [wheel], read(Path(path)))
+        result |= dict.fromkeys(names if wheel == ALL else [wheel], reading("table", Path(path), read))
     return result
 
 
