@@ -16,7 +16,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.contract.status import status_words as words_of_status
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
 from mahovik.core.stand.hold import freedom_names
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.task import row_name
 from mahovik.core.stand.units import show
@@ -24,7 +24,7 @@ from mahovik.core.toolchain.compiled import Real, compile_library
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
-from mahovik.out.api.inputs import Given
+from mahovik.out.api.inputs import PLACE, QUATERNION, TWIST, WRENCH, Given
 from mahovik.out.api.refusals import refusal_error
 from mahovik.out.api.states import StateMaker, States
 from mahovik.out.api.tables import Tables
@@ -74,18 +74,16 @@ class How(TypedDict, total=False):
     on_error: OnError
 
 
-_AXIS, _QUATERNION = Axis("axis", ("x", "y", "z")), Axis("quaternion", ("w", "x", "y", "z"))
-_TWIST, _WRENCH = Axis("twist", tuple(TWIST_LETTERS)), Axis("wrench", tuple(WRENCH_LETTERS))
 _RATES = Axis("rate", ("x", "y", "z", "psi", "theta", "phi"))
 _BODY = Axis("parameter", ("mass", "x", "y", "z", "J11", "J22", "J33", "J12", "J13", "J23"))
 _AXES: dict[tuple[Axis, ...], str] = {
-    (_AXIS,): "position center_of_mass center_of_mass_velocity specific_force angular_acceleration",
-    (_QUATERNION,): "attitude",
-    (_TWIST,): "V V_dot twist V_dot_phi V_dot_phi_dot V_dot_phi_ddot V_dot_tau Y_linear Y_quadratic",
-    (_TWIST, _TWIST): "V_dot_V",
-    (_WRENCH,): "F I J residual reaction Y_added_mass",
-    (_WRENCH, _TWIST): "K K_dot M",
-    (_WRENCH, _BODY): "Y_carrier Y_flywheel",
+    (PLACE,): "position center_of_mass center_of_mass_velocity specific_force angular_acceleration",
+    (QUATERNION,): "attitude",
+    (TWIST,): "V V_dot twist V_dot_phi V_dot_phi_dot V_dot_phi_ddot V_dot_tau Y_linear Y_quadratic",
+    (TWIST, TWIST): "V_dot_V",
+    (WRENCH,): "F I J residual reaction mount_wrench Y_added_mass",
+    (WRENCH, TWIST): "K K_dot M",
+    (WRENCH, _BODY): "Y_carrier Y_flywheel",
     (_RATES,): "q_dot q_ddot",
     (_BODY,): "Y_drive",
 }
@@ -95,15 +93,18 @@ _BY_NAME = {name: axes for axes, names in _AXES.items() for name in names.split(
 _OF_ROWS = ("residual", "hardest", "u_dot", "q_dot", "q_ddot")
 """Results with a number for each row of a task, or for each freedom of a held carrier."""
 
-_WITHOUT_FLYWHEELS: dict[str, dict[str, Any]] = {
-    "matrices": {"I": (6, 0), "J": (6, 0)},
-    "inverse": {"phi_ddot": (0,), "sigma": (0,), "limited": (0,)},
+_FLYWHEEL_RESULTS: dict[str, tuple[Member, ...]] = {
+    "matrices": tuple(Member(name, "real", (6, 0), ("", "N")) for name in ("I", "J")),
+    "inverse": tuple(Member(name, "real", (0,), ("N",)) for name in ("phi_ddot", "sigma", "limited")),
 }
 """Results that the C of a stand without flywheels leaves out."""
 
 
 class Calls:
-    """A stand with its compiled C: calls by the names of arguments. Holds nothing that a call changes."""
+    """A stand with its compiled C: calls by the names of arguments. Holds nothing that a call changes.
+
+    columns  of each function: a column of no state for each result
+    """
 
     def __init__(self, stand: Stand, real: Real, compiler: str | None, threads: int) -> None:
         """See `build`."""
@@ -112,43 +113,38 @@ class Calls:
         self.element = self.made.element
         self.flywheels = tuple(s.name for s in stand.flywheels)
         self._bodies = tuple(body.name for body in stand.bodies)
-        self._rows = {task.name: tuple(map(row_name, task.rows)) for task in stand.tasks}
+        self._rows = {task.name: Axis("row", tuple(map(row_name, task.rows))) for task in stand.tasks}
+        wheels = Axis("flywheel", self.flywheels)
+        self._counted = {"N": wheels, "SENSORS": Axis("sensor", tuple(self.made.sensors))}
         state = next(a for f in self.made.functions.values() for a in f.arguments if a.name == "x")
         self._state = [self._column(m) for m in state.members]
         self.maker = StateMaker(stand, self._state, self.element, self._quaternions)
         self.columns = {name: list(self._columns(f)) for name, f in self.made.functions.items()}
-        wheels = dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau"), self.flywheels)
-        angles = ("psi", "theta", "phi")
-        self._labels: dict[str, Sequence[str]] = {"V_dot": TWIST_LETTERS, "angles": angles, **wheels}
+        self._axes = {one.name: one.axes[0] for one in self._state}
+        self._axes |= {"phi_ddot": wheels, "tau": wheels, "V_dot": TWIST, "angles": Axis("angle", _RATES.labels[3:])}
 
     # -- what comes out ----------------------------------------------------------------------------------------------
 
     def _columns(self, f: ArrayFunction) -> Iterator[Column]:
         """A column of no state for each result of a function."""
-        rows = self._rows.get(task_of(f.name), ())
-        of_rows = Axis("row", rows) if rows else None
-        if self.stand.hold is not None:
-            of_rows = Axis("freedom", tuple(freedom_names(self.stand.hold)))
-        if f.name == "mounts":
-            wrench = f.arguments[-1].members[0]
-            axes = (Axis("flywheel", self.flywheels), _WRENCH)
-            values = np.empty((0, len(self.flywheels), 6))
-            yield Column("mount_wrench", wrench.unit, values, axes, meaning=wrench.meaning)
-            return
+        hold, of_rows = self.stand.hold, self._rows.get(task_of(f.name))
+        if hold is not None:
+            of_rows = Axis("freedom", tuple(freedom_names(hold)))
         for a in f.arguments:
             for m in a.members if a.direction != "in" else ():
-                for inner in m.members if m.kind == "record" else (m,):
-                    one = self._column(inner, m.axes if m.kind == "record" else ())
+                for inner in m.members or (m,):
+                    one = self._column(inner, m.axes if m.members else ())
                     yield one._replace(axes=(of_rows,)) if of_rows and one.name in _OF_ROWS else one
-        for name, shape in _WITHOUT_FLYWHEELS.get(f.name, {}).items() if not self.flywheels else ():
-            yield self._column(Member(name, "real", shape, (*[""] * (len(shape) - 1), "N")))
+        yield from map(self._column, _FLYWHEEL_RESULTS.get(f.name, ()) if not self.flywheels else ())
 
     def _column(self, member: Member, before: tuple[str, ...] = ()) -> Column:
         """The column of a member of the C, of no state; `before`: what axes count that stand before its own."""
-        counted = {"N": Axis("flywheel", self.flywheels), "SENSORS": Axis("sensor", tuple(self.made.sensors))}
+        names, shape = (*before, *member.axes), member.shape
+        if member.name == "mount_wrench":  # which the C has in one row
+            names, shape = ("N", ""), (len(self.flywheels), 6)
         known = iter(_BY_NAME.get(member.name, ()))
-        axes = [counted.get(axis) or next(known, Axis(axis or member.name)) for axis in (*before, *member.axes)]
-        shape = (*(len(counted[axis].labels) for axis in before), *member.shape)
+        axes = [self._counted.get(axis) or next(known, Axis(axis or member.name)) for axis in names]
+        shape = (*(len(self._counted[axis].labels) for axis in before), *shape)
         return Column(member.name, member.unit, np.empty((0, *shape)), tuple(axes), meaning=member.meaning)
 
     # -- calls -------------------------------------------------------------------------------------------------------
@@ -156,12 +152,14 @@ class Calls:
     def result(self, function: str, x: Any, how: How, **arguments: Any) -> Result:
         """The answer of a function. Raises InputError, RefusedError."""
         outputs, status, single = self._call(function, x, how, arguments)
-        columns = [one._replace(values=outputs[one.name]) for one in self.columns[function]]
+        n, refused = len(status), int(np.count_nonzero(status < 0))
+        columns = []
+        for one in self.columns[function]:
+            values = outputs.get(one.name, np.zeros(0, self.element))  # without flywheels the C leaves out some
+            columns.append(one._replace(values=values.reshape(n, *one.values.shape[1:])))
         columns.append(Column("status", "", status))
-        refused = int(np.count_nonzero(status < 0))
-        of = "a state" if single else f"{len(status)} states"
-        messages = [f"{refused} of {len(status)} refused: NaN"] if refused else []
-        title = f"{function} of {self.stand.name}, {of}"
+        title = f"{function} of {self.stand.name}, {'a state' if single else f'{n} states'}"
+        messages = [f"{refused} of {n} refused: NaN"] if refused else []
         return Result(title, columns, messages=messages, ok=not refused, single=single)
 
     def step(
@@ -190,36 +188,30 @@ class Calls:
         self, function: str, x: Any, how: How, arguments: Mapping[str, Any], carry: Any = None
     ) -> tuple[dict[str, Array], NDArray[np.int32], bool]:
         """Outputs, statuses, and whether they are of a single state."""
-        f = self._function(function)
-        wrench, tables = how.get("wrench"), how.get("tables")
-        takes = {a.name for a in f.arguments}
+        f, tables = self._function(function), how.get("tables")
         for name in how:
             if name not in How.__annotations__ or name not in (*row_of(function).takes, "tables", "on_error"):
                 raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
-        by_body = None
-        if wrench is not None or self.made.inputs:
-            by_body = inputs.wrenches(wrench, self.made.inputs, self._bodies)
+        given = {**arguments, "wrench": inputs.wrenches(how.get("wrench"), self.made.inputs, self._bodies), "x": x}
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
         for a in f.arguments:
             if a.direction != "in" or a.name in self.made.tables:
                 continue
-            if a.name == "x":
+            value = given.pop(a.name)
+            if a.order == "alike":
+                alike[a.name] = inputs.lock_flags(value, self._counted["N"]) if a.name == "locked" else value
+            elif a.name == "x":
                 parts["x"] = self.array(x)
-            elif a.name == "wrench" and by_body is not None:
-                parts["wrench"] = by_body
-            elif a.order == "alike":
-                value = arguments[a.name]
-                alike[a.name] = inputs.lock_flags(value, self.flywheels) if a.name == "locked" else value
+            elif a.name == "wrench":
+                parts["wrench"] = value
             else:
-                labels = self._rows[task_of(function)] if a.name == "demand" else self._labels[a.name]
-                noun = "row" if a.name == "demand" else "flywheel" if labels is self.flywheels else "component"
-                parts[a.name] = inputs.read(arguments[a.name], a.name, a.components, labels, noun)
-        for name in arguments.keys() - takes if not self.flywheels else ():
-            inputs.read(arguments[name], name, 0, (), "flywheel")
+                axis = self._rows[task_of(function)] if a.name == "demand" else self._axes[a.name]
+                parts[a.name] = inputs.read(value, a.name, axis)
+        for name in given.keys() & arguments.keys():  # numbers of flywheels that the stand does not have
+            inputs.read(given[name], name, self._counted["N"])
         n = inputs.batch_size(parts)
-        if tables is not None:
-            n = self.check_tables(tables, n)
+        n = n if tables is None else self.check_tables(tables, n)
         if carry is not None:
             alike["carry"] = self._carry_records(f, carry, n)
         result, status = self._run(function, parts | alike, 1 if n is None else n, how.get("on_error", "raise"), tables)
@@ -231,40 +223,32 @@ class Calls:
         """Outputs by name, batch axis first, and statuses. Raises RefusedError, InputError.
 
         arguments  by name, as (components, n), (count,), () or a record of what is the same for all states
-        tables  of n stands, one of each state; None: of the stand itself
+        tables     of n stands, one of each state; None: of the stand itself
         """
         if on_error not in ("raise", "nan"):
             raise InputError(f'on_error: expected "raise" or "nan", found {on_error!r:.40}')
-        f = self.made.functions[function]
         memory: dict[str, Array] = {}
-        for a in f.arguments:
-            if a.name in self.made.tables:
-                if tables is not None:
-                    memory[a.name] = tables.block(a.name)
+        same = True  # whatever the tables
+        for a in self.made.functions[function].arguments:
+            if a.name in self.made.tables and tables is not None:
+                memory[a.name], same = tables.block(a.name), False
             elif a.name in arguments:
                 value = arguments[a.name]
                 in_order = a.order == "alike" or a.direction != "in"
                 memory[a.name] = value if in_order else inputs.by_component(value, a.components, n, self.element)
         arrays, outputs = self.made.arrange(function, n, memory, {})
         status = np.zeros(n, dtype=np.int32)
-        same = tables is None or not any(a.name in self.made.tables for a in f.arguments)  # whatever the tables
         library, name = (self.made.library, function) if same else (self.made.of_tables, f"{function}_of")
         if library.call(name, n, arrays, status, self.threads) < 0:
             if on_error == "raise":
-                taken = {a.name: (a, x) for a, x in zip(f.arguments, arrays, strict=True) if a.direction == "in"}
-                labels = {one.name: one.axes[0].labels for one in self._state} | self._labels
-                labels["wrench"] = [f"{body} {letter}" for body in self.made.inputs for letter in WRENCH_LETTERS]
-                raise refusal_error(function, status, taken, labels)
+                taken = zip(self.made.functions[function].arguments, arrays, strict=True)
+                labels = {key: axis.labels for key, axis in self._axes.items()}
+                labels["wrench"] = tuple(f"{body} {letter}" for body in self.made.inputs for letter in WRENCH.labels)
+                raise refusal_error(function, status, [pair for pair in taken if pair[0].direction == "in"], labels)
             for a, array in outputs:
                 if a.direction == "out":
                     _spoil(a, array, status < 0)
-        result = {name: part for a, array in outputs for name, part in _by_name(a, array)}
-        if function == "mounts":
-            result = {"mount_wrench": result["mount_wrench"].reshape(n, len(self.flywheels), 6)}
-        if not self.flywheels:
-            missing = _WITHOUT_FLYWHEELS.get(function, {}).items()
-            result |= {name: np.zeros((n, *shape), self.element) for name, shape in missing}
-        return result, status
+        return {name: part for a, array in outputs for name, part in _by_name(a, array)}, status
 
     def _quaternions(self, angles: Array) -> Array:
         """Quaternions of angles (3) or (n, 3) of the stand's sequence. Raises RefusedError."""
@@ -308,14 +292,13 @@ class Calls:
 
     def array(self, x: Any) -> Array:
         """States as an array of shape (n, k) or (k,). Raises InputError."""
-        components = self.maker.components
         if isinstance(x, States):
             if not x.is_like(self._state):
                 raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
             return x.array
-        result = inputs.read(x, "states", components, (), "component")
+        result = inputs.read(x, "states", self.maker.numbers)
         if result.ndim == 0:
-            raise InputError(f"states: expected States or shape (n, {components}), found a number")
+            raise InputError(f"states: expected States or shape (n, {self.maker.components}), found a number")
         return result
 
     def _number(self, value: Any, what: str) -> Array:
@@ -328,7 +311,7 @@ class Calls:
         """Names of the rows of a task. Raises InputError."""
         if task not in self._rows:
             raise InputError(f"task: unknown {show(task)}{suggestion(task, self._rows, 'the stand has none')}")
-        return self._rows[task]
+        return self._rows[task].labels
 
     def options(
         self, settings: Mapping[str, Given | None], task: str | None = None, rows: Sequence[str] | None = None
@@ -339,25 +322,23 @@ class Calls:
 
         Raises InputError.
         """
+        given, wheels = [(key, value) for key, value in settings.items() if value is not None], self._counted["N"]
         if not self.flywheels:
-            for name, value in settings.items():
-                if value is not None and not isinstance(value, float | int):
-                    inputs.read(value, name, 0, (), "flywheel")
+            for name, value in given:
+                inputs.read(value, name, wheels)
             return []
         a = next(a for a in self._function("inverse").arguments if a.name == "options")
         result = np.zeros(1, dtype=record(a.members, self.element))
         for name, value in self.made.options.items():
             result[name] = value
-        for name, value in settings.items():
-            if value is None:
-                continue
+        for name, value in given:
             if not result[name].shape[1:]:
                 result[name] = self._number(value, name)
             elif isinstance(value, Mapping):
-                for i, number in inputs.places(value, name, self.flywheels, "flywheel").items():
+                for i, number in inputs.places(value, name, wheels).items():
                     result[name][0, i] = self._number(number, f"{name} of {self.flywheels[i]}")[0]
             else:
-                part = inputs.read(value, name, len(self.flywheels), self.flywheels, "flywheel")
+                part = inputs.read(value, name, wheels)
                 if part.ndim == 2:
                     raise InputError(f"{name}: expected shape ({len(self.flywheels)},), the same for all states")
                 result[name] = part
@@ -385,22 +366,17 @@ def _by_name(a: ArgumentLayout, memory: Array) -> Iterator[tuple[str, Array]]:
         return
     row = 0
     for m in a.members:
-        inner = m.members if m.kind == "record" else ()
         if a.order != "components":
             part = memory[m.name]
-            yield from ((member.name, part[member.name]) for member in inner) if inner else [(m.name, part)]
+            yield from ((inner.name, part[inner.name]) for inner in m.members) if m.members else [(m.name, part)]
             continue
-        width = sum(member.numbers for member in inner) if inner else 1
-        block = memory[row : row + m.numbers].reshape(*m.shape, width, memory.shape[1])
+        block, at, n = memory[row : row + m.numbers], 0, memory.shape[1]
         row += m.numbers
-        at = 0
-        for member in inner:
-            yield (
-                member.name,
-                np.moveaxis(
-                    block[..., at : at + member.size, :].reshape(*m.shape, *member.shape, memory.shape[1]), -1, 0
-                ),
-            )
-            at += member.size
-        if not inner:
-            yield m.name, np.moveaxis(block.reshape(*m.shape, memory.shape[1]), -1, 0)
+        if not m.members:
+            yield m.name, np.moveaxis(block.reshape(*m.shape, n), -1, 0)
+            continue
+        block = block.reshape(*m.shape, -1, n)
+        for inner in m.members:
+            part = block[..., at : at + inner.size, :].reshape(*m.shape, *inner.shape, n)
+            yield inner.name, np.moveaxis(part, -1, 0)
+            at += inner.size

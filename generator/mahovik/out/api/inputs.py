@@ -8,14 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.core.stand.model import WRENCH_LETTERS
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.units import TIME, QuantityError, number, show
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
+from mahovik.out.result import Axis
 
 Array = NDArray[Any]
 Given = ArrayLike | Mapping[str, ArrayLike]
 """Numbers for all components, one number for each of them, or numbers by name, of which the missing are zero."""
+
+PLACE, QUATERNION = Axis("axis", ("x", "y", "z")), Axis("quaternion", ("w", "x", "y", "z"))
+TWIST, WRENCH = Axis("twist", tuple(TWIST_LETTERS)), Axis("wrench", tuple(WRENCH_LETTERS))
 
 
 def numbers(values: Any, what: str) -> Array:
@@ -44,38 +48,33 @@ def time(value: Any, what: str) -> Any:
         raise InputError(f"{what}: {error}") from None
 
 
-def read(values: Given, what: str, count: int, names: Sequence[str], noun: str) -> Array:
-    """An array of shape (), (count,) or (n, count). Raises InputError. `names`: of the components, `noun`s."""
+def read(values: Given, what: str, axis: Axis) -> Array:
+    """An array of shape (), (k,) or (n, k) of the k numbers that an axis counts. Raises InputError."""
+    names = axis.labels
     if isinstance(values, Mapping):
-        parts = {i: numbers(value, f"{what} of {names[i]}") for i, value in places(values, what, names, noun).items()}
+        parts = {i: numbers(value, f"{what} of {names[i]}") for i, value in places(values, what, axis).items()}
         for i, part in parts.items():
             if part.ndim > 1:
                 raise InputError(f"{what} of {names[i]}: expected a number or shape (n,), found {part.shape}")
         n = batch_size({f"{what} of {names[i]}": part for i, part in parts.items()}, 1)
-        return _side_by_side(parts, n, len(names), 1)
+        side_by_side = np.zeros(len(names) if n is None else (n, len(names)))
+        for i, part in parts.items():
+            side_by_side[..., i] = part
+        return side_by_side
     result = numbers(values, what)
-    if result.ndim == 0 or (result.ndim <= 2 and result.shape[-1] == count):
+    if result.ndim == 0 or (result.ndim <= 2 and result.shape[-1] == len(names)):
         return result
     of = f" ({', '.join(names)})" if 0 < len(names) <= 12 else ""
-    raise InputError(f"{what}: expected shape ({count},) or (n, {count}){of}, found {result.shape}")
+    raise InputError(f"{what}: expected shape ({len(names)},) or (n, {len(names)}){of}, found {result.shape}")
 
 
-def _side_by_side(parts: Mapping[int, Array], n: int | None, count: int, width: int) -> Array:
-    """Parts by place, each `width` numbers wide, as (count width,) or (n, count width); missing ones are 0."""
-    result = np.zeros((count, width) if n is None else (n, count, width))
-    for i, part in parts.items():
-        result[..., i, :] = part[..., np.newaxis] if width == 1 else part
-    return result.reshape(*result.shape[:-2], count * width)
-
-
-def places(values: Mapping[str, Any], what: str, names: Sequence[str], noun: str) -> dict[int, Any]:
-    """Values given by name, by their place. Raises InputError for an unknown name."""
-    result = {}
-    for name, value in values.items():
-        if name not in names:
-            raise InputError(f"{what}: no {noun} {show(name)}{suggestion(str(name), names)}")
-        result[list(names).index(name)] = value
-    return result
+def places(values: Mapping[str, Any], what: str, axis: Axis) -> dict[int, Any]:
+    """Values given by label of an axis, by their place. Raises InputError for an unknown label."""
+    for name in values:
+        if name not in axis.labels:
+            noun = axis.name if axis.name in ("flywheel", "freedom", "row", "angle") else "component"
+            raise InputError(f"{what}: no {noun} {show(name)}{suggestion(str(name), axis.labels)}")
+    return {axis.labels.index(name): value for name, value in values.items()}
 
 
 def batch_size(parts: Mapping[str, Array], axes: int = 2) -> int | None:
@@ -102,15 +101,15 @@ def by_component(part: Array, count: int, n: int, real: np.dtype[Any]) -> Array:
     return result
 
 
-def lock_flags(locks: Sequence[str] | ArrayLike, names: Sequence[str]) -> NDArray[np.int32]:
-    """Locks of flywheels from names, or from a flag for each. Raises InputError."""
-    locks = (locks,) if isinstance(locks, str) else locks
+def lock_flags(locks: Sequence[str] | ArrayLike, axis: Axis) -> NDArray[np.int32]:
+    """Locks of flywheels, an axis, from names, or from a flag for each. Raises InputError."""
+    locks, N = (locks,) if isinstance(locks, str) else locks, len(axis.labels)
     if isinstance(locks, Sequence) and all(isinstance(name, str) for name in locks):
-        locked = places(dict.fromkeys(map(str, locks)), "locked", names, "flywheel")
-        return np.array([i in locked for i in range(len(names))], dtype=np.int32)
+        locked = places(dict.fromkeys(map(str, locks)), "locked", axis)
+        return np.array([i in locked for i in range(N)], dtype=np.int32)
     result = np.asarray(locks)
-    if result.shape != (len(names),) or result.dtype.kind not in "biu":
-        raise InputError(f"locked: expected names of flywheels or {len(names)} flags, found {locks!r:.60}")
+    if result.shape != (N,) or result.dtype.kind not in "biu":
+        raise InputError(f"locked: expected names of flywheels or {N} flags, found {locks!r:.60}")
     return np.asarray(result != 0, dtype=np.int32)
 
 
@@ -127,5 +126,9 @@ def wrenches(by_body: Mapping[str, ArrayLike] | None, bodies: Sequence[str], kno
             raise InputError(f"wrench: no body {show(body)}{suggestion(str(body), known)}")
         if body not in bodies:
             raise InputError(f"wrench: the C takes none on {show(body)}: set `wrench_input = true` in the stand file")
-        parts[body] = read(value, f"wrench of {body}", 6, WRENCH_LETTERS, "component")
-    return _side_by_side({list(bodies).index(body): x for body, x in parts.items()}, batch_size(parts), len(bodies), 6)
+        parts[body] = read(value, f"wrench of {body}", WRENCH)
+    n = batch_size(parts)
+    result = np.zeros((len(bodies), 6) if n is None else (n, len(bodies), 6))
+    for body, part in parts.items():
+        result[..., list(bodies).index(body), :] = part
+    return result.reshape(*result.shape[:-2], 6 * len(bodies))

@@ -159,26 +159,6 @@ class Model:
         """
         return self._calls.maker.states(n, numbers)
 
-    def state_from_coordinates(
-        self,
-        q: Given = 0.0,
-        q_dot: Given = 0.0,
-        *,
-        orientation: ArrayLike | None = None,
-        phi: Given = 0.0,
-        phi_dot: Given = 0.0,
-    ) -> States:
-        """A state of a held carrier, or as many as the arrays have, by coordinates of its freedoms; of `generalized`.
-
-        q             m, rad; one for each freedom, zero in the home pose; none of all three turns together
-        q_dot         m/s, rad/s; one for each freedom
-        orientation   of all three turns: the unit quaternion from the home pose, w first; left out: that pose
-        phi, phi_dot  as in `states`
-
-        Raises InputError.
-        """
-        return self._calls.maker.from_coordinates(q, q_dot, orientation, {"phi": phi, "phi_dot": phi_dot})
-
     def states_of(self, array: ArrayLike) -> States:
         """States of an array of all their numbers, (n, 13 + 2 N) or (13 + 2 N,), as `States.array` has them: a copy.
 

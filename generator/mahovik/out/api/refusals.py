@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,19 +16,20 @@ from mahovik.core.program.types import DOUBLE, FLOAT
 from mahovik.errors import RefusedError
 
 Array = NDArray[Any]
-Inputs = Mapping[str, tuple[ArgumentLayout, Array]]
 Labels = Mapping[str, Sequence[str]]
 """Names of the numbers of a member, where they have any."""
 
 
-def refusal_error(function: str, status: NDArray[np.int32], inputs: Inputs, labels: Labels) -> RefusedError:
+def refusal_error(
+    function: str, status: NDArray[np.int32], inputs: Iterable[tuple[ArgumentLayout, Array]], labels: Labels
+) -> RefusedError:
     """The error of a call: names the first refused state, its status, and the input to blame where it can be seen."""
     bad = np.flatnonzero(status < 0)
     index = int(bad[0])
     value = int(status[index])
     name = status_words(value)
     otherwise = refusal_reason(name, "an option is outside its range")
-    blamed = next((words for a, memory in inputs.values() for words in _reasons(a, memory, index, labels)), otherwise)
+    blamed = next((words for a, memory in inputs for words in _reasons(a, memory, index, labels)), otherwise)
     which = f"state {index}: " if len(status) > 1 else ""
     more = f"; {len(bad):,} of {len(status):,} states refused" if len(bad) > 1 else ""
     return RefusedError(f"{function}: {which}{name}: {blamed}{more}", function, index, value, name, len(bad))

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, TypedDict, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from mahovik.contract.quantities import UNIT_LENGTH
-from mahovik.core.stand.hold import freedom_names, twists
-from mahovik.core.stand.model import TWIST_LETTERS, Stand
+from mahovik.core.stand.hold import carried_point, freedom_names, is_closed, twists
+from mahovik.core.stand.model import Stand
 from mahovik.errors import InputError
 from mahovik.nearest import suggestion
-from mahovik.out.api import held_states
-from mahovik.out.api.inputs import Given, batch_size, by_component, is_count, numbers, read
-from mahovik.out.result import Column, Result
-from mahovik.proof.verify.held import blocked_twist
+from mahovik.out.api.inputs import PLACE, TWIST, Given, batch_size, by_component, is_count, numbers, read
+from mahovik.out.result import Axis, Column, Result
+from mahovik.proof.verify.held import ALLOWED, blocked_twist, freedoms, home_attitude, worst
 from mahovik.proof.verify.states import ROUNDING
 
 Array = NDArray[Any]
@@ -146,10 +145,6 @@ class StateNumbers(TypedDict, total=False):
     phi_dot: Given
 
 
-Parts = dict[str, tuple[Array, int]]
-"""Arrays of shape (), (count,), (n, count) and their counts, by name."""
-
-
 class StateMaker:
     """Makes states of a stand. `quaternions`: of angles (3, or n x 3) of its sequence; `columns` as in `States`."""
 
@@ -157,97 +152,64 @@ class StateMaker:
         self, stand: Stand, columns: Sequence[Column], element: np.dtype[Any], quaternions: Callable[[Array], Array]
     ) -> None:
         self.stand, self.columns, self.element, self.quaternions = stand, columns, element, quaternions
-        self.flywheels = tuple(s.name for s in stand.flywheels)
-        self.components = sum(one.values.shape[1] for one in columns)
+        names = [f"{one.name} {label}" for one in columns for label in one.axes[0].labels]
+        self.numbers = Axis("number", tuple(names))
 
-    def states(self, n: int | None, state_numbers: StateNumbers) -> States:
+    @property
+    def components(self) -> int:
+        """Numbers of a state."""
+        return len(self.numbers.labels)
+
+    def states(self, n: int | None, given: StateNumbers) -> States:
         """See `Model.states`."""
-        if unknown := state_numbers.keys() - StateNumbers.__annotations__.keys():
+        if unknown := given.keys() - StateNumbers.__annotations__.keys():
             name = min(unknown)
             raise InputError(f"states: unknown {name}{suggestion(name, StateNumbers.__annotations__)}")
-        place, turn = self._pose(
-            state_numbers.get("position"), state_numbers.get("attitude"), state_numbers.get("angles")
-        )
-        parts: Parts = {"position": (place, 3), "attitude": (turn, 4)}
-        parts |= {
-            "V": (self._twist(state_numbers.get("V", 0.0), state_numbers.get("u")), 6),
-            **self._flywheel_parts(state_numbers),
-        }
-        return self._stacked(parts, n)
-
-    def from_coordinates(
-        self, q: Given, q_dot: Given, orientation: ArrayLike | None, wheel_numbers: Mapping[str, Given]
-    ) -> States:
-        """See `Model.state_from_coordinates`."""
-        names, hold = held_states.coordinate_names(self.stand), self.stand.hold
-        assert hold is not None
-        m = len(hold.freedoms)
-        if not names and not (isinstance(q, float) and q == 0.0):
-            raise InputError("q: the freedoms of this [hold] have no number of their own; expected orientation")
-        if orientation is not None and len(names) == m:
-            raise InputError(f"orientation: the freedoms of this [hold] have none; expected q of {', '.join(names)}")
-        parts: Parts = {
-            "q": (read(q, "q", len(names), names, "freedom") if names else np.zeros(()), len(names)),
-            "orientation": (self._attitudes(orientation, None), 4),
-            "q_dot": (read(q_dot, "q_dot", m, freedom_names(hold), "freedom"), m),
-        }
-        wheels = self._flywheel_parts(wheel_numbers)
-        n = batch_size({name: part for name, (part, _) in (parts | wheels).items()})
-        coordinates = [by_component(part, count, n or 1, np.dtype(float)).T for part, count in parts.values()]
-        place, turn, V = held_states.of_coordinates(self.stand, *coordinates)
-        states = self._stacked({"position": (place, 3), "attitude": (turn, 4), "V": (V, 6), **wheels}, None)
-        return states if n is not None else states.take(0)
+        if n is not None and not is_count(n):
+            raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
+        place, turn = self._pose(given.get("position"), given.get("attitude"), given.get("angles"))
+        parts = {"position": place, "attitude": turn, "V": self._twist(given.get("V", 0.0), given.get("u"))}
+        wheels = Axis("flywheel", tuple(s.name for s in self.stand.flywheels))
+        parts |= {"phi": read(given.get("phi", 0.0), "phi", wheels)}
+        parts |= {"phi_dot": read(given.get("phi_dot", 0.0), "phi_dot", wheels)}
+        many = batch_size(parts)
+        if n is not None and many not in (None, n):
+            raise InputError(f"states: n is {n}, but arrays of {many} states were given")
+        size = n if n is not None else 1 if many is None else many
+        with np.errstate(over="ignore"):  # beyond float is infinite, which the C refuses by name
+            rows = [by_component(parts[x.name], x.values.shape[1], size, self.element) for x in self.columns]
+        return States(self.stand.name, self.columns, np.concatenate(rows), n is None and many is None)
 
     def of_array(self, array: ArrayLike) -> States:
         """See `Model.states_of`."""
-        states = read(array, "states", self.components, (), "component")
+        states = read(array, "states", self.numbers)
         if states.ndim == 0:
             raise InputError(f"states: expected shape ({self.components},) or (n, {self.components}), found ()")
-        return self._stacked({"states": (states, self.components)}, None)
-
-    def _flywheel_parts(self, state_numbers: Any) -> Parts:
-        N, names = len(self.flywheels), self.flywheels
-        wheel_numbers = {name: state_numbers.get(name, 0.0) for name in ("phi", "phi_dot")}
-        return {name: (read(value, name, N, names, "flywheel"), N) for name, value in wheel_numbers.items()}
-
-    def _stacked(self, parts: Parts, n: int | None) -> States:
-        """States of the parts below one another, n of them, or as many as the parts have. Raises InputError."""
-        many = batch_size({name: part for name, (part, _) in parts.items()})
-        if n is not None and not is_count(n):
-            raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
-        if n is not None and many not in (None, n):
-            raise InputError(f"states: n is {n}, but arrays of {many} states were given")
-        size = n if n is not None else many if many is not None else 1
-        memory = np.empty((self.components, size), dtype=self.element)
-        row = 0
-        for part, count in parts.values():
-            with np.errstate(over="ignore"):  # beyond float is infinite, which the C refuses by name
-                memory[row : row + count] = part.T if part.ndim == 2 else part[:, np.newaxis] if part.ndim else part
-            row += count
-        return States(self.stand.name, self.columns, memory, n is None and many is None)
+        with np.errstate(over="ignore"):
+            memory = np.array(np.atleast_2d(states).T, self.element, order="C")
+        return States(self.stand.name, self.columns, memory, states.ndim == 1)
 
     def _pose(
         self, position: ArrayLike | None, attitude: ArrayLike | None, angles: ArrayLike | None
     ) -> tuple[Array, Array]:
         """Position (), (3,) or (n, 3) and attitude (4,) or (n, 4), of what is given and what a hold says."""
-        held = self.stand.hold is not None
-        place = None if position is None else read(position, "position", 3, ("x", "y", "z"), "component")
+        place = None if position is None else read(position, "position", PLACE)
         turn = self._attitudes(attitude, angles)
-        if not held:
+        if self.stand.hold is None:
             return np.zeros(()) if place is None else place, turn
         if attitude is None and angles is None:
-            turn = held_states.home_attitude(self.stand)
+            turn = np.array(home_attitude(self.stand))
         if place is None:
-            place = held_states.place_at(self.stand, turn)
+            place = _place_at(self.stand, turn)
         batch_size({"position": place, "attitude": turn})
-        held_states.check_pose(self.stand, place * np.ones(3), turn)
+        _check_pose(self.stand, place * np.ones(3), turn)
         return place, turn
 
     def _twist(self, V: Given, u: Given | None) -> Array:
         """V (), (6,) or (n, 6), given or of u. Raises InputError, also for one that a hold does not allow."""
         hold = self.stand.hold
         if u is None:
-            twist = read(V, "V", 6, TWIST_LETTERS, "component")
+            twist = read(V, "V", TWIST)
             if hold is not None and (reason := blocked_twist(hold, twist * np.ones(6))):
                 raise InputError(reason)
             return twist
@@ -255,16 +217,15 @@ class StateMaker:
             raise InputError("u: the stand has no [hold], expected V")
         if not (isinstance(V, float) and V == 0.0):
             raise InputError("V, u: both given, expected one of them")
-        count = len(hold.freedoms)
-        twist = read(u, "u", count, freedom_names(hold), "freedom") * np.ones(count)
-        return np.asarray(twist @ twists(hold).T)
+        rates = read(u, "u", Axis("freedom", tuple(freedom_names(hold)))) * np.ones(len(hold.freedoms))
+        return np.asarray(rates @ twists(hold).T)
 
     def _attitudes(self, attitude: ArrayLike | None, angles: ArrayLike | None) -> Array:
         """Unit quaternions, (4,) or (n, 4), of quaternions or angles. Raises InputError, RefusedError."""
         if attitude is not None and angles is not None:
             raise InputError("attitude, angles: both given, expected one of them")
         if angles is not None:
-            triples = read(angles, "angles", 3, ("psi", "theta", "phi"), "angle")
+            triples = read(angles, "angles", Axis("angle", ("psi", "theta", "phi")))
             return self.quaternions(np.full(3, triples) if triples.ndim == 0 else triples)
         if attitude is None:
             return np.array([1.0, 0.0, 0.0, 0.0])
@@ -277,3 +238,51 @@ class StateMaker:
             where = f" of state {wrong[0]}" if attitudes.ndim == 2 else ""
             raise InputError(f"attitude{where}: length {length.flat[wrong[0]]:.9g}, expected 1 within {UNIT_LENGTH:g}")
         return np.where(np.abs(length - 1.0) <= ROUNDING, attitudes, attitudes / length)
+
+
+# -- poses that a hold allows ------------------------------------------------------------------------------------------
+
+
+def _place_at(stand: Stand, attitude: Array) -> Array:
+    """O1 in E0 (3, or n x 3; m), where the hold has a carrier of this attitude (4, or n x 4) that did not slide."""
+    hold = stand.hold
+    assert hold is not None
+    arm = _rotate(np.array(home_attitude(stand)), np.array(hold.pivot)) - _rotate(attitude, np.array(hold.pivot))
+    return np.asarray(np.array(hold.position) + arm)
+
+
+def _check_pose(stand: Stand, position: Array, attitude: Array) -> None:
+    """Raise InputError for poses that the hold does not allow; of a set that is not closed all are allowed.
+
+    position: m, in E0, (3) or (n, 3); attitude: quaternions, w first, (4) or (n, 4)
+    """
+    hold = stand.hold
+    assert hold is not None
+    if not is_closed(hold) or any(freedom.kind == "twist" for freedom in hold.freedoms):
+        return
+    back = np.array(home_attitude(stand)) * np.array([1.0, -1.0, -1.0, -1.0])
+    pivot, slides = map(np.array, carried_point(hold))
+    gone = position - np.array(hold.position) + _rotate(attitude, pivot)
+    way = np.atleast_2d(_rotate(back, gone) - pivot)
+    # twice the vector part of the quaternion from home
+    turned = 2.0 * (back[0] * attitude[..., 1:] + attitude[..., :1] * back[1:] + np.cross(back[1:], attitude[..., 1:]))
+    turns = np.array([twists(hold)[3:, k] for k, freedom in enumerate(hold.freedoms) if freedom.kind == "turn"])
+    way, turned = np.broadcast_arrays(way - way @ slides.T, turned - (turned @ turns.T @ turns if len(turns) else 0.0))
+    off = np.concatenate([way, turned], axis=1)
+    far = np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(np.atleast_2d(position)).max(axis=1))
+    if far.any():
+        first = off[np.flatnonzero(far)[0]]
+        k = int(np.argmax(np.abs(first)))
+        which = f" of state {np.flatnonzero(far)[0]}" if len(far) > 1 else ""
+        expected = f"what {freedoms(hold)} reach, or no position" if hold.freedoms else "the home pose, as clamped"
+        raise InputError(
+            f"position, attitude{which}: off by {abs(first[k]):.3g} {'m' if k < 3 else 'rad'} along "
+            f"{worst(first)}, which [hold] blocks; expected {expected}"
+        )
+
+
+def _rotate(attitude: Array, vector: Array) -> Array:
+    """C x of unit quaternions."""
+    axis = attitude[..., 1:]
+    cross = 2.0 * np.cross(axis, vector)
+    return np.asarray(vector + attitude[..., :1] * cross + np.cross(axis, cross))
