@@ -17,7 +17,7 @@ from mahovik.errors import InputError
 from mahovik.out.api.calls import Array, Calls, How, Locks, OnError
 from mahovik.out.api.inputs import Given, is_count
 from mahovik.out.api.states import StateNumbers, States
-from mahovik.out.api.tables import Tables, make_tables
+from mahovik.out.api.tables import Tables
 from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
@@ -124,8 +124,7 @@ class Model:
         Raises InputError for arrays that do not fit, UsageError for a path that leads nowhere or to another structure,
         StandError for a sample that cannot be, by its number.
         """
-        calls = self._calls
-        return make_tables(calls.stand, calls.made, calls.real, calls.element, calls.threads, changes, n)
+        return Tables(self._calls.made, self._calls.threads, changes, n)
 
     def __repr__(self) -> str:
         calls, count = self._calls, self._calls.threads

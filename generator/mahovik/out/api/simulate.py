@@ -16,7 +16,7 @@ from mahovik.core.toolchain.block import Block
 from mahovik.errors import InputError, RefusedError, UsageError
 from mahovik.out.api.calls import Array, Calls, OnError
 from mahovik.out.api.inputs import time
-from mahovik.out.api.tables import Tables, make_tables
+from mahovik.out.api.tables import Tables
 from mahovik.out.arguments import regime_of
 from mahovik.out.result import Axis, Column, Result
 from mahovik.use.simulate.case import Case
@@ -58,8 +58,7 @@ def simulate(
     if stand != calls.stand:  # the regime puts wrenches on bodies that take none
         other = Calls(stand, calls.real, calls.compiler, calls.threads)
         if tables is not None:
-            changes = dict(tables.samples.changes)
-            tables = make_tables(stand, other.made, other.real, other.element, other.threads, changes, len(tables))
+            tables = Tables(other.made, other.threads, tables.samples.changes, len(tables))
         x0 = x.T if n else x[:, 0]
         return simulate(other, end, chosen, x0, step, between, order, mounts, tables, on_error)
     case = Case(stand, chosen, _state_of(stand, x[:, 0]), end, between, step, order, calls.real)

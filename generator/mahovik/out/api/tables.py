@@ -1,8 +1,9 @@
-"""Tables of n stands that differ in numbers: made of arrays over the keys of the stand file, prepared by the C."""
+"""Tables of n stands of one structure: arrays over the keys of the stand file, read together, prepared by the C."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,25 +11,27 @@ from numpy.typing import NDArray
 
 from mahovik.contract.status import status_words
 from mahovik.core.program.arrays import fill_record
+from mahovik.core.program.interpret import Interpreter, plain
+from mahovik.core.stand.columns import Column, Run
+from mahovik.core.stand.columns import numbers as numbers_of
 from mahovik.core.stand.model import Stand as CoreStand
+from mahovik.core.stand.numbers import put
 from mahovik.core.stand.read import read
+from mahovik.core.stand.screening import doubtful_samples
 from mahovik.core.stand.structure import structure
+from mahovik.core.stand.units import show
 from mahovik.core.toolchain.block import LANES
 from mahovik.core.toolchain.compiled import CompiledLibrary, lower_structure
 from mahovik.errors import InputError, StandError, UsageError
+from mahovik.out.api.inputs import is_count
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.variants import Samples, Variants, change_values, variants
+
+Array = NDArray[np.float64]
 
 PLACE_OF_HOLD = ("pivot", "position", "angles")
 """Keys of a hold that say where it holds the carrier."""
 
 _ALIGNMENT = 64
-
-Blocks = Mapping[str, NDArray[Any]]
-"""Memory by argument of the C."""
-
-Prepare = Callable[[bool], tuple[Blocks, NDArray[np.int32]]]
-"""Makes the blocks of tables, with mountings or without; and statuses."""
 
 
 class Tables:
@@ -38,11 +41,16 @@ class Tables:
     the model.
     """
 
-    def __init__(self, made_of: CoreStand, real: str, samples: Samples, variants: Variants, prepare: Prepare) -> None:
-        """`found`: the numbers of all samples; `prepare`: makes the blocks. Raises StandError."""
-        self.made_of, self.base, self.real, self.samples = made_of, Stand.of(made_of), real, samples
-        self._found, self._prepare = variants, prepare
-        self._blocks, _ = prepare(False)
+    def __init__(self, made: CompiledLibrary, threads: int, changes: Mapping[str, Any], n: int | None) -> None:
+        """Of the stand of a library; see `Model.tables`. Raises InputError, StandError, UsageError."""
+        self._made, self._threads = made, threads
+        self.made_of, self.real = made.source.stand, made.source.real
+        self.base, self.samples = Stand.of(self.made_of), Samples.of(changes, n)
+        _refuse_numbers_of_holds(self.base, self.samples)
+        self._variants = variants(self.base, self.real, self.samples)
+        for number in np.flatnonzero(self._variants.doubtful):
+            check_sample(self.base, self.samples, int(number))
+        self._blocks = self._prepared(mountings=False)
 
     def __len__(self) -> int:
         """How many stands."""
@@ -51,18 +59,36 @@ class Tables:
     def block(self, argument: str) -> NDArray[Any]:
         """The tables as the C reads them; mountings are made where they are asked for first."""
         if argument not in self._blocks:
-            self._blocks, _ = self._prepare(True)
+            self._blocks = self._prepared(mountings=True)
         return self._blocks[argument]
+
+    def _prepared(self, mountings: bool) -> dict[str, NDArray[Any]]:
+        """Memory by argument of the C, with `mountings` these too where there are flywheels. Raises StandError."""
+        made, n, none = self._made, len(self), np.zeros(0)
+        names = [name for name in made.tables if mountings or name != "mounting"]
+        count, status = -(-n // LANES[made.element.itemsize]), np.zeros(n, dtype=np.int32)
+        blocks = {name: _aligned_memory(made.of_tables.block_bytes(name == "mounting") * count) for name in names}
+        varied = [none if x is None else np.ascontiguousarray(x, dtype=made.element) for x in self._variants.varied]
+        addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in varied], dtype=np.uintp)
+        parameters = fill_record(made.parameters, made.element, self._variants.parameters)
+        table = fill_record(made.records["table"], made.element, self._variants.table)
+        arguments = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
+        if n and made.of_tables.call("prepare", n, arguments, status, self._threads) < 0:
+            first = int(np.flatnonzero(status < 0)[0])
+            check_sample(self.base, self.samples, first)
+            words = status_words(int(status[first]))
+            raise StandError([f"{self.base.name}, sample {first}: refused by prepare: {words}"])
+        return blocks
 
     def laws(self) -> dict[str, Any]:
         """Numbers of the laws between E0 and the carrier, by member of a table, with the samples last."""
         from mahovik.core.lower.values import columns, law_struct, reals
 
         layout, _program = lower_structure(structure(self.made_of), self.real)
-        varied = iter(self._found.varied)
-        for _ in reals(layout.parameters, self._found.parameters):
+        varied = iter(self._variants.varied)
+        for _ in reals(layout.parameters, self._variants.parameters):
             next(varied)
-        return columns(law_struct(layout), self._found.table, varied, len(self))
+        return columns(law_struct(layout), self._variants.table, varied, len(self))
 
     def stand(self, number: int) -> Stand:
         """The stand of one sample, as `base.replace` makes it. Raises InputError."""
@@ -89,65 +115,9 @@ def _refuse_numbers_of_holds(stand: Stand, samples: Samples) -> None:
             )
 
 
-def make_tables(
-    of: CoreStand,
-    made: CompiledLibrary,
-    real: str,
-    element: np.dtype[Any],
-    threads: int,
-    changes: Mapping[str, Any],
-    n: int | None,
-) -> Tables:
-    """See `Model.tables`."""
-    stand, samples = Stand.of(of), Samples.of(changes, n)
-    _refuse_numbers_of_holds(stand, samples)
-    tables = variants(stand, real, samples)
-    for number in np.flatnonzero(tables.doubtful):
-        check_sample(stand, samples, int(number))
-
-    def prepare(mountings: bool) -> tuple[Blocks, NDArray[np.int32]]:
-        blocks, status = prepare_tables(made, element, threads, tables, samples.n, mountings)
-        refused = np.flatnonzero(status < 0)
-        if refused.size:
-            first = int(refused[0])
-            check_sample(stand, samples, first)
-            name = status_words(int(status[first]))
-            raise StandError([f"{stand.name}, sample {first}: refused by prepare: {name}"])
-        return blocks, status
-
-    return Tables(of, real, samples, tables, prepare)
-
-
 def check_sample(stand: Stand, samples: Samples, number: int) -> None:
     """Read the stand of one sample as a stand file is read. Raises StandError, UsageError."""
     read(change_values(stand, samples.values(number)), f"{stand.name}, sample {number}")
-
-
-def prepare_tables(
-    made: CompiledLibrary, element: np.dtype[Any], threads: int, variants: Variants, n: int, mountings: bool
-) -> tuple[Blocks, NDArray[np.int32]]:
-    """Tables by argument of the C, with `mountings` these too where there are flywheels; and statuses."""
-    lanes = LANES[element.itemsize]
-    names = [name for name in made.tables if mountings or name != "mounting"]
-    blocks = {name: _aligned_memory(made.of_tables.block_bytes(name == "mounting") * -(-n // lanes)) for name in names}
-    status = np.zeros(n, dtype=np.int32)
-    if n:
-        arguments, _columns = prepare_arguments(made, element, variants, blocks)
-        made.of_tables.call("prepare", n, arguments, status, threads)
-    return blocks, status
-
-
-def prepare_arguments(
-    made: CompiledLibrary, element: np.dtype[Any], variants: Variants, blocks: Blocks
-) -> tuple[list[NDArray[Any]], list[NDArray[Any]]]:
-    """The arguments of `prepare` of n stands, and the columns whose addresses they have."""
-    columns = [np.zeros(0) if x is None else np.ascontiguousarray(x, dtype=element) for x in variants.varied]
-    addresses: NDArray[np.uintp] = np.array([x.ctypes.data if x.size else 0 for x in columns], dtype=np.uintp)
-    parameters = fill_record(made.parameters, element, variants.parameters)
-    table = fill_record(made.records["table"], element, variants.table)
-    none = np.zeros(0)
-    arguments = [parameters, table, addresses, *(blocks.get(name, none) for name in made.tables)]
-    return arguments, columns
 
 
 def _aligned_memory(size: int) -> NDArray[np.uint8]:
@@ -155,3 +125,204 @@ def _aligned_memory(size: int) -> NDArray[np.uint8]:
     memory = np.zeros(size + _ALIGNMENT, dtype=np.uint8)
     start = -memory.ctypes.data % _ALIGNMENT
     return memory[start : start + size]
+
+
+# -- reading the samples -----------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Values of n samples by path: an array with the samples first, a mapping with such an array, or one for all."""
+
+    changes: Mapping[str, Any]
+    n: int
+
+    @staticmethod
+    def of(changes: Mapping[str, Any], n: int | None) -> Samples:
+        """The values of a caller, checked for their shapes. Raises InputError."""
+        if not isinstance(changes, Mapping):
+            raise InputError(f"tables: expected a mapping from paths to arrays, found {type(changes).__name__}")
+        values = {str(path): _value(str(path), value) for path, value in changes.items()}
+        sizes: dict[str, int] = {}
+        if n is not None:
+            if not is_count(n):
+                raise InputError(f"tables: n: expected a number of samples, found {n!r:.40}")
+            sizes["n"] = int(n)
+        for path, value in values.items():
+            _with_arrays(value, lambda array, path=path: sizes.update({path: len(array)}))
+        if len(set(sizes.values())) > 1:
+            counts = ", ".join(f"{name} {size}" for name, size in sizes.items())
+            raise InputError(f"tables: different numbers of samples: {counts}")
+        if not sizes:
+            raise InputError("tables: no array of samples is given; expected one, or n")
+        return Samples(values, next(iter(sizes.values())))
+
+    def _changed(self, change: Callable[[Array], Any]) -> dict[str, Any]:
+        return {path: _with_arrays(value, change) for path, value in self.changes.items()}
+
+    def values(self, number: int) -> dict[str, Any]:
+        """The values of one sample by path."""
+        return self._changed(lambda array: array[number].tolist())
+
+    def part(self, rows: NDArray[np.int64]) -> Samples:
+        """Some of the samples, by their numbers."""
+        return Samples(self._changed(lambda array: array[rows]), len(rows))
+
+    def columns(self, rows: NDArray[np.int64], run: Run) -> dict[str, Any]:
+        """The values of some samples by path, columns in the place of numbers."""
+        return {
+            path: _with_arrays(value, lambda array, path=path: _lists(array[rows], run, frozenset((path,))))
+            for path, value in self.changes.items()
+        }
+
+
+def _with_arrays(value: Any, change: Callable[..., Any]) -> Any:
+    """The value with its arrays changed, those in mappings too."""
+    if isinstance(value, Mapping):
+        return {key: _with_arrays(part, change) for key, part in value.items()}
+    return change(value) if isinstance(value, np.ndarray) else value
+
+
+def _value(path: str, value: Any) -> Any:
+    """A value with its numbers of samples as an array of floats. Raises InputError."""
+    if isinstance(value, Mapping):
+        return {str(key): _value(path, part) for key, part in value.items()}
+    if isinstance(value, str | int | float | bool | None) or not hasattr(value, "__len__"):
+        return value
+    try:
+        result = np.asarray(value)
+    except (ValueError, TypeError):
+        result = np.array(None)
+    if result.dtype.kind not in "iuf" or result.ndim == 0:
+        raise InputError(f"tables: {path}: expected an array of numbers, one of each sample, found {show(value)}")
+    return np.asarray(result, dtype=np.float64)
+
+
+def _lists(values: Array, run: Run, keys: frozenset[str]) -> Any:
+    """Lists of columns, as deep as the array has axes besides that of the samples."""
+    if values.ndim == 1:
+        return Column(values, run, keys)
+    return [_lists(values[:, i], run, keys) for i in range(values.shape[1])]
+
+
+@dataclass(frozen=True)
+class Variants:
+    """What `prepare_batch` takes.
+
+    parameters  of a stand, where its numbers are the same for all
+    table       its laws, likewise
+    varied      for each number of both an array of all samples; None where all have the same
+    doubtful    samples that only their own stand file shows to be in order
+    """
+
+    parameters: dict[str, Any]
+    table: dict[str, Any]
+    varied: list[NDArray[Any] | None]
+    doubtful: NDArray[np.bool_]
+
+
+def variants(stand: Stand, real: str, samples: Samples, refused: dict[int, str] | None = None) -> Variants:
+    """Read all samples; those that a decision parts from the first are read again, together.
+
+    Raises StandError for a sample that cannot be read, UsageError, InputError. With `refused` a sample that cannot be
+    read, or is of another structure, is noted there by number with the reason, and the others are read.
+    """
+    from mahovik.core.lower.values import variant
+
+    wanted, n = structure(stand), samples.n
+    layout, program = lower_structure(wanted, real)
+    interpreter, doubtful = Interpreter(program), np.zeros(n, dtype=np.bool_)
+    parameters: dict[str, Any] = {}
+    table: dict[str, Any] = {}
+    readings: list[tuple[NDArray[np.int64], NDArray[np.bool_], list[Any]]] = []
+    rows: NDArray[np.int64] = np.arange(n)
+    while rows.size or not readings:
+        run = Run.of(len(rows))
+        # of no sample at all the stand itself is read
+        try:
+            sampled, document = _read(stand, samples.columns(rows, run) if rows.size else {}, samples, rows)
+            if structure(sampled) != wanted:
+                raise UsageError(
+                    f"{document}: is of another structure than {stand.name}: gravity, or the part of a law, is zero "
+                    "there and not here, or the other way round; build a model of its own"
+                )
+        except (StandError, UsageError) as error:
+            if refused is None or not rows.size:
+                raise
+            refused |= {int(i): reason_of(stand, samples, int(i), error) for i in rows[~run.diverged]}
+            rows = rows[run.diverged]
+            continue
+        of_body, of_laws, numbers = variant(sampled, layout, interpreter)
+        if not readings:
+            parameters, table = _first(of_body), _first(plain(of_laws))
+        unsure = doubtful_samples(sampled, len(rows))
+        _check_acting(sampled, numbers)
+        kept = ~run.diverged
+        doubtful[rows[kept]] = unsure[kept]
+        readings.append((rows[kept], kept, numbers))
+        rows = rows[run.diverged]
+    varied = [_varied([(at, kept, numbers[i]) for at, kept, numbers in readings], n) for i in range(len(numbers))]
+    return Variants(parameters, table, varied, doubtful)
+
+
+def _varied(readings: Sequence[tuple[NDArray[np.int64], NDArray[np.bool_], Any]], n: int) -> Array | None:
+    """One number of all samples, of the samples of each reading; None where all have the same."""
+    first = readings[0][2]
+    if not any(isinstance(x, Column) or x != first for _, _, x in readings):
+        return None
+    result = np.zeros(n)
+    for rows, kept, x in readings:
+        result[rows] = x.values[kept] if isinstance(x, Column) else x
+    return result
+
+
+def _read(stand: Stand, values: dict[str, Any], samples: Samples, rows: NDArray[np.int64]) -> tuple[CoreStand, str]:
+    """The stand of samples, with columns; and the name of the first in messages.
+
+    Where the first cannot be read the message is that of the reader of stand files.
+    """
+    name = f"{stand.name}, sample {rows[0]}" if rows.size else stand.name
+    try:
+        return read(change_values(stand, values), name, physics=False), name
+    except (StandError, UsageError):
+        if rows.size:
+            read(change_values(stand, samples.values(int(rows[0]))), name)
+        raise
+
+
+def reason_of(stand: Stand, samples: Samples, number: int, error: Exception) -> str:
+    """Why one sample cannot be, in one line, as the reader of stand files says it; else as `error` does."""
+    try:
+        read(change_values(stand, samples.values(number)), stand.name)
+    except (StandError, UsageError) as first:
+        error = first
+    return first_reason(error, stand.name)
+
+
+def first_reason(error: Exception, source: str) -> str:
+    """The first line of a refusal, without the name of what is refused."""
+    return str(error).splitlines()[0].removeprefix(f"{source}: ")
+
+
+def change_values(stand: Stand, values: dict[str, Any]) -> dict[str, Any]:
+    """The keys of a stand file with other values by path. Raises UsageError, StandError."""
+    document = stand.to_dict()
+    put(document, values)
+    return document
+
+
+def _check_acting(stand: CoreStand, numbers: list[Any]) -> None:
+    """Refuse a number of the stand that is in no table, such as one of a motor."""
+    acting = frozenset[str]().union(*(x.keys for x in numbers if isinstance(x, Column)))
+    for x in numbers_of(stand):
+        for path in sorted(x.keys - acting) if isinstance(x, Column) else ():
+            raise UsageError(f"{path}: acts in no function that takes tables; expected a number of a body or a law")
+
+
+def _first(value: Any) -> Any:
+    """Plain data with the number of the first sample in place of a column."""
+    if isinstance(value, Mapping):
+        return {key: _first(part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_first(part) for part in value]
+    return value.values[0] if isinstance(value, Column) else value

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from mahovik.errors import StandError, UsageError
 from mahovik.out.api.model import Model
 from mahovik.out.api.stands import Stand
-from mahovik.out.api.tables import Tables, check_sample
-from mahovik.out.api.variants import Samples, change_values, first_reason, variants
+from mahovik.out.api.tables import Samples, Tables, change_values, check_sample, first_reason, variants
 
 
 @dataclass(frozen=True)
