@@ -74,7 +74,7 @@ def reading(kind: str, source: Any, read: Callable[..., Made], *more: Any) -> Ma
         return read(source, *more)
 
 
-def _read_given(kind: str, source: Any, load: Callable[..., Made], read: Callable[..., Made], *more: Any) -> Made:
+def _from_source(kind: str, source: Any, load: Callable[..., Made], read: Callable[..., Made], *more: Any) -> Made:
     """What a file holds, or a mapping with its keys; anything else as it is."""
     if isinstance(source, str | Path):
         return reading(kind, Path(source), load, *more)
@@ -86,7 +86,7 @@ def regime_of(regime: Regime | Keys | str | Path, stand: CoreStand, until: float
     """The regime of a run of `until` s. Raises RegimeError."""
     from mahovik.core.motion.regime import load, loads_regime
 
-    return _read_given("regime", regime, load, partial(loads_regime, is_json=True), stand, until)
+    return _from_source("regime", regime, load, partial(loads_regime, is_json=True), stand, until)
 
 
 def motion_of(
@@ -96,14 +96,14 @@ def motion_of(
     from mahovik.core.motion.motion_file import load_motion, read_motion
 
     load, read = (partial(one, programme=programme) for one in (load_motion, read_motion))
-    return _read_given("motion", motion, load, read, stand)
+    return _from_source("motion", motion, load, read, stand)
 
 
 def required_of(motion: RequiredMotion | Slew | Keys | str | Path, stand: CoreStand) -> RequiredMotion | Slew:
     """What `plan` is to find a programme for: a motion, or a slew. Raises MotionError."""
     from mahovik.core.motion.motion_file import load_motion_or_slew, read_motion_or_slew
 
-    return _read_given("motion", motion, load_motion_or_slew, read_motion_or_slew, stand)
+    return _from_source("motion", motion, load_motion_or_slew, read_motion_or_slew, stand)
 
 
 def programme_of(programme: Programme | Keys | str | Path) -> Programme:
@@ -115,7 +115,7 @@ def programme_of(programme: Programme | Keys | str | Path) -> Programme:
         if programme["programme"] is None:
             raise UsageError(f"{programme.title}: {programme['status']}: {'; '.join(programme.messages)}")
         programme = programme["programme"]
-    return _read_given("programme", programme, load_programme, read_programme)
+    return _from_source("programme", programme, load_programme, read_programme)
 
 
 def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
@@ -129,7 +129,7 @@ def state_of(state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str
     """A state as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
     from mahovik.use.simulate.case import load_start, read_start
 
-    return _read_given("state", state, load_start, read_start, stand, keys, hint)
+    return _from_source("state", state, load_start, read_start, stand, keys, hint)
 
 
 def text_of_keys(keys: Keys, schema: bool = True) -> str:

@@ -192,13 +192,13 @@ class Calls:
         for name in how:
             if name not in How.__annotations__ or name not in (*row_of(function).takes, "tables", "on_error"):
                 raise TypeError(f"{function}() got an unexpected keyword argument {name!r}")
-        given = {**arguments, "wrench": inputs.wrenches(how.get("wrench"), self.made.inputs, self._bodies), "x": x}
+        values = {**arguments, "wrench": inputs.wrenches(how.get("wrench"), self.made.inputs, self._bodies), "x": x}
         parts: dict[str, Array] = {}
         alike: dict[str, Array] = {}
         for a in f.arguments:
             if a.direction != "in" or a.name in self.made.tables:
                 continue
-            value = given.pop(a.name)
+            value = values.pop(a.name)
             if a.order == "alike":
                 alike[a.name] = inputs.lock_flags(value, self._counted["N"]) if a.name == "locked" else value
             elif a.name == "x":
@@ -208,8 +208,8 @@ class Calls:
             else:
                 axis = self._rows[task_of(function)] if a.name == "demand" else self._axes[a.name]
                 parts[a.name] = inputs.read(value, a.name, axis)
-        for name in given.keys() & arguments.keys():  # numbers of flywheels that the stand does not have
-            inputs.read(given[name], name, self._counted["N"])
+        for name in values.keys() & arguments.keys():  # numbers of flywheels that the stand does not have
+            inputs.read(values[name], name, self._counted["N"])
         n = inputs.batch_size(parts)
         n = n if tables is None else self.check_tables(tables, n)
         if carry is not None:
@@ -322,16 +322,16 @@ class Calls:
 
         Raises InputError.
         """
-        given, wheels = [(key, value) for key, value in settings.items() if value is not None], self._counted["N"]
+        chosen, wheels = [(key, value) for key, value in settings.items() if value is not None], self._counted["N"]
         if not self.flywheels:
-            for name, value in given:
+            for name, value in chosen:
                 inputs.read(value, name, wheels)
             return []
         a = next(a for a in self._function("inverse").arguments if a.name == "options")
         result = np.zeros(1, dtype=record(a.members, self.element))
         for name, value in self.made.options.items():
             result[name] = value
-        for name, value in given:
+        for name, value in chosen:
             if not result[name].shape[1:]:
                 result[name] = self._number(value, name)
             elif isinstance(value, Mapping):
