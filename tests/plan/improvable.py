@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import cache
 
+from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.motor import Motor
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem
 from mahovik.use.plan.search import search
 from mahovik.use.plan.starts import Kind
 from plan.problems import example
@@ -40,21 +41,23 @@ class Plain(Improver):
     def __init__(self, improver: Improver) -> None:
         super().__init__(improver.problem, improver.cost)
 
-    def estimate(self, start: Periodic) -> tuple[float, float]:
+    def estimate(self, start: FlywheelMotion) -> tuple[float, float]:
         """No start is better than another."""
         return 1.0, 0.0
 
-    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+    def polish(self, start: FlywheelMotion | Samples, kind: Kind, budget: Budget) -> Candidate | None:
+        assert isinstance(start, FlywheelMotion)
         exact = refine_periodic(self.problem, start, budget)
         return self.evaluate(exact, kind)
 
 
 @cache
-def plain(winding: Winding) -> Periodic:
+def plain(winding: Winding) -> FlywheelMotion:
     """A programme of bench8 that nothing has improved."""
     improver = setting()
     problem = replace(improver.problem, motion=replace(improver.problem.motion, winding=winding))
-    return search(problem, Plain(improver), preflight(problem).bias, 1, Budget(UNTIL)).programmes[0].motion
+    found = search(Plain(replace(improver, problem=problem)), preflight(problem).bias, 1, Budget(UNTIL))
+    return found.programmes[0].motion
 
 
 def improved(improver: Improver, winding: Winding) -> Candidate:

@@ -24,7 +24,7 @@ from mahovik.proof.reference.coordinates import answer_generalized, kinematic_ma
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import torque
 from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem
 
 Array = NDArray[np.float64]
 
@@ -105,12 +105,12 @@ def drawn_problem(seed: int, N: int, features: Features, **asked: Any) -> tuple[
     return Problem.of(stand, required(N, **asked)), stand
 
 
-def wheels(N: int, H: int, seed: int = 2, size: float = 0.3) -> Periodic:
+def wheels(N: int, H: int, seed: int = 2, size: float = 0.3) -> FlywheelMotion:
     """Flywheels that turn or rock with drawn harmonics, and a bias."""
     rng = np.random.default_rng(seed)
     waves = rng.normal(size=(N, 2 * H + 1)) * size
     winding = np.resize([1.0, -1.0, 0.0], N)
-    return Periodic(PERIOD, winding, waves, rng.normal(size=6) * 1e-3)
+    return FlywheelMotion(PERIOD, winding, waves, rng.normal(size=6) * 1e-3)
 
 
 STANDS = Path(mahovik.stands.__file__).parent

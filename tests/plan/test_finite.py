@@ -17,15 +17,27 @@ from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.programme.mechanics import moment
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.plan.finite import FiniteProblem, FiniteSolution, search_finite, table_of
+from mahovik.use.plan.basis import SplineSpace
+from mahovik.use.plan.finite import Collocator, table_of
+from mahovik.use.plan.improve import Candidate
 from mahovik.use.plan.outcome import Budget, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import preflight
 from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.search import search
 from plan.problems import example
 from toolchain.quick import quick
 
 SPAN = 0.3
+
+
+def solve_finite(required: RequiredMotion, stand: Stand) -> tuple[Problem, Candidate, SplineSpace]:
+    """The problem, the only programme that the search finds, and its splines."""
+    problem = Problem.of(stand, required)
+    bias = preflight(problem).bias
+    (solved,) = search(Collocator.of(problem, bias), bias, 0, Budget(2000)).programmes
+    assert solved.space is not None
+    return problem, solved, solved.space
 
 
 def move() -> tuple[Stand, RequiredMotion]:
@@ -41,12 +53,10 @@ def move() -> tuple[Stand, RequiredMotion]:
 def test_bench8_moves_from_rest_to_rest() -> None:
     """A programme exists, is exact between its nodes, and starts its flywheels from rest."""
     stand, motion = move()
-    model = Problem.of(stand, motion)
-    problem = FiniteProblem.from_problem(model)
-    (solved,) = search_finite(problem, preflight(model).bias, 0, Budget(2000)).programmes
+    problem, solved, space = solve_finite(motion, stand)
     assert solved.residual < 1e-7
-    table = table_of(problem, solved)
-    fine = problem.grid_between_nodes(solved.space, 17)
+    table = table_of(problem, solved.motion, space)
+    fine = problem.grid_of(space, space.even_times(17, 0.381966))
     R = problem.scaled_residual(fine, solved.motion.bias, Angles(*table.at(fine.t)))
     assert np.linalg.norm(R, axis=1).max() < 1e-6
     assert np.abs(table.phi_dot[0]).max() < 1e-9
@@ -112,13 +122,6 @@ def turn(stand: Stand, samples: int, free: bool = True) -> RequiredMotion:
     return read_motion(json.dumps(document), stand, "m.json")
 
 
-def solve_finite(required: RequiredMotion, stand: Stand) -> tuple[FiniteProblem, FiniteSolution]:
-    problem = Problem.of(stand, required)
-    finite = FiniteProblem.from_problem(problem)
-    (solved,) = search_finite(finite, preflight(problem).bias, 0, Budget(2000)).programmes
-    return finite, solved
-
-
 @pytest.mark.parametrize(
     ("samples", "free", "parts"),
     quick(1, [(16, True, 4), (41, False, 4)]),
@@ -127,9 +130,9 @@ def test_one_unbalanced_wheel_turns_a_carrier_on_a_pivot(samples: int, free: boo
     """The wheel's motion gives the required acceleration by the reference; few samples need breaks between them."""
     stand = loads(PIVOT)
     required = turn(stand, samples, free)
-    finite, solved = solve_finite(required, stand)
-    assert len(solved.space.breaks) == parts * (samples - 1) + 1
-    table = table_of(finite, solved)
+    problem, solved, space = solve_finite(required, stand)
+    assert len(space.breaks) == parts * (samples - 1) + 1
+    table = table_of(problem, solved.motion, space)
     assert np.ptp(table.phi) > 9 * 2 * np.pi and np.abs(table.phi_dot[0]).max() < 1e-9
     t = np.linspace(0.013, 0.987, 40)
     course, angles = required.at(t, solved.motion.bias), table.at(t)

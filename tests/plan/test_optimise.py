@@ -15,7 +15,7 @@ from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.planner import figures, no_programme_message
 from mahovik.use.plan.points import Stage
-from mahovik.use.plan.problem import Periodic
+from mahovik.use.plan.problem import FlywheelMotion
 from mahovik.use.plan.search import Search
 from plan.improvable import UNTIL, N, improved, plain, setting
 from plan.problems import drawn_problem, wheels
@@ -31,7 +31,7 @@ TIGHT = Bounds(
 )
 
 
-def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple[Stage, Periodic]:
+def stage(free: tuple[bool, ...] = (True,) * 6, bounds: Bounds = TIGHT) -> tuple[Stage, FlywheelMotion]:
     """A stand of all features, every kind of objective and bound, all of them active."""
     features = replace(EVERYTHING, motors=True)
     weights = {"acceleration": 1.0, "torque": (0.5, 1.0, 2.0), "speed_variation": 0.7, "power": 0.1}
@@ -64,7 +64,7 @@ def tight() -> Bounds:
     """Acceleration, torque, speed and rocking range at 0.85 of the plain programme's, the same for all flywheels."""
     problem, motion = setting().problem, plain("rock")
     peaks = figures(problem, motion)
-    swing = problem.grid(997, motion.H).basis.value[:, 1:] @ motion.waves[:, 1:].T
+    swing = problem.grid(997, 2 * motion.H + 1).basis.value[:, 1:] @ motion.waves[:, 1:].T
     most = (*(peaks[f"peak_{kind}"] for kind in ("acceleration", "torque", "speed")), np.abs(swing))
     acceleration, torque, speed, angle = ((0.85 * float(largest.max()),) * N for largest in most)
     return Bounds(acceleration=acceleration, torque=torque, speed=speed, angle=angle)
@@ -93,7 +93,9 @@ def test_what_cannot_be_kept_is_told() -> None:
     candidate = improver.rescue(improver.improve(plain("rock"), "rock", Budget(UNTIL)), None)
     assert candidate is not None and candidate.exact and not candidate.is_programme
     worst = candidate.exceeded_bounds[0]
-    peaks = np.abs(candidate.motion.at(improver.problem.grid(4001, candidate.motion.H).basis).phi_ddot).max(axis=0)
+    peaks = np.abs(candidate.motion.at(improver.problem.grid(4001, 2 * candidate.motion.H + 1).basis).phi_ddot).max(
+        axis=0
+    )
     assert worst.value == pytest.approx(peaks.max(), rel=1e-4)
     assert worst.ratio == pytest.approx(worst.value / 60.0)
     assert {excess.of for excess in candidate.exceeded_bounds} == {f"w{s + 1}" for s in np.flatnonzero(peaks > 60.0)}
@@ -104,7 +106,7 @@ def test_a_programme_brought_nearer_to_the_bound_is_given_where_none_keeps_it(mo
     """The search has one attempt left, which gives no programme; its message names the bound as well."""
     improver, free = setting(Bounds(torque=(0.03,) * N)), plain("rock")
     attempt = improver.evaluate(free.with_harmonics(2), "rock", free)
-    search: Search[Candidate] = Search(beyond=[attempt])
+    search = Search(beyond=[attempt])
     assert not attempt.exact
     words = no_programme_message(search, "one more flywheel")
     assert "the nearest attempt exceeds a bound, torque of w" in words

@@ -37,7 +37,7 @@ def test_programmes_of_the_examples_are_exact(
 ) -> None:
     """demo3 has balanced flywheels and turns alone, auv6 V|V| in its drag."""
     model = problem(stand, motion, **wanted)
-    (first, *_) = search(model, Plain(Improver.of(model)), preflight(model).bias, 0, Budget(4000, None)).programmes
+    (first, *_) = search(Plain(Improver.of(model)), preflight(model).bias, 0, Budget(4000, None)).programmes
     assert first.residual < residual
     assert (first.kind, first.motion.winding.tolist()) == (kind, winding)
 

@@ -1,14 +1,13 @@
 """Motion file (JSON) -> RequiredMotion, or Slew where its type is "slew".
 
 All problems of the keys are found before any is reported. A row is a number for each coordinate of the carrier's pose.
-A held carrier has the coordinates of its freedoms. A row of it may also have the six numbers of a free carrier, counted
-from the home pose, with zeros for what the hold blocks.
+A held carrier has the coordinates of its freedoms.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -44,7 +43,7 @@ from mahovik.core.motion.required import (
     sight_of,
 )  # fmt: skip
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.coordinates import FREE, Coordinates, SixRows, coordinates_of
+from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
 from mahovik.core.stand.fields import Length3, Table, Text, direction, require_bounds, scalar, validator, vec3, vector
 from mahovik.core.stand.masses import Unbalance, turn
@@ -59,9 +58,6 @@ WINDINGS = ("any", "spin", "rock")
 HIGHEST = 1000
 """Highest harmonic of a file."""
 
-SIX = (LENGTH,) * 3 + (ANGLE,) * 3
-"""Dimensions of the six numbers of a free carrier."""
-
 NO_SLEW = (
     "a slew is planned by the momentum that a free carrier keeps and a hold takes, found a held carrier; expected "
     '"finite", with the turn as `samples` of the coordinates'
@@ -72,24 +68,14 @@ NO_SLEW = (
 # -- rows ------------------------------------------------------------------------------------------------------------
 
 
-def _dimensions(raw: Any, coordinates: Coordinates) -> tuple[Dimension, ...] | None:
-    """Dimensions of the numbers of a row; None where it is no row."""
-    if not isinstance(raw, list):
-        return None
-    if len(raw) == coordinates.count:
-        return coordinates.dimensions
-    return SIX if coordinates.held and len(raw) == len(FREE) else None
-
-
 def _row(raw: Any, context: dict[str, Any], more: str = "") -> tuple[float, ...]:
-    """A row in SI, of as many numbers as the file has: `Rows` takes it to the coordinates. Raises QuantityError."""
+    """A row in SI. Raises QuantityError."""
     coordinates, units = context["coordinates"], context["units"]
-    dimensions = _dimensions(raw, coordinates)
-    if dimensions is None:
+    if not isinstance(raw, list) or len(raw) != coordinates.count:
         expected = coordinates.words if coordinates.held else f"6 numbers{more}"
         raise QuantityError(f"expected {expected}, found {len(raw) if isinstance(raw, list) else show(raw)}")
     values = []
-    for i, (item, dimension) in enumerate(zip(raw, dimensions, strict=True)):
+    for i, (item, dimension) in enumerate(zip(raw, coordinates.dimensions, strict=True)):
         try:
             values.append(number(item, dimension, units.get(dimension)))
         except QuantityError as error:
@@ -109,40 +95,9 @@ def _magnitudes(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
 def _flags(raw: Any, context: dict[str, Any]) -> tuple[bool, ...]:
     """A row of true and false. Raises QuantityError."""
     coordinates = context["coordinates"]
-    if _dimensions(raw, coordinates) is None or not all(isinstance(item, bool) for item in raw):
+    if not isinstance(raw, list) or len(raw) != coordinates.count or not all(isinstance(item, bool) for item in raw):
         raise QuantityError(f"expected {coordinates.count} of true, false, found {show(raw)}")
     return tuple(raw)
-
-
-@dataclass(frozen=True, eq=False)
-class Rows:
-    """Takes the rows of a motion file to those of the coordinates; `six`: of a held carrier, what rows of six say."""
-
-    coordinates: Coordinates
-    six: SixRows | None
-
-    def refuse_blocked(self, rows: Iterable[Sequence[float]], source: str) -> None:
-        """Refuse rows that ask for what the hold blocks, by its direction. Raises MotionError."""
-        longer = [row for row in rows if len(row) != self.coordinates.count]
-        if not longer:
-            return
-        expected = f"expected its freedoms, {', '.join(self.coordinates.in_words)}"
-        blocked = None if self.six is None else self.six.direction(np.array(longer))
-        if blocked is not None:
-            raise MotionError([f"{source}: asks for motion along {blocked}, which [hold] blocks; {expected}"])
-        if self.six is None or self.six.along is None:
-            words = "rows of 6 numbers do not say the motion of this hold"
-            raise MotionError([f"{source}: {words}; expected {self.coordinates.words}"])
-
-    def of(self, row: Sequence[float]) -> tuple[float, ...]:
-        """A row (m) of one of m numbers or of six."""
-        if len(row) == self.coordinates.count or self.six is None or self.six.along is None:
-            return tuple(row)
-        return tuple((self.six.along @ np.array(row)).tolist())
-
-    def matrix(self, rows: Iterable[Sequence[float]]) -> Array:
-        """Rows (M, m)."""
-        return np.array([self.of(row) for row in rows], dtype=np.float64).reshape(-1, self.coordinates.count)
 
 
 # -- tables ----------------------------------------------------------------------------------------------------------
@@ -261,12 +216,11 @@ class BoundsTable(FlywheelBounds):
     deviation: Annotated[DeviationTable | None, NOT_NULL] = None
     start: Annotated[StartTable | None, NOT_NULL] = None
 
-    def bounds(self, along: Rows) -> Bounds:
-        """The bounds as data; `along`: the coordinates of the bias."""
+    def bounds(self) -> Bounds:
+        """The bounds as data."""
         start, deviation = self.start or StartTable(), self.deviation
         return Bounds(
-            **{key: getattr(self, key) for key in ("speed", "acceleration", "torque", "speed_min", "angle")},
-            bias=None if self.bias is None else tuple(map(abs, along.of(self.bias))),
+            **{key: getattr(self, key) for key in ("speed", "acceleration", "torque", "speed_min", "angle", "bias")},
             deviation=None if deviation is None else (deviation.linear, deviation.angular),
             start_phi=start.phi,
             start_phi_dot=start.phi_dot,
@@ -376,7 +330,6 @@ def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Pr
     """A periodic or a finite motion."""
     N, coordinates = len(stand.flywheels), coordinates_of(stand)
     units = Problems(problems.source).valid(UnitsTable, document.get("units", {})) or UnitsTable()
-    along = Rows(coordinates, None if stand.hold is None else SixRows.of(stand))
     context: dict[str, Any] = {"units": {LENGTH: units.linear, ANGLE: units.angular}, "coordinates": coordinates}
     table = problems.valid(MotionTable, document, flywheels=N, **context)
     kind = document.get("type", "periodic")
@@ -390,21 +343,17 @@ def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Pr
         problems.add(f"expected one of harmonics, samples, found {' and '.join(there) or 'none'}")
     if table is None:
         raise MotionError(problems.lines)
-    harmonics = [row for term in table.harmonics or () for row in (term.cos, term.sin)]
-    poses = [table.mean, *(table.samples.q if table.samples is not None else ()), *harmonics]
-    along.refuse_blocked((row for row in poses if row is not None), problems.source)
     _compare(table, stand, problems)
-    bounds, periodic = table.bounds.bounds(along), table.type == "periodic"
+    bounds, periodic = table.bounds.bounds(), table.type == "periodic"
     span = table.period if periodic else table.duration
     if span is not None:
         bounds.contradictions(problems, table.winding, span if periodic else None)
-    course = None if span is None else _course(table, periodic, span, along, problems)
+    course = None if span is None else _course(table, periodic, span, coordinates, problems)
     if problems.lines or span is None or course is None:
         raise MotionError(problems.lines)
-    means = along.of(tuple(map(float, table.free_mean or (True,) * coordinates.count)))
     motion = RequiredMotion(
-        table.name or name, periodic, span, np.array(along.of(table.mean or (0.0,) * coordinates.count)), course,
-        tuple(abs(x) > 0.5 for x in means), table.winding, bounds, table.objective.complete(N), table.runup,
+        table.name or name, periodic, span, np.array(table.mean or (0.0,) * coordinates.count), course,
+        table.free_mean or (True,) * coordinates.count, table.winding, bounds, table.objective.complete(N), table.runup,
         free=table.free, same=table.same,
     )  # fmt: skip
     return _checked(motion, stand, problems)
@@ -431,25 +380,26 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
 
 
 def _course(
-    table: MotionTable, periodic: bool, span: float, along: Rows, problems: Problems
+    table: MotionTable, periodic: bool, span: float, coordinates: Coordinates, problems: Problems
 ) -> Harmonics | SampledCourse | None:
     if table.samples is not None:
-        t, q = table.samples.t, along.matrix(table.samples.q)
+        t, q = table.samples.t, np.array(table.samples.q).reshape(-1, coordinates.count)
         if len(t) != len(q):
             problems.add("samples", "q", f"{len(q)} rows, but t has {len(t)} numbers")
             return None
-        course = SampledCourse(span, periodic, t, q, along.coordinates.groups)
+        course = SampledCourse(span, periodic, t, q, coordinates.groups)
         problem = _problem_of_times(course) or _problem_of_steps(course) or _problem_at_ends(course)
         if problem is not None:
             problems.add("samples", *problem)
             return None
         return course
-    terms, none = table.harmonics or [], (0.0,) * along.coordinates.count
+    terms, none = table.harmonics or [], (0.0,) * coordinates.count
     ks = tuple(term.k for term in terms)
     for i, k in enumerate(ks):
         if k in ks[:i]:
             problems.add(f"harmonics[{i}]", "k", f"{k} appears twice")
-    return Harmonics(span, ks, *(along.matrix(getattr(term, key) or none for term in terms) for key in ("cos", "sin")))
+    rows = (np.array([getattr(term, key) or none for term in terms]) for key in ("cos", "sin"))
+    return Harmonics(span, ks, *(row.reshape(-1, coordinates.count) for row in rows))
 
 
 # -- whether samples are a motion ------------------------------------------------------------------------------------

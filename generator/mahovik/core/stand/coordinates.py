@@ -10,15 +10,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
-from mahovik.core.stand.hold import AXES, FREEDOMS, TWIST_NAMES, freedom_names, freedom_words, is_closed
-from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
+from mahovik.core.stand.hold import FREEDOMS, freedom_names, freedom_words, is_closed
+from mahovik.core.stand.model import Hold, Sequence, Stand
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, Dimension
 from mahovik.errors import StandError
-
-Array = NDArray[np.float64]
 
 FREE = ("x", "y", "z", "psi", "theta", "phi")
 """Coordinates of a free carrier: O1 in E0, then the angles of the stand's sequence."""
@@ -29,9 +24,6 @@ TURNS: dict[Sequence, tuple[str, str, str]] = {
     "euler": ("yaw", "roll", "yaw"),
 }
 """Freedoms that psi, theta, phi turn along."""
-
-BLOCKED = 1e-6
-"""Part of a required motion that may be along what the hold blocks: figures of six digits."""
 
 
 @dataclass(frozen=True)
@@ -97,43 +89,3 @@ def _order(hold: Hold, sequence: Sequence) -> tuple[int, ...]:
         names = TURNS["ship" if sequence == "euler" else sequence]
         turns = [hold.freedoms.index(FREEDOMS[name]) for name in names]
     return (*(k for k, freedom in enumerate(hold.freedoms) if freedom.kind != "turn"), *turns)
-
-
-@dataclass(frozen=True, eq=False)
-class SixRows:
-    """Rows x y z psi theta phi of a held carrier, from its home pose; x y z are those of the pivot.
-
-    along    (m, 6): coordinates of the freedoms from a row; None where a row does not say them
-    blocked  (6, 6): part of a row that no freedom gives, along x y z roll pitch yaw
-    """
-
-    along: Array | None
-    blocked: Array
-
-    @staticmethod
-    def of(stand: Stand) -> SixRows | None:
-        """Rows of a held stand; None for a basis, and where its own rows are six."""
-        hold = stand.hold
-        assert hold is not None
-        if any(freedom.kind == "twist" for freedom in hold.freedoms) or len(hold.freedoms) == len(FREE):
-            return None
-        turned = [AXES[("roll", "pitch", "yaw").index(name)] for name in TURNS[stand.angles]]
-        axes = np.zeros((6, 6))
-        axes[:3, :3], axes[3:, 3:] = np.eye(3), np.array(turned).T
-        directions = np.array([_direction(freedom) for freedom in hold.freedoms]).T
-        inverse = np.linalg.pinv(directions)
-        turns = [freedom for freedom in hold.freedoms if freedom.kind == "turn"]
-        plain = all(freedom in FREEDOMS.values() for freedom in turns) and (len(turns) < 2 or stand.angles != "euler")
-        return SixRows(inverse @ axes if plain else None, (np.eye(6) - directions @ inverse) @ axes)
-
-    def direction(self, rows: Array) -> str | None:
-        """Name of the direction along which rows (M, 6) ask for most of what is blocked; None: they ask for none."""
-        off = np.abs(rows @ self.blocked.T).max(axis=0, initial=0.0)
-        largest = float(np.abs(rows).max(initial=0.0))
-        return TWIST_NAMES[int(np.argmax(off))] if off.max() > BLOCKED * largest else None
-
-
-def _direction(freedom: Freedom) -> Array:
-    d = np.array(freedom.direction) / np.linalg.norm(freedom.direction)
-    none = np.zeros(3)
-    return np.concatenate([d, none] if freedom.kind == "slide" else [none, d])

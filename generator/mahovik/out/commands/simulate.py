@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 Share = Annotated[float | str, "PERCENT"]
 
 OF_REGIME = {"until": None, "regime": None, "start": None, "dt": "0.1 ms", "every": "1 ms", "order": 4, "mounts": False,
-             "real": "double", "carried": False}  # fmt: skip
+             "real": "double", "carried": False, "backend": "c"}  # fmt: skip
 OF_PROGRAMME = {"motion": None, "servo": None, "mismatch": "0%", "seed": 1, "periods": None, "begin": None,
                 "table": 128}  # fmt: skip
 """Arguments that belong to one way of running, with their defaults."""
@@ -112,7 +112,7 @@ def simulate(
     if programme is not None:
         if motion is None or servo is None:
             raise UsageError(f"{'motion' if motion is None else 'servo'}: missing, expected the file of the programme")
-        return _follow(model, programme, motion, servo, mismatch, seed, periods, begin, table, backend, progress)
+        return _follow(model, programme, motion, servo, mismatch, seed, periods, begin, table, progress)
     if until is None:
         raise UsageError("until: missing, expected a time, s or with a unit")
     from mahovik.use.simulate.case import Case
@@ -188,13 +188,13 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
 
 def _follow(
     stand: Stand, programme: Any, motion: Any, servo: Any, mismatch: float | str, seed: int, periods: int | None,
-    begin: str | None, table: int, backend: str, progress: Progressing,
+    begin: str | None, table: int, progress: Progressing,
 ) -> Result:  # fmt: skip
     """The run of a programme, and how well the carrier follows."""
     from mahovik.use.control.errors import errors_of
-    from mahovik.use.control.loop import close_loop, step_error
+    from mahovik.use.control.loop import close_loop
 
-    case = following_case(stand, motion, programme, servo, mismatch, seed, periods, begin, table, backend)
+    case = following_case(stand, motion, programme, servo, mismatch, seed, periods, begin, table)
     T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
     record = close_loop(case, lambda t: notify(progress, Progress(words, t - first, last - first)))
@@ -208,7 +208,7 @@ def _follow(
         "coordinates": _coordinates(errors), "error": errors.share, "error_rms": errors.share_rms,
         "error_end": errors.share_end, "mismatch": mismatch, "seed": seed, "periods": case.periods,
         "flywheels_apart": errors.apart.tolist(), "peak_torque": np.abs(record.tau).max(axis=0).tolist(),
-        "samples_limited": record.limited, "step_error": step_error(case, record), "slew_end": errors.slew,
+        "samples_limited": record.limited, "slew_end": errors.slew,
     }  # fmt: skip
     if case.design is not None:
         meta["trim"] = {"rounds": record.rounds} | {
@@ -252,7 +252,7 @@ def share_of(mismatch: float | str) -> float:
 
 def following_case(
     stand: Stand, motion: Any, programme: Any, servo: Any, mismatch: float | str, seed: int, periods: int | None,
-    begin: str | None, table: int, backend: str,
+    begin: str | None, table: int,
 ) -> Following:  # fmt: skip
     """The run to be made, of files or what they hold; see `simulate`. Raises UsageError and what the files raise."""
     from mahovik.proof.verify.programme.verification import motion_check, stand_check
@@ -269,7 +269,7 @@ def following_case(
         raise UsageError(f"programme: {source}: {check.words}")
     servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
     real = with_mismatch(stand, share_of(mismatch), seed)
-    case = make_case(stand, real, required, course, servos, periods, begin, table, backend, source, servo_source)
+    case = make_case(stand, real, required, course, servos, periods, begin, table, source, servo_source)
     stable = margins(stand, servos)
     if stable.radius >= 1.0:
         check_margins(stand, servos, servo_source)

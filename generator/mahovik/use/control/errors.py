@@ -22,6 +22,7 @@ from mahovik.errors import CheckError
 from mahovik.proof.verify.programme.mechanics import scale_of, twist
 from mahovik.use.control.loop import MEASURED, Case, Record
 from mahovik.use.numeric.se3 import Array
+from mahovik.use.plan.basis import harmonics
 
 HARMONICS = 6
 """Harmonics of the error, at least; more if the motion has more."""
@@ -108,7 +109,7 @@ def errors_of(record: Record, periods: int = MEASURED) -> Errors:
     last = slice(len(record.t) - 1 - rows, len(record.t) - 1)
     required, error = record.required[last], error[last]
     K = max(HARMONICS, *motion.harmonics, 1)
-    terms = _waves(record.t[last] / span, min(K, max(1, round(span / step) // 2 - 1)))
+    terms = harmonics(span, 2 * min(K, max(1, round(span / step) // 2 - 1)) + 1, record.t[last]).value
     waves = np.linalg.lstsq(terms, error, rcond=None)[0]  # samples need not divide a period
     error, mean = error - waves[0], waves[0]
     amplitude = np.abs(required - np.linalg.lstsq(terms, required, rcond=None)[0][0]).max(axis=0)
@@ -134,14 +135,6 @@ def _shares(record: Record, required: Array, error: Array) -> Array:
     moved = [twist(wanted.stand, q, e) for q, e in zip(required, error, strict=True)]
     scale = scale_of(wanted.stand, wanted.motion, wanted.exact)
     return scale.displacement_share(np.array(moved).reshape(-1, 6))
-
-
-def _waves(turns: Array, K: int) -> Array:
-    """1, cos, sin, cos 2, ... (M, 2 K + 1) of the programme's phase in turns (M)."""
-    a = 2.0 * np.pi * np.outer(turns % 1.0, np.arange(1, K + 1))
-    waves = np.ones((len(turns), 2 * K + 1))
-    waves[:, 1::2], waves[:, 2::2] = np.cos(a), np.sin(a)
-    return waves
 
 
 def _slew_end(record: Record, slew: Slew) -> Mapping[str, float] | None:

@@ -24,12 +24,13 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
 from mahovik.errors import StateError, UsageError
 from mahovik.use.control.controller import Controller, Encoders
-from mahovik.use.control.plant import Plant, coordinates, plant, plant_state
+from mahovik.use.control.plant import Plant, coordinates, plant_state
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
 from mahovik.use.control.trim import TrimDesign, design_trim
 from mahovik.use.numeric.course import Chart, equilibrium
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
+from mahovik.use.plan.basis import harmonics
 from mahovik.use.plan.unbalance import twist_at_rest
 from mahovik.use.simulate.run import STATE_COLUMNS
 
@@ -68,7 +69,6 @@ class Case:
     periods: int
     design: TrimDesign | None = None
     start: str = "settled"
-    backend: str = "c"
 
     @property
     def first(self) -> int:
@@ -145,7 +145,7 @@ class Record:
 
 def make_case(
     stand: Stand, real: Stand, motion: RequiredMotion, programme: Programme, servo: Servo, periods: int | None,
-    begin: str | None, table: int, backend: str, source: str = "the programme", servos: str = "the servos",
+    begin: str | None, table: int, source: str = "the programme", servos: str = "the servos",
 ) -> Case:  # fmt: skip
     """The case of a stand, one that differs from it, and a programme, with what is not given as it usually is.
 
@@ -178,7 +178,7 @@ def make_case(
             periods = min(max(rounds, 1), MOST_ROUNDS) * window + MEASURED
     elif programme.periodic and periods < MEASURED + 1:
         raise UsageError(f"periods {periods}: expected at least {MEASURED + 1}: the last {MEASURED} are measured")
-    return Case(reference, real, servo, periods, design, begin, backend)
+    return Case(reference, real, servo, periods, design, begin)
 
 
 def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> Record:
@@ -188,7 +188,7 @@ def close_loop(case: Case, progress: Callable[[float], None] | None = None) -> R
     ToolchainError if it cannot begin.
     """
     start = starting_state(case)
-    loop, rows, stopped, interrupted = _Loop(case, plant(case.real, start, case.backend)), [], None, False
+    loop, rows, stopped, interrupted = _Loop(case, Plant(case.real, start)), [], None, False
     T, n = case.servo.period, case.first
     try:
         for n in range(case.first, case.last + 1):
@@ -330,9 +330,7 @@ class _Loop:
 
     def _distances(self, i: int, phi: Array, phase: float, corrections: Array) -> Array:
         """Distances of the flywheels from the programme with its corrections (N, rad)."""
-        a = 2.0 * np.pi * phase * np.arange(1, corrections.shape[1] // 2 + 1)
-        wave = np.ones(corrections.shape[1])
-        wave[1::2], wave[2::2] = np.cos(a), np.sin(a)
+        wave = harmonics(1.0, corrections.shape[1], np.array([phase])).value[0]
         return np.asarray(phi - self._true[i] - corrections @ wave)
 
 
@@ -341,12 +339,13 @@ class _History:
 
     def __init__(self, plant: Plant, begin: float, span: float) -> None:
         self._plant, self._span = plant, span
-        self._rows: deque[tuple[float, Array, Array]] = deque()
+        early = plant.phi - 2.0 * span * plant.phi_dot
+        self._rows = deque([(begin - 2.0 * span, early, plant.phi_dot.copy())])
         self.add(begin)
 
     def add(self, t: float) -> None:
         self._rows.append((t, self._plant.phi.copy(), self._plant.phi_dot.copy()))
-        while len(self._rows) > 2 and self._rows[1][0] < t - 2.0 * self._span:
+        while self._rows[1][0] < t - 2.0 * self._span:
             self._rows.popleft()
 
     def at(self, t: Array) -> Array:
@@ -354,43 +353,8 @@ class _History:
         last, phi, _ = self._rows[-1]
         if np.all(t >= last):
             return phi.copy()
-        result = phi.copy()
-        for s, moment in enumerate(t):
-            result[s] = self._one(s, float(moment))
-        return result
-
-    def _one(self, s: int, t: float) -> float:
-        late, phi1, rate1 = self._rows[-1]
-        if t >= late:
-            return float(phi1[s])
-        for early, phi0, rate0 in reversed(list(self._rows)[:-1]):
-            if early <= t:
-                h = late - early
-                x = (t - early) / h
-                a, b = float(phi0[s]), float(phi1[s])
-                p, r = h * float(rate0[s]), h * float(rate1[s])
-                return a + x * (p + x * (3 * (b - a) - 2 * p - r + x * (2 * (a - b) + p + r)))
-            late, phi1, rate1 = early, phi0, rate0
-        return float(phi1[s] - (late - t) * rate1[s])
-
-
-def step_error(case: Case, record: Record, periods: int = 2) -> float:
-    """m and rad, the larger: difference of the first periods of a run with each step cut in two.
-
-    The torques are the same at the same times.
-    """
-    count = min(len(record.t) - 1, math.ceil(periods * case.reference.motion.span / case.servo.period))
-    if case.backend != "c" or count < 1:
-        return 0.0
-    finer = plant(case.real, record.start, case.backend, finer=2)
-    apart = 0.0
-    whole, part = case.delay
-    for n in range(count + 1):
-        t = record.t[n]
-        q = coordinates(case.real, finer.position[None], finer.attitude[None], record.required[n][None])[0]
-        apart = max(apart, float(np.abs(q - record.q[n]).max()))
-        old, new = (record.command[max(0, n - whole - k)] for k in (1, 0))
-        if part > 1e-12 * case.servo.period:
-            finer.advance(old, t, t + part)
-        finer.advance(new, t + part, t + case.servo.period)
-    return apart
+        times, angles, speeds = (np.array(column) for column in zip(*self._rows, strict=True))
+        k, s = np.clip(np.searchsorted(times, t) - 1, 0, len(times) - 2), np.arange(len(t))
+        h, a, b = times[k + 1] - times[k], angles[k, s], angles[k + 1, s]
+        x, p, r = np.minimum((t - times[k]) / h, 1.0), h * speeds[k, s], h * speeds[k + 1, s]
+        return np.asarray(a + x * (p + x * (3 * (b - a) - 2 * p - r + x * (2 * (a - b) + p + r))))

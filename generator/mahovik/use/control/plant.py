@@ -1,33 +1,25 @@
-"""The stand in the closed loop: carrier and flywheels under motor torques, (8) with the drive equations.
-
-Computed by the emitted C (function `step`, fixed steps), or by SciPy on the literal reference, slowly, to judge the C.
-"""
+"""The stand in the closed loop: carrier and flywheels under motor torques, in fixed steps of the emitted C."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
-from functools import lru_cache
 from typing import cast
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.motion.laws import Torque
-from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.motor import drive, steepness
+from mahovik.core.stand.motor import steepness
 from mahovik.core.stand.state import State, rest_state
-from mahovik.core.stand.units import ANGLE
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import StateError
 from mahovik.use.numeric.course import Chart
 from mahovik.use.numeric.frame import Frame
-from mahovik.use.numeric.mechanics import Mechanics, inertia
+from mahovik.use.numeric.mechanics import inertia
 from mahovik.use.numeric.se3 import EULER, Array
-from mahovik.use.numeric.se3 import attitude as attitude_of
-from mahovik.use.simulate import judge
 from mahovik.use.simulate.course import Course
 from mahovik.use.simulate.held import long_steps
 
@@ -46,40 +38,15 @@ def coordinates(stand: Stand, position: Array, attitude: Array, near: Array) -> 
     """
     rotations = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])
     if stand.hold is not None:
-        return _freedom_coordinates(_mechanics(stand), position, rotations, near)
-    return np.hstack([position, near_angles(rotations.as_euler(EULER[stand.angles]), near[:, 3:])])
-
-
-def near_angles(angles: Array, near: Array) -> Array:
-    """Angles (rad) less whole turns, within half a turn of `near`."""
-    return np.asarray(near + np.remainder(angles - near + np.pi, 2.0 * np.pi) - np.pi)
-
-
-def _freedom_coordinates(mechanics: Mechanics, position: Array, rotations: Rotation, near: Array) -> Array:
-    """Ways of the pivot along what slides, the angle about one axis or three; of a basis by Newton's method."""
-    stand, coordinates = mechanics.stand, coordinates_of(mechanics.stand)
-    hold = stand.hold
-    assert hold is not None
-    if any(freedom.kind == "twist" for freedom in hold.freedoms):
-        q = held_coordinates(stand, position, rotations.as_matrix(), near)
+        q = _held_coordinates(stand, position, rotations.as_matrix(), near)
         if np.isnan(q).any():
             raise StateError(f"{stand.name}: hold: found a pose far from the required one, which it does not allow")
         return q
-    turns = [k for k in coordinates.order if coordinates.dimensions[k] == ANGLE]
-    home, S, pivot = attitude_of(stand.angles, np.array(hold.angles)), mechanics.freedoms, np.array(hold.pivot)
-    C = rotations.as_matrix()
-    way = (position + C @ pivot - np.array(hold.position)) @ home - pivot  # of the pivot, on the axes of the home pose
-    q = way @ S[:3]  # columns of what turns are overwritten
-    if len(turns) == 3:
-        sequence = EULER["ship" if stand.angles == "euler" else stand.angles]
-        q[:, turns] = near_angles(Rotation.from_matrix(home.T @ C).as_euler(sequence), near[:, turns])
-    elif turns:
-        turned = Rotation.from_matrix(home.T @ C).as_rotvec() @ S[3:, turns]
-        q[:, turns] = near_angles(turned, near[:, turns])
-    return np.asarray(q)
+    angles = rotations.as_euler(EULER[stand.angles])
+    return np.hstack([position, near[:, 3:] + np.remainder(angles - near[:, 3:] + np.pi, 2.0 * np.pi) - np.pi])
 
 
-def held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
+def _held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
     """Coordinates (M, m) of poses O1 (M, 3; m), C (M, 3, 3) of a held carrier, by Newton's method from `near` (M, m).
 
     Each row by itself, so that its bits depend on no other. Angles are those within half a turn of `near`. NaN where
@@ -106,12 +73,6 @@ def _offset(stand: Stand, O1: Array, C: Array, x: Array) -> Array:
     return np.hstack([(back @ (O1 - place)[:, :, None])[:, :, 0], turned])
 
 
-@lru_cache(maxsize=4)
-def _mechanics(stand: Stand) -> Mechanics:
-    """Mechanics of a stand, made once for the thousands of its samples."""
-    return Mechanics.of(stand)
-
-
 STIFFNESS = 0.2
 """Largest product of step and fastest decay rate of a speed: a flywheel's by its motor, a freedom's by friction."""
 
@@ -119,15 +80,15 @@ TURN = 0.05
 """rad: largest turn of a flywheel in a step; the carrier's error is then far below a millionth of its motion."""
 
 
-class SteppedPlant:
+class Plant:
     """Plant in steps of fourth order. Torques are those of the motors at the speeds in the middle of each step.
 
     State: position (3), attitude (4, quaternion, w first), V (6), phi, phi_dot (N each); tau: torques at the end.
     """
 
-    def __init__(self, stand: Stand, state: State, finer: int = 1) -> None:
-        """`finer`: number of steps in place of one. Raises ToolchainError."""
-        self._finer, self._block = finer, Block(stand, compile_library(stand, kind="states"), 1)
+    def __init__(self, stand: Stand, state: State) -> None:
+        """In a state with a quaternion. Raises ToolchainError."""
+        self._block = Block(stand, compile_library(stand, kind="states"), 1)
         block, N = self._block, len(stand.flywheels)
         x = block.x[:, 0]
         x[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
@@ -147,7 +108,7 @@ class SteppedPlant:
         if not np.all(np.isfinite(command)):
             raise StateError(f"at t = {begin:.6g} s a commanded torque is not a number")
         span = end - begin
-        count = self._finer * max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
+        count = max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
         self._course.advance(command, begin, span / count, count)
         if why := self._block.reason(0):
             raise StateError(why)
@@ -159,65 +120,6 @@ def _steepest_rate(stand: Stand) -> float:
     rates = [steepness(s.motor) / (0.5 * inertia(s)[3, 3]) for s in stand.flywheels]
     rates += [1.0 / friction.bound for friction in long_steps(stand, math.inf)]
     return float(max(rates, default=0.0)) / STIFFNESS
-
-
-class PlantByReference:
-    """The same plant by the judge, on the literal reference."""
-
-    def __init__(self, stand: Stand, state: State) -> None:
-        self.stand, self._state = stand, state
-        self._y = np.array([*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot])
-        self.tau = np.zeros(len(state.phi))
-        self._take(self._y)
-
-    def advance(self, command: Array, begin: float, end: float) -> None:
-        """Advance from `begin` to `end` (s) under constant commanded torques (N, N m). StateError: out of range."""
-        driven = np.ones(len(command), dtype=bool)
-
-        def slope(_: float, y: Array) -> Array:
-            state = self._state_of(y)
-            tau = self._torques(command, y[13 + len(command) :])
-            V_dot, phi_ddot = judge.accelerations(self.stand, state, tau, np.zeros(len(command)), driven)
-            return judge.rate(state, V_dot, phi_ddot)
-
-        y, _ = judge.integrate(slope, self._y, begin, end)
-        y[3:7] /= np.linalg.norm(y[3:7])
-        self._take(y)
-        self.tau = self._torques(command, self.phi_dot)
-
-    def _take(self, y: Array) -> None:
-        N = len(self.tau)
-        self._y, self.position, self.attitude, self.V = y, y[:3], y[3:7], y[7:13]
-        self.phi, self.phi_dot = y[13 : 13 + N], y[13 + N :]
-
-    def _torques(self, command: Array, speeds: Array) -> Array:
-        motors = [s.motor for s in self.stand.flywheels]
-        return np.array([drive(m, float(u), float(w)) for m, u, w in zip(motors, command, speeds, strict=True)])
-
-    def _state_of(self, y: Array) -> State:
-        N = len(self.tau)
-        w, a, b, c = (y[3:7] / np.linalg.norm(y[3:7])).tolist()
-        return replace(
-            self._state, position=cast(Vec3, tuple(y[:3].tolist())), angles=None, quaternion=(w, a, b, c),
-            V=cast(Vec6, tuple(y[7:13].tolist())), phi=tuple(y[13 : 13 + N].tolist()),
-            phi_dot=tuple(y[13 + N :].tolist()),
-        )  # fmt: skip
-
-
-Plant = SteppedPlant | PlantByReference
-BACKENDS = ("c", "scipy")
-
-
-def plant(stand: Stand, state: State, backend: str = "c", finer: int = 1) -> Plant:
-    """A plant in a state with a quaternion; `finer`: number of steps of the C in place of one.
-
-    Raises UsageError, ToolchainError.
-    """
-    if backend == "c":
-        return SteppedPlant(stand, state, finer)
-    if backend == "scipy":
-        return PlantByReference(stand, state)
-    raise UsageError(f"backend {backend}: expected one of {', '.join(BACKENDS)}")
 
 
 def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:

@@ -30,7 +30,7 @@ from mahovik.errors import UsageError
 from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.problem import Basis
+from mahovik.use.plan.basis import harmonics
 
 QUICK = 8.0
 """Time constants of the corrections' smoothing during the settling."""
@@ -156,32 +156,29 @@ def trim_members(design: TrimDesign, motion: RequiredMotion, programme: Programm
     }
 
 
-def _basis(orbit: Orbit, H: int) -> Array:
+def _functions(orbit: Orbit, trim: Trim) -> Array:
     """(3, M + 1, T): 1, cos, sin, cos 2, ... of the programme's phase, with two derivatives by time."""
-    k = np.arange(1, H + 1)
-    alternating = [0, *np.stack([k, H + k], axis=1).ravel()]
-    return np.stack(Basis.of(orbit.span, H, orbit.t).matrices)[:, :, alternating]
+    return np.stack(harmonics(orbit.span, 2 * trim.harmonics + 1, orbit.t).matrices)
 
 
 def _averages(H: int, M: int) -> Array:
     """(T, M): mean, cos, sin, cos 2, ... of M even samples of a period."""
-    a = 2.0 * np.pi * np.outer(np.arange(1, H + 1), np.arange(M)) / M
-    averages: Array = np.full((2 * H + 1, M), 1.0 / M, dtype=np.float64)
-    averages[1::2], averages[2::2] = 2.0 / M * np.cos(a), 2.0 / M * np.sin(a)
-    return averages
+    averages = harmonics(1.0, 2 * H + 1, np.arange(M) / M).value.T * (2.0 / M)
+    averages[0] /= 2.0
+    return np.asarray(averages)
 
 
 def _correction_terms(orbit: Orbit, trim: Trim) -> Array:
     """(C, T + 2 BEYOND, N T): terms of the measured coordinates, and higher ones, by all corrections."""
-    return _terms(orbit, orbit.response(_basis(orbit, trim.harmonics)), trim, trim.harmonics + BEYOND)
+    return _terms(orbit, orbit.response(_functions(orbit, trim)), trim, trim.harmonics + BEYOND)
 
 
-def _terms(orbit: Orbit, states: Array, trim: Trim, harmonics: int) -> Array:
+def _terms(orbit: Orbit, states: Array, trim: Trim, highest: int) -> Array:
     """(C, T, P): mean, cos, sin ... of the measured coordinates for states (M + 1, n, ...) of a period."""
     count = orbit.chart.count
     flat = states[:-1, :count].reshape(len(states) - 1, count, -1)
     q = (orbit.coordinates()[:-1] @ flat)[:, list(trim.coordinates)]
-    return np.asarray(np.einsum("tm,mcn->ctn", _averages(harmonics, len(q)), q))
+    return np.asarray(np.einsum("tm,mcn->ctn", _averages(highest, len(q)), q))
 
 
 def _units(mechanics: Mechanics) -> Array:
@@ -206,7 +203,7 @@ def _window(orbit: Orbit, trim: Trim, matrix: Array, G: Array, basis: Array) -> 
         @ sum(powers, np.zeros((n, n)))
         / trim.averaging
     )
-    X = orbit.response(_basis(orbit, trim.harmonics))[0].reshape(n, -1) @ basis
+    X = orbit.response(_functions(orbit, trim))[0].reshape(n, -1) @ basis
     over, loss = np.linalg.matrix_power(Phi, periods), np.linalg.pinv(basis) @ matrix
     top = np.hstack([over, (np.eye(n) - over) @ X])
     return np.vstack([top, np.hstack([-loss @ Q, np.eye(basis.shape[1]) - loss @ (G @ basis - Q @ X)])])

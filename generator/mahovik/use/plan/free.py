@@ -32,7 +32,7 @@ from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.points import jacobian
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import Grid, Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Grid, Problem
 from mahovik.use.plan.starts import Kind, draw_windings, with_shortest_period
 
 SHARE = 0.1
@@ -230,15 +230,15 @@ class FreeProblem:
             self._latest[key] = replace(self.start, stand=stand, mechanics=Mechanics.of(stand))
         return self._latest[key]
 
-    def rows(self, y: Array, motion: Periodic, grid: Grid) -> Array:
+    def rows(self, y: Array, motion: FlywheelMotion, grid: Grid) -> Array:
         """The rows at a point."""
         problem = self.problem(y)
         return np.concatenate([problem.rows(grid, motion).ravel(), self._excess(problem, motion, grid)[0]])
 
-    def slopes(self, y: Array, motion: Periodic, grid: Grid) -> Array:
+    def slopes(self, y: Array, motion: FlywheelMotion, grid: Grid) -> Array:
         """Derivatives of the rows by free numbers, waves, free bias; not scaled."""
         problem, rows = self.problem(y), self.rows(y, motion, grid)
-        J = jacobian(problem, grid, motion, problem.by_bias(grid, motion))
+        J = jacobian(problem, grid.basis, problem.linear(grid, motion), problem.by_bias(grid, motion))
         beyond = self._excess(problem, motion, grid)[1]
         J = np.vstack([J, np.pad(beyond, ((0, 0), (0, J.shape[1] - beyond.shape[1])))])
         columns = np.zeros((len(rows), len(y)))
@@ -249,11 +249,11 @@ class FreeProblem:
                 columns[:, k] = (self.rows(moved, motion, grid) - rows) / (moved[k] - y[k])
         return np.hstack([columns, J])
 
-    def _excess(self, problem: Problem, motion: Periodic, grid: Grid) -> tuple[Array, Array]:
+    def _excess(self, problem: Problem, motion: FlywheelMotion, grid: Grid) -> tuple[Array, Array]:
         """Hinge rows of speed, acceleration and torque, and their derivatives by the waves."""
         bounds, angles, I = problem.motion.bounds, motion.at(grid.basis), np.eye(motion.N)
         kept = replace(bounds, angle=None, speed_min=None)
-        torque = Rows.of(angles.phi) if bounds.torque is None else Rows.torque(problem.linear(grid, motion)[1])
+        torque = Rows.of(angles.phi) if bounds.torque is None else Rows.torque(problem.linear(grid, motion))
         rows, slopes = [np.zeros(0)], [np.zeros((0, motion.waves.size))]
         for use in bound_uses(kept, angles, angles.phi, torque, motion.winding).values():
             over, by = use.value > KNEE, (use.by_phi, use.by_phi_dot, use.by_phi_ddot)
@@ -261,10 +261,10 @@ class FreeProblem:
             slopes.append(grid.basis.chain(*((over * x)[:, :, None] * I for x in by)))
         return np.concatenate(rows), np.vstack(slopes)
 
-    def descend(self, y: Array, motion: Periodic, budget: Budget) -> tuple[Array, Periodic]:
+    def descend(self, y: Array, motion: FlywheelMotion, budget: Budget) -> tuple[Array, FlywheelMotion]:
         """Bounded least squares of the rows from a point; the end of the budget gives the best so far."""
         highest = max(self.start.highest, int(np.abs(motion.winding).max(initial=0)))
-        grid = self.start.grid(max(16, 2 * (2 * highest + motion.H) + 4), motion.H)
+        grid = self.start.grid(max(16, 2 * (2 * highest + motion.H) + 4), 2 * motion.H + 1)
         P, free = len(y), self.start.free
         waves = np.tile(1.0 / np.sqrt(1.0 + grid.basis.orders**2), motion.N)
         scale = np.concatenate([self.size, waves, np.full(int(free.sum()), BIAS)])
@@ -274,7 +274,7 @@ class FreeProblem:
         )
         still = replace(motion, waves=np.zeros_like(motion.waves), bias=np.where(free, 0.0, motion.bias))
 
-        def parts(z: Array) -> tuple[Array, Periodic]:
+        def parts(z: Array) -> tuple[Array, FlywheelMotion]:
             return z[:P] * scale[:P], still.step(z[P:] * scale[P:], free)
 
         def rows(z: Array) -> Array:
@@ -298,11 +298,11 @@ class FreeProblem:
             least_squares(rows, first, slopes, (low, high), ftol=1e-5, xtol=1e-13, gtol=1e-15, max_nfev=STEPS)
         return parts(best[0])
 
-    def relative(self, y: Array, motion: Periodic) -> float:
+    def relative(self, y: Array, motion: FlywheelMotion) -> float:
         """Relative residual between the nodes, in the norm of the stand's own."""
         return Problem.of(self.problem(y).stand, self.start.motion).relative(motion)
 
-    def solve(self, y: Array, motion: Periodic, budget: Budget) -> tuple[Array, Periodic, float]:
+    def solve(self, y: Array, motion: FlywheelMotion, budget: Budget) -> tuple[Array, FlywheelMotion, float]:
         """A start refined with rising numbers of harmonics, and its relative residual; inf: given up."""
         reached = (y, motion, np.inf)
         turning = bool(np.any(motion.winding))
@@ -372,7 +372,7 @@ def plan_free(
     return beyond or _nothing(problem, state, budget, options.seed)
 
 
-def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
+def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, FlywheelMotion]:
     """Start k of a seed: free numbers and constant speed."""
     rng, problem, motion = np.random.default_rng([seed, k]), free.start, free.start.motion
     low, high = free.box
@@ -381,7 +381,7 @@ def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, Periodic]:
     kind: Kind = "given" if isinstance(winding, tuple) else KINDS[k % len(KINDS)] if winding == "any" else winding
     turns, means = draw_windings(kind, motion, problem.N, DRAWN, rng), rng.uniform(-np.pi, np.pi, (DRAWN, problem.N, 1))
     bias, built = mean_pose(problem).bias, free.problem(y)
-    starts = [Periodic(motion.span, n, waves, bias) for n, waves in zip(turns, means, strict=True)]
+    starts = [FlywheelMotion(motion.span, n, waves, bias) for n, waves in zip(turns, means, strict=True)]
     return y, min(starts, key=lambda unknown: built.relative(unknown, 4))
 
 

@@ -13,10 +13,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.use.plan.objective import KNEE, Cost, ExceededBound, Rows, exceeded_bounds, has_bounds
+from mahovik.core.motion.functions import Samples
+from mahovik.use.numeric.residual import prescribe, torques
+from mahovik.use.plan.basis import SplineSpace
+from mahovik.use.plan.objective import (
+    KNEE,
+    Cost,
+    ExceededBound,
+    Rows,
+    bound_uses,
+    exceeded_bounds,
+    has_bounds,
+    utilisation,
+)
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.points import InHarmonics, Stage, refine, refine_periodic
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Grid, Problem
 from mahovik.use.plan.starts import Kind
 from mahovik.use.plan.step import SOLVED, Rules, descend, restore, size
 
@@ -61,9 +73,10 @@ class Candidate:
     exceeded_bounds   those that it exceeds, largest excess first
     residual    relative; `exact`: it is accepted, which makes the motion a programme
     free        the motion before the bounds began to push it, where it is known
+    space       splines that a finite motion is made of
     """
 
-    motion: Periodic
+    motion: FlywheelMotion
     objective: float
     parts: Mapping[str, float]
     utilisation: float
@@ -71,12 +84,13 @@ class Candidate:
     residual: float
     exact: bool
     kind: Kind
-    free: Periodic | None = None
+    free: FlywheelMotion | None = None
+    space: SplineSpace | None = None
 
     @property
     def is_programme(self) -> bool:
-        """Whether it is a programme inside the bounds."""
-        return self.exact and not self.exceeded_bounds
+        """Whether it is a programme inside the bounds, which are reported of a finite motion, not kept."""
+        return self.exact and not (self.exceeded_bounds and self.space is None)
 
     def is_same(self, other: Candidate) -> bool:
         """Whether two searches ended in the same programme."""
@@ -84,6 +98,29 @@ class Candidate:
             return False
         apart = (self.motion.mean - other.motion.mean + np.pi) % (2.0 * np.pi) - np.pi
         return bool(np.abs(apart).max(initial=0.0) < _SAME)
+
+
+def distinct(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """Each programme once: those inside the bounds first, the best by the objective first."""
+    ordered = sorted(candidates, key=lambda candidate: (bool(candidate.exceeded_bounds), candidate.objective))
+    return [x for k, x in enumerate(ordered) if not any(x.is_same(better) for better in ordered[:k])]
+
+
+def evaluate(
+    problem: Problem, cost: Cost, grid: Grid, motion: FlywheelMotion, kind: Kind, residual: float
+) -> Candidate:
+    """Objective and bounds of a motion at the times of a grid; its relative residual is given."""
+    angles, bounds = motion.at(grid.basis), problem.motion.bounds
+    tau = torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
+    if problem.motion.periodic:
+        mean_speed, swing = 2.0 * np.pi / motion.span * motion.winding, grid.basis.value[:, 1:] @ motion.waves[:, 1:].T
+    else:
+        mean_speed, swing = np.zeros(motion.N), angles.phi - angles.phi.mean(axis=0)
+    parts = cost.value(angles, mean_speed, Rows.of(tau))
+    uses = bound_uses(bounds, angles, swing, Rows.of(tau), motion.winding)
+    used = utilisation(bounds, uses, motion.bias)
+    over = exceeded_bounds(bounds, problem.stand, grid.t, angles, swing, tau, motion.bias) if used > 1.0 else ()
+    return Candidate(motion, sum(parts.values()), parts, used, over, residual, residual < problem.tolerance, kind)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,11 +136,12 @@ class Improver:
         Omega = 2.0 * np.pi / problem.motion.span * min(problem.motion.harmonics, default=1)
         return Improver(problem, Cost.of(problem.mechanics, problem.motion.objective, Omega))
 
-    def polish(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate | None:
+    def polish(self, start: FlywheelMotion | Samples, kind: Kind, budget: Budget) -> Candidate | None:
         """The programme that a start leads to, inside the bounds or beyond them; None: it leads to none."""
+        assert isinstance(start, FlywheelMotion)
         order = self._order(start)
         H = max(start.H, _START_HARMONICS + 2 * (order - 1))
-        grid = self.problem.grid(4 * H + 8 * order + 16, H)
+        grid = self.problem.grid(4 * H + 8 * order + 16, 2 * H + 1)
         near = refine(self.problem, grid, start.with_harmonics(H), 40, _NEARLY, budget).point
         if near.largest > _HOPELESS:
             return None
@@ -115,7 +153,7 @@ class Improver:
             return self.evaluate(refine_periodic(self.problem, near.motion, budget), kind, near.motion)
         return candidate
 
-    def improve(self, start: Periodic, kind: Kind, budget: Budget) -> Candidate:
+    def improve(self, start: FlywheelMotion, kind: Kind, budget: Budget) -> Candidate:
         """Meet the bounds, then improve the objective; the finish corrects the remaining residual."""
         stage = self.stage(self._harmonics(start, HARMONICS))
         point = stage.at(start.with_harmonics(stage.H))
@@ -170,9 +208,8 @@ class Improver:
         self, inside: Sequence[Candidate], beyond: Sequence[Candidate], seconds: float | None
     ) -> list[Candidate]:
         """Programmes inside the bounds, best by the objective first; else the one that exceeds the bounds least."""
-        ordered = sorted(inside, key=lambda candidate: candidate.objective)
-        if ordered:
-            return [x for k, x in enumerate(ordered) if not any(x.is_same(better) for better in ordered[:k])]
+        if inside:
+            return distinct(inside)
         for candidate in beyond:
             least = self.rescue(candidate, seconds)
             if least is not None:
@@ -193,7 +230,7 @@ class Improver:
             again = self.exact(beyond, beyond.motion, seconds)
         return again if again.exact else None
 
-    def exact(self, beyond: Candidate, motion: Periodic, seconds: float | None) -> Candidate:
+    def exact(self, beyond: Candidate, motion: FlywheelMotion, seconds: float | None) -> Candidate:
         """A motion made exact without regard to the bounds, as far as a reserve of steps goes."""
         made = refine_periodic(self.problem, motion, Budget(_RESERVE, seconds))
         return self.evaluate(made, beyond.kind, beyond.free)
@@ -215,22 +252,15 @@ class Improver:
                 tighter = tighter**0.5  # a smaller step, until it would gain nothing
         return best
 
-    def estimate(self, start: Periodic) -> tuple[float, float]:
+    def estimate(self, start: FlywheelMotion) -> tuple[float, float]:
         """Objective and use of the bounds of a start, at few samples."""
-        point = self.stage(start.H).at(start)
-        parts = self.cost.value(point.angles, point.stage.Omega * start.winding, Rows.of(point.tau))
-        return sum(parts.values()), point.utilisation
+        few = evaluate(self.problem, self.cost, self.stage(start.H).grid, start, "given", np.inf)
+        return few.objective, few.utilisation
 
-    def evaluate(self, motion: Periodic, kind: Kind, free: Periodic | None = None) -> Candidate:
+    def evaluate(self, motion: FlywheelMotion, kind: Kind, free: FlywheelMotion | None = None) -> Candidate:
         """Figures of a motion on a fine grid, 20 times finer than its harmonics need."""
-        stage, bounds = self.stage(motion.H, fine=True), self.problem.motion.bounds
-        point = stage.at(motion)
-        parts = self.cost.value(point.angles, stage.Omega * motion.winding, Rows.of(point.tau))
-        at = point.angles, point.swing, point.tau, motion.bias
-        over = exceeded_bounds(bounds, self.problem.stand, stage.grid.t, *at) if point.utilisation > 1.0 else ()
-        residual = self.problem.relative(motion)
-        exact = residual < self.problem.tolerance
-        return Candidate(motion, sum(parts.values()), parts, point.utilisation, over, residual, exact, kind, free)
+        grid = self.stage(motion.H, fine=True).grid
+        return replace(evaluate(self.problem, self.cost, grid, motion, kind, self.problem.relative(motion)), free=free)
 
     def stage(
         self, H: int, tail: float = TAIL, *, objective: float = 1.0, wider: float = 1.0, fine: bool = False
@@ -240,13 +270,13 @@ class Improver:
         `fine`: for judging.
         """
         M = 20 * (2 * H + 2) if fine else max(64, 4 * H + 8 * self.problem.highest + 16)
-        grid = self.problem.grid(M, H, 0.381966 if fine else 0.0)
+        grid = self.problem.grid(M, 2 * H + 1, 0.381966 if fine else 0.0)
         return Stage(self.problem, self.cost, grid, H, tail, objective, wider)
 
-    def _order(self, motion: Periodic) -> int:
+    def _order(self, motion: FlywheelMotion) -> int:
         return max(self.problem.highest, int(np.abs(motion.winding).max(initial=0)))
 
-    def _harmonics(self, motion: Periodic, least: int) -> int:
+    def _harmonics(self, motion: FlywheelMotion, least: int) -> int:
         """Number of harmonics to work with: more for motions and windings of high order."""
         return least + 2 * (self._order(motion) - 1)
 

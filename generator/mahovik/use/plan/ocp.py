@@ -28,9 +28,9 @@ from mahovik.core.stand.state import rest_state
 from mahovik.errors import UsageError
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.objective import Cost
-from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
+from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem
 from mahovik.use.plan.starts import with_shortest_period
 
 INTERVALS, DEGREE = 24, 4
@@ -116,7 +116,6 @@ class Solution:
     words: str
     iterations: int
     usable: bool
-    interrupted: bool
 
     def at(self, t: Array) -> Angles:
         """Angles (M, N) at times t (M, s)."""
@@ -174,10 +173,8 @@ def carrier_inputs(stand: Stand, motion: RequiredMotion, bias: Array, t: Array) 
     return np.array(columns).T
 
 
-def solve(
-    problem: Problem, start: Programme, mesh: Mesh, budget: Budget, on_progress: OnProgress = lambda _: None
-) -> Solution:
-    """(13) from the flywheels' motion of a programme. Ctrl-C and the end of the budget give the best so far."""
+def solve(problem: Problem, start: Programme, mesh: Mesh, seconds: float | None = None) -> Solution:
+    """(13) from the flywheels' motion of a programme. The end of the time (s) gives IPOPT's last point."""
     import casadi as ca
 
     stand, motion, N = problem.stand, problem.motion, problem.N
@@ -214,21 +211,16 @@ def solve(
     x0 = [np.vstack([begin.phi.T, begin.phi_dot.T / Omega]).ravel("F"), (within.phi_ddot / Omega**2).ravel()]
     x0.append((within.phi.T - turn[:, None] * mesh.nodes) @ mesh.weights if angle else 0.0 * turn)
     z, f = ca.veccat(X, U, mean), J @ ca.DM(mesh.weights)
-    watch = _watch(ca, z.numel(), -high, high, budget, on_progress)
     posed: Any = {"x": z, "f": f, "g": g}
-    options: Any = _OPTIONS | {"iteration_callback": watch}
+    options: Any = _OPTIONS | ({} if seconds is None else {"ipopt.max_wall_time": max(seconds, 1e-3)})
     solver = ca.nlpsol("ocp", "ipopt", posed, options)
-    with defer_interrupt(budget.interrupt, again=False):
-        solution = solver(x0=np.concatenate(x0), lbx=lower, ubx=upper, lbg=-high, ubg=high)
+    solution = solver(x0=np.concatenate(x0), lbx=lower, ubx=upper, lbg=-high, ubg=high)
+    violation = float(np.maximum(np.abs(np.asarray(solution["g"]).ravel()) - high, 0.0).max(initial=0.0))
+    states = np.asarray(solution["x"]).ravel()[: 2 * N * len(mesh.times)].reshape(2 * N, -1, order="F")
     stats = solver.stats()
-    done = bool(stats["success"]) or watch.best is None
-    vector = np.asarray(solution["x"]).ravel() if done else watch.best
-    states = np.asarray(vector)[: 2 * N * len(mesh.times)].reshape(2 * N, -1, order="F")
-    return Solution(
-        mesh, motion.span, states[:N], states[N:] * Omega, float(solution["f"]) if done else watch.best_objective,
-        str(stats["return_status"]).replace("_", " ").lower(), int(stats["iter_count"]),
-        bool(stats["success"]) or watch.best is not None, budget.interrupted,
-    )  # fmt: skip
+    words, iterations = str(stats["return_status"]).replace("_", " ").lower(), int(stats["iter_count"])
+    objective, usable = float(solution["f"]), violation < FEASIBLE
+    return Solution(mesh, motion.span, states[:N], states[N:] * Omega, objective, words, iterations, usable)
 
 
 def _limits(problem: Problem, cost: Cost) -> dict[str, Array]:
@@ -254,52 +246,6 @@ def _state_bounds(problem: Problem, limits: Mapping[str, Array], winding: Array,
     return np.tile(low, columns), np.tile(high, columns)
 
 
-def _watch(ca: Any, unknowns: int, low: Array, high: Array, budget: Budget, on_progress: OnProgress) -> Any:
-    """A callback of IPOPT's iterations: progress, the end of the budget, and the best feasible point so far."""
-
-    class Watch(ca.Callback):  # type: ignore[misc]
-        """Stops the run with 1."""
-
-        doing = "optimal control"
-
-        def __init__(self) -> None:
-            ca.Callback.__init__(self)
-            self.iterations, self.objective, self.violation = 0, np.inf, np.inf
-            self.best: Array | None = None
-            self.best_objective = np.inf
-            self.construct("watch", {})
-
-        @property
-        def words(self) -> str:
-            """The line of progress."""
-            return f"IPOPT: iteration {self.iterations}, objective {self.objective:.4g}, violation {self.violation:.1e}"
-
-        def get_n_in(self) -> int:
-            """Outputs of the solver."""
-            return int(ca.nlpsol_n_out())
-
-        def get_n_out(self) -> int:
-            """Whether to stop."""
-            return 1
-
-        def get_sparsity_in(self, i: int) -> Any:
-            """Dense columns."""
-            sizes = {"x": unknowns, "lam_x": unknowns, "f": 1, "g": len(high), "lam_g": len(high), "lam_p": 0}
-            return ca.Sparsity.dense(sizes[ca.nlpsol_out(i)], 1)
-
-        def eval(self, arg: Any) -> list[int]:
-            """One iteration."""
-            g = np.asarray(arg[2]).ravel()
-            self.iterations, self.objective = self.iterations + 1, float(arg[1])
-            self.violation = float(np.maximum(np.maximum(low - g, g - high), 0.0).max(initial=0.0))
-            if self.violation < FEASIBLE and self.objective < self.best_objective:
-                self.best, self.best_objective = np.asarray(arg[0]).ravel().copy(), self.objective
-            on_progress(self)
-            return [int(budget.is_spent())]
-
-    return Watch()
-
-
 def plan_ocp(
     stand: Stand, motion: RequiredMotion, options: PlanOptions | None = None, on_progress: OnProgress = lambda _: None
 ) -> Plan:
@@ -323,10 +269,15 @@ def plan_ocp(
     first = plan.programmes[0]
     highest = max(motion.harmonics, default=1)
     mesh = Mesh(INTERVALS + 8 * (highest - 1) if motion.periodic else FINITE_INTERVALS)
-    run = solve(Problem.of(stand, quick), first, mesh, budget, on_progress)
-    starts: list[Periodic | Samples] = [start_of(first, motion)]
-    if run.usable:
-        starts.insert(0, start_of(first, motion, run))
+    starts: list[FlywheelMotion | Samples] = [start_of(first, motion)]
+    report: dict[str, Any] = {"ipopt": "interrupted", "iterations": 0}
+    try:
+        run = solve(Problem.of(stand, quick), first, mesh, budget.seconds_left())
+        report = {"ipopt": run.words, "iterations": run.iterations, "objective_at_nodes": run.objective}
+        if run.usable:
+            starts.insert(0, start_of(first, motion, run))
+    except KeyboardInterrupt:
+        budget.interrupt()
     best: Plan | None = None
     for start in starts:
         again = plan_motion(stand, motion, replace(options, start=start, seconds=budget.seconds_left()), on_progress)
@@ -335,25 +286,18 @@ def plan_ocp(
         if again.status == "OK" and _objective(again) <= _objective(plan) * (1.0 + 1e-6):
             break
     assert best is not None
-    report = {
-        "ipopt": run.words,
-        "iterations": run.iterations,
-        "intervals": mesh.K,
-        "objective_of_start": _objective(plan),
-        "objective_at_nodes": run.objective,
-        "objective": _objective(best),
-    }
+    report |= {"intervals": mesh.K, "objective_of_start": _objective(plan), "objective": _objective(best)}
     told = tuple(
         replace(programme, report={**programme.report, "method": "ocp", "ocp": report}) for programme in best.programmes
     )
-    return replace(best, programmes=told, interrupted=best.interrupted or run.interrupted)
+    return replace(best, programmes=told, interrupted=best.interrupted or budget.interrupted)
 
 
 def _objective(plan: Plan) -> float:
     return float(cast(Any, plan.programmes[0].report["objective"])) if plan.programmes else np.inf
 
 
-def start_of(programme: Programme, motion: RequiredMotion, run: Solution | None = None) -> Periodic | Samples:
+def start_of(programme: Programme, motion: RequiredMotion, run: Solution | None = None) -> FlywheelMotion | Samples:
     """The flywheels' motion of a programme, or of (13) from it, over the shortest period, for the planner."""
     at = programme.at if run is None else run.at
     if not motion.periodic:
@@ -365,7 +309,9 @@ def start_of(programme: Programme, motion: RequiredMotion, run: Solution | None 
     t = np.asarray(np.arange(8 * H) * (motion.span / parts / (8 * H)))
     turned = at(t).phi - np.outer(t, 2.0 * np.pi / motion.span * np.array(programme.winding))
     spectrum = np.fft.rfft(turned, axis=0)[: H + 1].T / (8 * H)
-    waves = np.hstack([spectrum[:, :1].real, 2.0 * spectrum[:, 1:].real, -2.0 * spectrum[:, 1:].imag])
-    return Periodic(
+    waves = np.empty((len(spectrum), 2 * H + 1))
+    waves[:, 0] = spectrum[:, 0].real
+    waves[:, 1::2], waves[:, 2::2] = 2.0 * spectrum[:, 1:].real, -2.0 * spectrum[:, 1:].imag
+    return FlywheelMotion(
         motion.span / parts, np.array(programme.winding, dtype=np.float64) / parts, waves, np.array(programme.bias)
     )

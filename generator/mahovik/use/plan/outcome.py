@@ -16,7 +16,7 @@ from typing import Any, Literal, Protocol
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.errors import whole_number
-from mahovik.use.plan.problem import Periodic
+from mahovik.use.plan.problem import FlywheelMotion
 
 
 @dataclass
@@ -103,7 +103,7 @@ class PlanOptions:
     enough: int = 1
     verify: bool = True
     steps: int = 20_000
-    start: Periodic | Samples | None = None
+    start: FlywheelMotion | Samples | None = None
 
     def __post_init__(self) -> None:
         whole_number("seed", self.seed, 0)

@@ -4,10 +4,8 @@ Both have derivatives by the waves and the free bias. At nodes: half the squares
 Fourier sums and splines alike. In harmonics: half the mean square of objective rows, hinge rows of the bounds, and
 residual harmonics H + 1..2H times TAIL, with residual harmonics 0..H zero (Galerkin).
 
-Harmonics come from samples by FFT. For a real R(t) at M uniform times the rows are R_0, sqrt(2) Re R_j, sqrt(2) Im R_j,
-for harmonics j of a range: the sum of their squares is the mean square of those harmonics. A wave cos or sin
-(k Omega t) of a flywheel moves the harmonics j - k and j + k of dR/dphi, dR/dphi', dR/dphi'' to j: no product of
-matrices is needed.
+Harmonics come from samples by FFT, of the residual and of its derivatives. For a real R(t) at M uniform times the rows
+are R_0, sqrt(2) Re R_j, sqrt(2) Im R_j: the sum of their squares is the mean square of those harmonics.
 """
 
 from __future__ import annotations
@@ -21,44 +19,20 @@ import numpy as np
 
 from mahovik.core.motion.functions import Angles
 from mahovik.use.numeric.residual import Linear, PrescribedMotion, flywheel_wrenches, linear, prescribe
-from mahovik.use.numeric.se3 import Array, Complex
+from mahovik.use.numeric.se3 import Array
+from mahovik.use.plan.basis import Basis
 from mahovik.use.plan.objective import Cost, Rows, bias_hinges, bound_uses, gauss_newton_sums, hinge_rows, utilisation
 from mahovik.use.plan.outcome import Budget
-from mahovik.use.plan.problem import Basis, BiasPerturbations, Grid, Periodic, Problem
+from mahovik.use.plan.problem import BiasPerturbations, FlywheelMotion, Grid, Problem
 from mahovik.use.plan.step import Model, Rules, Run, descend
 
 
-def harmonic_coefficients(R: Array, first: int, last: int) -> Array:
-    """Rows of R (M, 6) for harmonics first..last; 2 last < M."""
-    return harmonic_rows(np.fft.rfft(R, axis=0)[first : last + 1] / len(R), first)
-
-
-def harmonic_rows(spectrum: Complex, first: int) -> Array:
-    """Real rows of complex coefficients (J, 6, ...) of harmonics `first` and on; for the mean, the real part only."""
-    double = np.sqrt(2.0)
-    mean = 1 if first == 0 else 0
-    parts = [spectrum[:mean].real, double * spectrum[mean:].real, double * spectrum[mean:].imag]
-    return np.concatenate([x.reshape(-1, *spectrum.shape[2:]) for x in parts])
-
-
-def harmonic_derivatives(
-    by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array, Omega: float, H: int, last: int
-) -> Complex:
-    """Harmonics 0..last (last + 1, 6, N (2H + 1)) of the change of R by each wave; by_... are (M, 6, N).
-
-    Omega: 2 pi over the period, rad/s. Waves of a flywheel: mean, cosines 1..H, sines 1..H.
-    """
-    M, R, N = by_phi.shape
-    A, B, C = (np.fft.fft(x, axis=0) / M for x in (by_phi, by_phi_dot, by_phi_ddot))
-    j, k = np.arange(last + 1)[:, None], np.arange(H + 1)[None, :]
-    rate = (Omega * np.arange(H + 1))[None, :, None, None]
-    below, above = (j - k) % M, (j + k) % M
-    up = A[below] + 1j * rate * B[below] - rate**2 * C[below]
-    down = A[above] - 1j * rate * B[above] - rate**2 * C[above]  # (last + 1, H + 1, 6, N)
-    result = np.empty((last + 1, R, N, 2 * H + 1), dtype=np.complex128)
-    result[..., : H + 1] = np.moveaxis((up + down) / 2.0, 1, 3)
-    result[..., H + 1 :] = np.moveaxis((up - down)[:, 1:] / 2j, 1, 3)
-    return result.reshape(last + 1, R, N * (2 * H + 1))
+def harmonic_rows(values: Array, last: int) -> Array:
+    """Rows (6 (2 last + 1), ...) of harmonics 0..last, in this order, of values (M, 6, ...) at uniform times."""
+    spectrum = np.fft.rfft(values, axis=0)[: last + 1] * (np.sqrt(2.0) / len(values))
+    rows = np.empty((2 * last + 1, *values.shape[1:]))
+    rows[0], rows[1::2], rows[2::2] = spectrum[0].real / np.sqrt(2.0), spectrum[1:].real, spectrum[1:].imag
+    return rows.reshape(-1, *values.shape[2:])
 
 
 T = TypeVar("T")
@@ -67,11 +41,11 @@ T = TypeVar("T")
 class Renewed(Generic[T]):
     """What moves so little with the unknowns that it is computed at every `every`-th call alone."""
 
-    def __init__(self, every: int, compute: Callable[[Periodic], T]) -> None:
+    def __init__(self, every: int, compute: Callable[[FlywheelMotion], T]) -> None:
         self._every, self._compute, self._calls = every, compute, 0
         self._value: T | None = None
 
-    def __call__(self, motion: Periodic) -> T:
+    def __call__(self, motion: FlywheelMotion) -> T:
         if self._value is None or self._calls % self._every == 0:
             self._value = self._compute(motion)
         self._calls += 1
@@ -93,7 +67,7 @@ class AtNodes:
 
     problem: Problem
     grid: Grid
-    motion: Periodic
+    motion: FlywheelMotion
     biased: Renewed[Array]
 
     @property
@@ -118,7 +92,8 @@ class AtNodes:
 
     def model(self) -> Model:
         """Derivatives; the scale damps harmonic k by 1 + k^2, and the bias as easily as k = 1."""
-        J = jacobian(self.problem, self.grid, self.motion, self.biased(self.motion))
+        linear = self.problem.linear(self.grid, self.motion)
+        J = jacobian(self.problem, self.grid.basis, linear, self.biased(self.motion))
         orders = np.tile(1.0 + self.grid.basis.orders**2, self.problem.N)
         n, squares = len(orders), np.einsum("ij,ij->j", J, J)
         nearest = np.abs(orders - 2.0) <= np.abs(orders - 2.0).min() * (1.0 + 1e-9)
@@ -135,16 +110,15 @@ class AtNodes:
         return largest_change(self.grid.basis, self.problem.N, step)
 
 
-def jacobian(problem: Problem, grid: Grid, motion: Periodic, biased: Array) -> Array:
-    """Derivatives (6 M, N (2H + 1) + F) of the scaled residual by all unknowns; `biased`: the last F columns."""
-    _, linear = problem.linear(grid, motion)
+def jacobian(problem: Problem, basis: Basis, linear: Linear, biased: Array) -> Array:
+    """Derivatives (6 M, N n + F) of the scaled residual by all unknowns; `biased`: the last F columns."""
     root = problem.norm.root / problem.norm.demand
-    waves = grid.basis.chain(root @ linear.by_phi, root @ linear.by_phi_dot, root @ linear.by_phi_ddot)
+    waves = basis.chain(root @ linear.by_phi, root @ linear.by_phi_dot, root @ linear.by_phi_ddot)
     return np.hstack([waves, biased])
 
 
 def refine(
-    problem: Problem, grid: Grid, start: Periodic, steps: int, goal: float, budget: Budget, damping: float = 1e-2
+    problem: Problem, grid: Grid, start: FlywheelMotion, steps: int, goal: float, budget: Budget, damping: float = 1e-2
 ) -> Run[AtNodes]:
     """Levenberg-Marquardt from `start` until the largest residual at the nodes meets the goal, or a stall."""
     biased = Renewed(8, lambda motion: problem.by_bias(grid, motion))
@@ -156,7 +130,7 @@ HARMONIC_COUNTS = (5, 10, 20, 32, 48, 64)
 """Numbers of harmonics, in rising order."""
 
 
-def refine_periodic(problem: Problem, start: Periodic, budget: Budget, hopeless: float = 0.3) -> Periodic:
+def refine_periodic(problem: Problem, start: FlywheelMotion, budget: Budget, hopeless: float = 0.3) -> FlywheelMotion:
     """Refine with rising numbers of harmonics until the residual between the nodes is well below the tolerance.
 
     Gives up if the first number of harmonics ends above `hopeless`, or a later one does not halve the residual.
@@ -165,7 +139,7 @@ def refine_periodic(problem: Problem, start: Periodic, budget: Budget, hopeless:
     motion, damping, before = start, 1e-2, np.inf
     for H in (count for count in HARMONIC_COUNTS if count >= start.H):
         first = before == np.inf
-        grid = problem.grid(max(64, (12 if problem.has_kinks else 3) * H + 4 * order + 16), H)
+        grid = problem.grid(max(64, (12 if problem.has_kinks else 3) * H + 4 * order + 16), 2 * H + 1)
         goal = 3e-3 if first else 1e-3 * problem.tolerance
         run = refine(problem, grid, motion.with_harmonics(H), 40 if first else 14, goal, budget, damping)
         motion, damping = run.point.motion, run.damping
@@ -200,7 +174,7 @@ class Stage:
         """2 pi over the period, rad/s."""
         return 2.0 * np.pi / self.problem.motion.span
 
-    def at(self, motion: Periodic, around: Renewed[BiasPerturbations] | None = None) -> InHarmonics:
+    def at(self, motion: FlywheelMotion, around: Renewed[BiasPerturbations] | None = None) -> InHarmonics:
         """The point of a motion with H harmonics."""
         prescribed = prescribe(self.problem.mechanics, self.grid.course, motion.bias)
         around = around or Renewed(10, lambda near: self.problem.bias_perturbations(self.grid.course, near.bias))
@@ -212,7 +186,7 @@ class InHarmonics:
     """A motion with its residual in harmonics, objective and bounds, as a stage weighs them."""
 
     stage: Stage
-    motion: Periodic
+    motion: FlywheelMotion
     angles: Angles
     prescribed: PrescribedMotion
     around: Renewed[BiasPerturbations]
@@ -242,14 +216,24 @@ class InHarmonics:
         return self.stage.problem.norm.dimensionless(self.prescribed.balance - self._wrenches[:6].sum(axis=2).T)
 
     @cached_property
+    def _harmonics(self) -> tuple[Array, Array]:
+        """Residual harmonics 0..H, and H + 1..2H, weighted."""
+        rows, split = harmonic_rows(self.relative_residual, 2 * self.stage.H), self._equations
+        return rows[:split], self.stage.tail * rows[split:]
+
+    @property
+    def _equations(self) -> int:
+        return self.stage.problem.rows_count * (2 * self.stage.H + 1)
+
+    @property
     def c(self) -> Array:
         """Residual harmonics 0..H."""
-        return harmonic_coefficients(self.relative_residual, 0, self.stage.H)
+        return self._harmonics[0]
 
-    @cached_property
+    @property
     def tail(self) -> Array:
         """Residual harmonics H + 1..2H, weighted."""
-        return self.stage.tail * harmonic_coefficients(self.relative_residual, self.stage.H + 1, 2 * self.stage.H)
+        return self._harmonics[1]
 
     def _uses(self, torque: Rows, wider: float) -> dict[str, Rows]:
         bounds = self.stage.problem.motion.bounds
@@ -279,13 +263,11 @@ class InHarmonics:
         """Derivatives at this point; those by the bias from differences around a nearby bias."""
         stage, H, problem = self.stage, self.stage.H, self.stage.problem
         free, linear = problem.free, self.linear
-        root = problem.norm.root / problem.norm.demand
-        a, b, c = (root @ x for x in (linear.by_phi, linear.by_phi_dot, linear.by_phi_ddot))
-        spectrum = harmonic_derivatives(a, b, c, stage.Omega, H, 2 * H)
         R_by_bias, tau_by_bias = self.around(self.motion).rates(self.angles)
-        by_bias = np.fft.rfft(R_by_bias, axis=0)[: 2 * H + 1] / len(self.relative_residual)
-        whole = np.concatenate([spectrum, by_bias[..., free]], axis=2)
-        A, T = harmonic_rows(whole[: H + 1], 0), stage.tail * harmonic_rows(whole[H + 1 :], H + 1)
+        M, m = len(self.stage.grid.t), problem.rows_count
+        J = jacobian(problem, self.stage.grid.basis, linear, R_by_bias[..., free].reshape(M * m, -1))
+        rows = harmonic_rows(J.reshape(M, m, -1), 2 * H)
+        A, T = rows[: self._equations], self.stage.tail * rows[self._equations :]
         total = gauss_newton_sums(self._kinds(Rows.torque(linear, tau_by_bias)), stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
         gradient = total.gradient + T.T @ self.tail

@@ -1,10 +1,11 @@
-"""One planning problem: a stand, a required motion, quantities computed once from both, and its periodic unknowns.
+"""One planning problem: a stand, a required motion, quantities computed once from both, and its unknowns.
 
-The unknowns are Fourier coefficients of the angles, and the free part of the bias:
+The unknowns are coefficients of the angles, of harmonics of a period or of modes of splines over a duration, and the
+free part of the bias:
 
 phi_s(t) = 2 pi n_s t/T + mean_s + sum_k cos_sk cos(2 pi k t/T) + sin_sk sin(2 pi k t/T), k = 1..H.
 
-As a vector: for each flywheel mean, cos_1 .. cos_H, sin_1 .. sin_H; then the free components of the bias.
+As a vector: for each flywheel mean, cos_1, sin_1, cos_2, ..; then the free components of the bias.
 """
 
 from __future__ import annotations
@@ -15,25 +16,26 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.functions import Angles, Course
+from mahovik.core.motion.functions import Angles, Course, SampledCourse
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Linear, Norm, PrescribedMotion, flywheel_wrenches, linear, prescribe, residual
 from mahovik.use.numeric.se3 import Array
+from mahovik.use.plan.basis import Basis, SplineSpace, harmonics
 
 
 @dataclass(frozen=True, eq=False)
-class Periodic:
-    """A periodic flywheel motion with its bias: the unknowns of the search.
+class FlywheelMotion:
+    """A motion of the flywheels with its bias: the unknowns of the search.
 
-    period   T, s
-    winding  (N,) turns per period
-    waves    (N, 2H + 1): mean, cosines, sines of each flywheel, rad
+    span     period or duration, s
+    winding  (N,) turns per period; of a finite motion the speed at its beginning, in turns per duration
+    waves    (N, n): coefficients of the functions of a `Basis`, rad; periodic: mean, cosine, sine, cosine 2, ...
     bias     (6; m, rad)
     """
 
-    period: float
+    span: float
     winding: Array
     waves: Array
     bias: Array
@@ -44,19 +46,24 @@ class Periodic:
         return len(self.waves)
 
     @property
+    def mean(self) -> Array:
+        """Mean angles (N,), rad."""
+        return self.waves[:, 0]
+
+    @property
     def H(self) -> int:
-        """Highest harmonic."""
+        """Highest harmonic of a periodic motion."""
         return int(self.waves.shape[1]) // 2
 
-    def with_harmonics(self, H: int) -> Periodic:
-        """The same motion with H harmonics: new ones are zero, those above H are dropped."""
-        wide = np.zeros((self.N, 2 * H + 1))
-        kept = min(H, self.H)
-        wide[:, : kept + 1] = self.waves[:, : kept + 1]
-        wide[:, H + 1 : H + 1 + kept] = self.waves[:, self.H + 1 : self.H + 1 + kept]
-        return replace(self, waves=wide)
+    def with_waves(self, n: int) -> FlywheelMotion:
+        """The same motion with n functions: new coefficients are zero, those beyond n are dropped."""
+        return replace(self, waves=np.pad(self.waves[:, :n], ((0, 0), (0, max(0, n - self.waves.shape[1])))))
 
-    def step(self, step: Array, free: Array) -> Periodic:
+    def with_harmonics(self, H: int) -> FlywheelMotion:
+        """The same periodic motion with H harmonics."""
+        return self.with_waves(2 * H + 1)
+
+    def step(self, step: Array, free: Array) -> FlywheelMotion:
         """The motion after a step of the unknowns; `free` (6, bool): which components of the bias are unknowns."""
         n = self.waves.size
         bias = self.bias.copy()
@@ -65,68 +72,9 @@ class Periodic:
 
     def at(self, basis: Basis) -> Angles:
         """Angles at the times of the basis."""
-        rate = 2.0 * np.pi / self.period * self.winding
+        rate = 2.0 * np.pi / self.span * self.winding
         phi, phi_dot, phi_ddot = ((B @ self.waves.T) for B in basis.matrices)
         return Angles(phi + basis.t[:, None] * rate, phi_dot + rate, phi_ddot)
-
-    @property
-    def mean(self) -> Array:
-        """Mean angles (N,), rad."""
-        return self.waves[:, 0]
-
-    @property
-    def cos(self) -> Array:
-        """Cosine amplitudes (H, N), rad, in the layout of the programme file."""
-        return self.waves[:, 1 : self.H + 1].T
-
-    @property
-    def sin(self) -> Array:
-        """Sine amplitudes (H, N), rad."""
-        return self.waves[:, self.H + 1 :].T
-
-
-@dataclass(frozen=True, eq=False)
-class Basis:
-    """1, cosines, sines of harmonics 1..H at M times, with two derivatives: (M, 2H + 1) each."""
-
-    period: float
-    t: Array
-    value: Array
-    first: Array
-    second: Array
-
-    @property
-    def matrices(self) -> tuple[Array, Array, Array]:
-        """Matrices from the waves of one flywheel to its phi, phi', phi''."""
-        return self.value, self.first, self.second
-
-    @property
-    def orders(self) -> Array:
-        """Harmonic of each unknown of a flywheel (2H + 1)."""
-        H = self.value.shape[1] // 2
-        return np.concatenate([[0.0], np.arange(1.0, H + 1), np.arange(1.0, H + 1)])
-
-    @staticmethod
-    def of(period: float, H: int, t: Array) -> Basis:
-        """The basis of harmonics up to H at times t (M, s)."""
-        k = np.arange(1, H + 1)
-        Omega = 2.0 * np.pi / period * k
-        c, s = np.cos(np.outer(t, Omega)), np.sin(np.outer(t, Omega))
-        one, none = np.ones((len(t), 1)), np.zeros((len(t), 1))
-        return Basis(
-            period,
-            t,
-            np.hstack([one, c, s]),
-            np.hstack([none, -s * Omega, c * Omega]),
-            np.hstack([none, -c * Omega**2, -s * Omega**2]),
-        )
-
-    def chain(self, by_phi: Array, by_phi_dot: Array, by_phi_ddot: Array) -> Array:
-        """Derivatives by the waves (R M, N (2H + 1)) of R rows per time, from derivatives (M, R, N) by the angles."""
-        M, R, N = by_phi.shape
-        local = np.stack([by_phi, by_phi_dot, by_phi_ddot], axis=-1).reshape(M, R * N, 3)
-        result = local @ np.stack([self.value, self.first, self.second], axis=1)
-        return result.reshape(M * R, N * self.value.shape[1])
 
 
 def uniform(period: float, M: int, shift: float = 0.0) -> Array:
@@ -141,11 +89,13 @@ EXACT_WITH_KINKS = 1e-5
 
 _STEP = 1e-6
 """m, rad: step of the differences by the bias."""
+DEGREES = (5, 7, 9, 11, 13)
+"""Spline degrees of finite motions, in the order tried."""
 
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """Uniform times of a period with the carrier's course and the basis of H harmonics at them."""
+    """Times with the carrier's course and the functions of the flywheels at them."""
 
     t: Array
     course: Course
@@ -167,6 +117,7 @@ class Problem:
     free: Array
     tolerance: float
     _grids: dict[tuple[int, int, float], Grid] = field(default_factory=dict)
+    _spaces: dict[tuple[int, int], SplineSpace] = field(default_factory=dict)
 
     @staticmethod
     def of(stand: Stand, motion: RequiredMotion) -> Problem:
@@ -206,15 +157,35 @@ class Problem:
         """Highest harmonic of the motion, at least 1."""
         return max(self.motion.harmonics, default=1)
 
-    def grid(self, M: int, H: int, shift: float = 0.0) -> Grid:
-        """M uniform times, the first at `shift` intervals, with H harmonics; cached."""
-        key = (M, H, shift)
+    def grid(self, M: int, n: int, shift: float = 0.0) -> Grid:
+        """M uniform times, the first at `shift` intervals, with n functions; cached.
+
+        Of a finite motion with modes of the lowest degree, in the middle of the intervals without a shift.
+        """
+        key = (M, n, shift)
         if key not in self._grids:
-            t = uniform(self.motion.span, M, shift)
-            self._grids[key] = Grid(t, self.motion.at(t), Basis.of(self.motion.span, H, t))
+            span, periodic = self.motion.span, self.motion.periodic
+            t = uniform(span, M, shift if periodic else shift or 0.5)
+            basis = harmonics(span, n, t) if periodic else self.splines(DEGREES[0]).modes(t, n)
+            self._grids[key] = Grid(t, self.motion.at(t), basis)
         return self._grids[key]
 
-    def rows(self, grid: Grid, motion: Periodic) -> Array:
+    def splines(self, degree: int, parts: int = 1) -> SplineSpace:
+        """Splines of a degree, with breaks at the samples of a finite motion and `parts` intervals between two."""
+        if (degree, parts) not in self._spaces:
+            course = self.motion.course
+            breaks = course.t if isinstance(course, SampledCourse) else np.linspace(0.0, self.motion.span, 13)
+            rows = np.arange(len(breaks))
+            breaks = np.interp(np.arange(parts * rows[-1] + 1) / parts, rows, breaks) if parts > 1 else breaks
+            pinned = self.motion.bounds.start_phi is not None
+            self._spaces[degree, parts] = SplineSpace(self.motion.span, breaks, degree, pinned)
+        return self._spaces[degree, parts]
+
+    def grid_of(self, space: SplineSpace, t: Array) -> Grid:
+        """All modes of a space at given times."""
+        return Grid(t, self.motion.at(t), space.modes(t))
+
+    def rows(self, grid: Grid, motion: FlywheelMotion) -> Array:
         """Relative residual (M, 6) of a flywheel motion at the times of a grid."""
         return self.scaled_residual(grid, motion.bias, motion.at(grid.basis))
 
@@ -222,10 +193,9 @@ class Problem:
         """Relative residual (M, 6) at given angles and bias."""
         return self.norm.dimensionless(residual(prescribe(self.mechanics, grid.course, bias), *angles))
 
-    def linear(self, grid: Grid, motion: Periodic) -> tuple[PrescribedMotion, Linear]:
+    def linear(self, grid: Grid, motion: FlywheelMotion) -> Linear:
         """R, tau and their derivatives at the times of a grid, unscaled."""
-        at = prescribe(self.mechanics, grid.course, motion.bias)
-        return at, linear(at, *motion.at(grid.basis))
+        return linear(prescribe(self.mechanics, grid.course, motion.bias), *motion.at(grid.basis))
 
     def bias_perturbations(self, course: Course, bias: Array) -> BiasPerturbations:
         """Prescribed coefficients on both sides of a bias, for differences by its free components."""
@@ -236,15 +206,17 @@ class Problem:
         at = prescribe(self.mechanics, tiled, bias + np.repeat(steps, M, axis=0))
         return BiasPerturbations(self, moved, at)
 
-    def by_bias(self, grid: Grid, motion: Periodic) -> Array:
+    def by_bias(self, grid: Grid, motion: FlywheelMotion) -> Array:
         """Derivatives (6 M, F) of the scaled residual by the free components of the bias."""
         R, _ = self.bias_perturbations(grid.course, motion.bias).rates(motion.at(grid.basis))
         return R[..., self.free].reshape(self.rows_count * len(grid.t), -1)
 
-    def relative(self, motion: Periodic, times: int = 20) -> float:
+    def relative(self, motion: FlywheelMotion, times: int = 20) -> float:
         """Relative residual on a grid `times` finer than the motion's harmonics need, without repeated times."""
-        M = times * (2 * motion.H + 2)
-        grid = self.grid(M, motion.H, 0.381966)
+        return self.largest(self.grid(times * (2 * motion.H + 2), 2 * motion.H + 1, 0.381966), motion)
+
+    def largest(self, grid: Grid, motion: FlywheelMotion) -> float:
+        """Largest relative residual at the times of a grid."""
         return float(np.linalg.norm(self.rows(grid, motion), axis=1).max())
 
 

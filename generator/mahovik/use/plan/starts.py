@@ -25,9 +25,10 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.use.numeric.residual import Linear, linear, prescribe
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.outcome import Budget
-from mahovik.use.plan.problem import Periodic, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem
 
-Kind = Literal["spin", "rock", "mixed", "given"]
+Kind = Literal["spin", "rock", "mixed", "given", "finite", "followed"]
+"""Kinds of starts: windings of a periodic motion; of a finite one drawn angles, or motions that follow (12) in time."""
 
 _SLOW = 4
 """Periods of the lowest harmonic in the motion's period from which on rocking is tried first."""
@@ -102,15 +103,13 @@ def with_shortest_period(motion: RequiredMotion) -> RequiredMotion:
     return replace(motion, span=span, winding=winding, course=short)
 
 
-def repeat_motion(motion: Periodic, times: int) -> Periodic:
+def repeat_motion(motion: FlywheelMotion, times: int) -> FlywheelMotion:
     """The same flywheel motion over a period `times` as long."""
-    H = motion.H
-    waves = np.zeros((motion.N, 2 * H * times + 1))
-    waves[:, 0] = motion.waves[:, 0]
-    k = np.arange(1, H + 1)
-    waves[:, k * times] = motion.waves[:, k]
-    waves[:, H * times + k * times] = motion.waves[:, H + k]
-    return replace(motion, period=motion.period * times, winding=motion.winding * times, waves=waves)
+    k, waves = np.arange(1, motion.H + 1), np.zeros((motion.N, 2 * motion.H * times + 1))
+    waves[:, 0] = motion.mean
+    for sine in (0, 1):
+        waves[:, 2 * k * times - 1 + sine] = motion.waves[:, 2 * k - 1 + sine]
+    return replace(motion, span=motion.span * times, winding=motion.winding * times, waves=waves)
 
 
 Numbers = NDArray[np.intp]
@@ -122,27 +121,21 @@ _PARTS = ("by_phi", "by_phi_dot", "by_phi_ddot")
 
 
 class StartBatch:
-    """K motions with H harmonics each at the same M times and the same bias.
+    """K motions at the same M times and with the same bias.
 
-    windings (K, N), waves (K, N, 2H + 1) as in `Periodic`, lam (K): damping of each motion.
+    windings (K, N), waves (K, N, n) as in `FlywheelMotion`, lam (K): damping of each motion.
     """
 
     def __init__(self, problem: Problem, windings: Array, waves: Array, bias: Array) -> None:
         self.problem, self.bias = problem, bias
         self.windings, self.waves = windings.astype(np.float64), waves
         self.K, self.N, n = waves.shape
-        self.H = self.degree(n)
         highest = max(problem.highest, int(np.abs(windings).max(initial=0)))
-        self.M = 2 * (2 * highest + self.H) + 4
-        self.grid = problem.grid(self.M, self.H)
+        self.M = 2 * (2 * highest + (n // 2 if problem.motion.periodic else n - 1)) + 4
+        self.grid = problem.grid(self.M, n)
         self.lam = np.full(self.K, 1e-2)
         self.at = prescribe(problem.mechanics, self.grid.course, bias).repeat(self.K)
         self.now = self.linear(self.waves)
-
-    @staticmethod
-    def degree(n: int) -> int:
-        """Highest harmonic of n waves."""
-        return n // 2
 
     def angles(self, waves: Array) -> Angles:
         """Angles of all motions (K M, N)."""
@@ -160,7 +153,7 @@ class StartBatch:
         return np.asarray(self.problem.norm.dimensionless(linear.R).reshape(self.K, -1) / np.sqrt(self.M))
 
     def jacobian(self, linear: Linear) -> Array:
-        """Derivatives (K, 6 M, N (2H + 1)) of the rows by the waves."""
+        """Derivatives (K, 6 M, N n) of the rows by the waves."""
         root = self.problem.norm.root / (self.problem.norm.demand * np.sqrt(self.M))
         local = np.stack([root @ getattr(linear, name) for name in _PARTS], axis=-1)
         rows = self.problem.rows_count
@@ -202,11 +195,11 @@ class StartBatch:
         """Root mean square of the scaled residual (K)."""
         return np.asarray(np.linalg.norm(self.rows(self.now), axis=1))
 
-    def with_harmonics(self, which: Numbers, H: int) -> StartBatch:
-        """The motions with the numbers `which`, with H harmonics."""
-        motions = [self.motion(int(k)).with_harmonics(H).waves for k in which]
-        return type(self)(self.problem, self.windings[which], np.array(motions), self.bias)
+    def with_waves(self, which: Numbers, n: int) -> StartBatch:
+        """The motions with the numbers `which`, with n functions."""
+        motions = [self.motion(int(k)).with_waves(n).waves for k in which]
+        return StartBatch(self.problem, self.windings[which], np.array(motions), self.bias)
 
-    def motion(self, k: int) -> Periodic:
-        """One of the motions, as a Fourier series over the period; winding in turns."""
-        return Periodic(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
+    def motion(self, k: int) -> FlywheelMotion:
+        """One of the motions."""
+        return FlywheelMotion(self.problem.motion.span, self.windings[k], self.waves[k], self.bias)
