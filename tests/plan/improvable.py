@@ -56,8 +56,8 @@ def plain(winding: Winding) -> FlywheelMotion:
     """A programme of bench8 that nothing has improved."""
     improver = setting()
     problem = replace(improver.problem, motion=replace(improver.problem.motion, winding=winding))
-    found = search(Plain(replace(improver, problem=problem)), preflight(problem).bias, 1, Budget(UNTIL))
-    return found.programmes[0].motion
+    searched = search(Plain(replace(improver, problem=problem)), preflight(problem).bias, 1, Budget(UNTIL))
+    return searched.programmes[0].motion
 
 
 def improved(improver: Improver, winding: Winding) -> Candidate:

@@ -215,8 +215,8 @@ def _finite_starts(collocator: Collocator, rng: np.random.Generator, budget: Bud
 
 def _followed_starts(collocator: Collocator, rng: np.random.Generator, budget: Budget) -> Starts:
     """Motions that follow (12) from angles at random, or from those of the file."""
-    given, N = collocator.problem.motion.bounds.start_phi, collocator.problem.N
-    phi = rng.uniform(-np.pi, np.pi, (FOLLOWED, N)) if given is None else np.array([given])
+    angles, N = collocator.problem.motion.bounds.start_phi, collocator.problem.N
+    phi = rng.uniform(-np.pi, np.pi, (FOLLOWED, N)) if angles is None else np.array([angles])
     return Starts(len(phi), np.inf, islice(collocator.follow(phi, budget), REFINED))
 
 
