@@ -22,10 +22,9 @@ from mahovik.use.vibration.study import vibration
 from mahovik.use.vibration.view import find_view
 
 
-@pytest.mark.parametrize("version", ["2.0", "3.0"])
-def test_display_units_of_an_fmu(version: str) -> None:
+def test_display_units_of_an_fmu() -> None:
     driven = stand(wheel("w"))
-    made = export_fmu(driven, version, "me", "torque", start=rest_state(driven), binary=False)
+    made = export_fmu(driven, "me", "torque", start=rest_state(driven), binary=False)
     root = ET.fromstring(made.files["modelDescription.xml"])
     factors = {
         (str(unit.get("name")), str(shown.get("name"))): float(str(shown.get("factor")))

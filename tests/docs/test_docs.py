@@ -1,4 +1,4 @@
-"""The pages are correct: links, C, C++, stand files, keys, statuses, ranges, the table of harmonics."""
+"""The pages are correct: links, C, stand files, keys, statuses, ranges, the table of harmonics."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ import sympy as sp
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, links, prose, rows
 from mahovik.core.derive import flywheel
-from mahovik.core.emit.cpp import cpp_header
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import generate, generate_all
 from mahovik.core.stand import laws, load, loads
@@ -22,7 +21,6 @@ from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.problems import keys_of
 from mahovik.core.stand.units import Dimension
 from mahovik.core.toolchain.compiler import BITS, WARNINGS, find_compiler
-from toolchain.tools import require, run
 
 PACKAGE = ROOT / "generator" / "mahovik"
 MODEL, STAND_FILE, C_INTERFACE = (ROOT / "docs" / f"{name}.md" for name in ("model", "stand-file", "c-interface"))
@@ -99,7 +97,9 @@ def test_c_compiles_without_a_warning(block: Block, tmp_path: Path) -> None:
             (tmp_path / file).write_text(text, encoding="ascii")
     (tmp_path / "snippet.c").write_text(block.text, encoding="utf-8")
     output = ["snippet.c", f"{name}.c", "-o", "main"] if "int main(" in block.text else ["-c", "snippet.c"]
-    _compile([*WARNINGS, *MORE_WARNINGS, *BITS, "-O2", *output], tmp_path)
+    command = [*find_compiler(), *WARNINGS, *MORE_WARNINGS, *BITS, "-O2", *output]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
     if "int main(" in block.text:
         printed = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True).stdout
         (shown,) = (b.text for b in blocks(block.page)[block.number :][:3] if b.language == "text")
@@ -111,25 +111,6 @@ def test_the_header_in_the_readme_is_what_is_generated() -> None:
     (shown,) = (block.text for block in blocks(ROOT / "README.md") if block.language == "c")
     text = (PACKAGE / "stands" / "shaker2.toml").read_text(encoding="utf-8").replace('"shaker2"', '"mine"')
     assert shown in generate_all(loads(text), only=("forward", "inverse_fast")).files["mine.h"]
-
-
-def _compile(arguments: list[str], folder: Path) -> None:
-    done = subprocess.run([*find_compiler(), *arguments], cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-
-
-def test_the_program_in_cpp(tmp_path: Path) -> None:
-    """The program of the page compiles without a warning and prints an acceleration."""
-    stand = load(PACKAGE / "stands" / "bench8.toml")
-    made = generate_all(stand)
-    for file, text in {**made.files, **cpp_header(stand, made)}.items():
-        (tmp_path / Path(file).name).write_text(text, encoding="ascii")
-    (program,) = (b.text for b in blocks(ROOT / "docs" / "other-programs.md") if b.language == "cpp")
-    (tmp_path / "user.cpp").write_text(program, encoding="utf-8")
-    _compile([*BITS, "-O1", "-c", "bench8.c", "-o", "stand.o"], tmp_path)
-    strict = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
-    run(require("g++", "g++"), *strict, tmp_path / "user.cpp", tmp_path / "stand.o", "-o", tmp_path / "user")
-    assert re.fullmatch(r"-?\d\S* m/s2\n", run(tmp_path / "user"))
 
 
 # ---- model ----

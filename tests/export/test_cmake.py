@@ -1,4 +1,4 @@
-"""CMake projects of a free stand and of held ones: the bits of a plain build, and examples in C++."""
+"""CMake projects: the bits of a plain build."""
 
 from __future__ import annotations
 
@@ -9,17 +9,12 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from cli.run import BENCH8, refused, run
 from mahovik.core.stand import load
-from mahovik.core.stand.hold import twist_of
 from mahovik.out.export.cmake import cmake_project
-from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.stands import path
-from mahovik.use.simulate.held import home
-from toolchain.quick import quick
 from toolchain.tools import require
 
 IN_C = """#include <stdio.h>
@@ -128,7 +123,7 @@ def test_as_a_folder_of_a_project(exported: Path, plain: str, tmp_path: Path) ->
 @pytest.mark.slow
 def test_installed_and_found(exported: Path, plain: str, tmp_path: Path) -> None:
     made = build(exported, "-DCMAKE_BUILD_TYPE=Release", where=str(tmp_path / "made"))
-    assert ctest(made) == 2
+    assert ctest(made) == 1
     call(cmake(), "--install", made, "--prefix", tmp_path / "prefix")
     shutil.rmtree(made)
     mine = user(tmp_path / "mine", "find_package(bench8 0.1 CONFIG REQUIRED)")
@@ -157,74 +152,10 @@ def test_again_and_where_it_may_not_be(exported: Path, tmp_path: Path) -> None:
     assert [p.name for p in (tmp_path / "mine").iterdir()] == ["CMakeLists.txt"]
 
 
-def test_a_part_under_another_name_has_neither_recorder_nor_example() -> None:
+def test_a_part_under_another_name_has_no_recorder() -> None:
     """Options of `generate` are those of the project; what calls functions that are not there is left out."""
     files = cmake_project(replace(load(path("demo3")), name="fw"), "float", only=("torque",))
-    assert not [name for name in files if "recorder" in name or "example" in name]
+    assert not [name for name in files if "recorder" in name]
     assert "fw_recorder" not in files["CMakeLists.txt"] + files["README.md"]
-    assert "fw_example" not in files["CMakeLists.txt"]
     assert "--real float --only torque" in files["README.md"]
     assert "fw_forward(" not in files["fw.h"]
-
-
-# ---- held stands ----
-
-HELD = """schema = 1
-name = "arm"
-gravity = [0, 0, -9.81]
-
-[carrier]
-mass = 2.0
-inertia = [0.02, 0.03, 0.04]
-inertia_about = "center_of_mass"
-center_of_mass = [0.02, 0, 0.05]
-
-[[flywheel]]
-name = "w1"
-mass = 0.4
-inertia = [[2e-3, 1e-5, 0], [1e-5, 1.1e-3, 0], [0, 0, 1.2e-3]]
-inertia_about = "center_of_mass"
-center_of_mass = [0, 1e-3, 0]
-position = [0.1, 0, 0]
-
-[hold]
-position = [0.1, 0.2, 0.3]
-angles = ["30 deg", 0.1, "-20 deg"]
-"""
-HOLDS = {
-    "hinge": "axis = [1, -2, 0.5]\npivot = [0.1, 0, 0.2]",
-    "screw": "basis = [[0, 0.2, 0.01, 0.3, 0, 1]]",
-    "clamped": "freedoms = []",
-}
-
-
-def project(name: str, folder: Path, *options: str) -> Path:
-    """The stand file of a hold; its project is in `folder`/arm."""
-    folder.mkdir(exist_ok=True)
-    (folder / "arm.toml").write_text(HELD + HOLDS[name])
-    result = run("generate", str(folder / "arm.toml"), "--project", "cmake", "-o", str(folder / "arm"), *options)
-    assert result.exit_code == 0, result.output
-    return folder / "arm.toml"
-
-
-def expected(file: Path) -> list[float]:
-    """V_dot at the state of the example, by the reference: w1 at 100 rad/s, u = 1 of the first freedom."""
-    stand = load(str(file))
-    assert stand.hold is not None
-    u = tuple(float(k == 0) for k in range(len(stand.hold.freedoms)))
-    state = replace(home(stand), u=u, V=twist_of(stand.hold, u), phi_dot=(100.0,))
-    return list(np.array(NumpyBackend(stand).evaluate(state, ["forward"])["V_dot"]))
-
-
-@pytest.mark.parametrize("name", quick(1, ["screw", "hinge", "clamped"]))
-def test_the_example_answers_what_the_reference_does(name: str, tmp_path: Path) -> None:
-    file = project(name, tmp_path)
-    folder, program = tmp_path / "arm", tmp_path / "example"
-    call(
-        require("gcc", "gcc"), "-std=c99", "-ffp-contract=off", "-O0", "-c", folder / "arm.c", "-o", tmp_path / "arm.o"
-    )
-    call(require("g++", "g++"), "-std=c++17", "-Wall", "-Wextra", "-Werror",
-         folder / "example.cpp", tmp_path / "arm.o", "-o", program)  # fmt: skip
-    answers = [float(x) for x in call(program).split()]
-    assert answers == pytest.approx(expected(file), rel=6e-9, abs=1e-11)  # nine digits: off by up to 5e-9
-    assert any(answers) == (name != "clamped")

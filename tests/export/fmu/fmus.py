@@ -15,7 +15,6 @@ from typing import Any
 import fmpy
 import numpy as np
 from fmpy.fmi2 import FMU2Model, FMU2Slave, defaultCallbacks, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
-from fmpy.fmi3 import FMU3Model, FMU3Slave
 
 from mahovik import stands
 from mahovik.core.emit.generate import Generated, generate_all
@@ -32,7 +31,7 @@ atexit.register(shutil.rmtree, _FOLDER, ignore_errors=True)
 
 KINDS: tuple[Kind, ...] = ("cs", "me")
 INPUTS: tuple[Inputs, ...] = ("torque", "acceleration")
-COMBINATIONS = tuple((v, k, i) for v in ("2.0", "3.0") for k in KINDS for i in INPUTS)
+COMBINATIONS = tuple((k, i) for k in KINDS for i in INPUTS)
 
 
 @lru_cache
@@ -52,18 +51,18 @@ def generated(name: str) -> Generated:
 
 
 @lru_cache
-def fmu_of(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
+def fmu_of(name: str, kind: Kind, inputs: Inputs, binary: bool = True) -> Fmu:
     """FMU of a stand; begins at rest in the origin where the stand has no equilibrium."""
     example = stand(name)
     start = rest_state(example) if name in ("rigid", "driven") else None
-    return export_fmu(example, version, kind, inputs, start=start, binary=binary, generated=generated(name))
+    return export_fmu(example, kind, inputs, start=start, binary=binary, generated=generated(name))
 
 
 @lru_cache
-def path(name: str, version: str, kind: Kind, inputs: Inputs, binary: bool = True) -> str:
+def path(name: str, kind: Kind, inputs: Inputs, binary: bool = True) -> str:
     """File of the FMU of a stand."""
-    file = _FOLDER / f"{name}-{version}-{kind}-{inputs}{'' if binary else '-sources'}.fmu"
-    file.write_bytes(fmu_of(name, version, kind, inputs, binary).content)
+    file = _FOLDER / f"{name}-{kind}-{inputs}{'' if binary else '-sources'}.fmu"
+    file.write_bytes(fmu_of(name, kind, inputs, binary).content)
     return str(file)
 
 
@@ -77,8 +76,7 @@ class Instance:
 
     def get(self, *names: str) -> list[float]:
         """Values by name."""
-        call = self.fmu.getReal if isinstance(self.fmu, FMU2Slave | FMU2Model) else self.fmu.getFloat64
-        return list(call([self.references[n] for n in names]))
+        return list(self.fmu.getReal([self.references[n] for n in names]))
 
     def set(self, **values: float) -> None:
         """Sets values; `__` in a keyword stands for a point, `_at_` for an index."""
@@ -86,13 +84,11 @@ class Instance:
 
     def put(self, values: dict[str, float]) -> None:
         """Sets values by name."""
-        call = self.fmu.setReal if isinstance(self.fmu, FMU2Slave | FMU2Model) else self.fmu.setFloat64
-        call([self.references[n] for n in values], list(values.values()))
+        self.fmu.setReal([self.references[n] for n in values], list(values.values()))
 
     def begin(self) -> None:
         """Into and out of Initialization Mode."""
-        if isinstance(self.fmu, FMU2Slave | FMU2Model):
-            self.fmu.setupExperiment(startTime=0.0)
+        self.fmu.setupExperiment(startTime=0.0)
         self.fmu.enterInitializationMode()
         self.fmu.exitInitializationMode()
 
@@ -107,34 +103,24 @@ def _spelt(name: str) -> str:
 
 
 @contextmanager
-def instance(name: str, version: str, kind: Kind, inputs: Inputs, talks: bool = False) -> Iterator[Instance]:
+def instance(name: str, kind: Kind, inputs: Inputs, talks: bool = False) -> Iterator[Instance]:
     """An instance that is freed at the end."""
-    file = path(name, version, kind, inputs)
+    file = path(name, kind, inputs)
     description = fmpy.read_model_description(file)
     folder = fmpy.extract(file)
     log: list[tuple[int, str, str]] = []
-    types: dict[tuple[str, Kind], Any] = {
-        ("2.0", "cs"): FMU2Slave, ("2.0", "me"): FMU2Model, ("3.0", "cs"): FMU3Slave, ("3.0", "me"): FMU3Model,
-    }  # fmt: skip
-    unit = types[version, kind](
+    unit = (FMU2Slave if kind == "cs" else FMU2Model)(
         guid=description.guid, unzipDirectory=folder, modelIdentifier=name, instanceName="one", fmiCallLogger=None
     )
-    if version == "2.0":
 
-        def logger(_env: Any, _name: bytes, status: int, category: bytes, message: bytes) -> None:
-            log.append((status, category.decode(), message.decode()))
+    def logger(_env: Any, _name: bytes, status: int, category: bytes, message: bytes) -> None:
+        log.append((status, category.decode(), message.decode()))
 
-        callbacks = fmi2CallbackFunctions()
-        callbacks.logger = fmi2CallbackLoggerTYPE(logger)
-        callbacks.allocateMemory = defaultCallbacks.allocateMemory
-        callbacks.freeMemory = defaultCallbacks.freeMemory
-        unit.instantiate(callbacks=callbacks, loggingOn=talks)
-    else:
-
-        def log3(_env: Any, status: int, category: bytes, message: bytes) -> None:
-            log.append((status, category.decode(), message.decode()))
-
-        unit.instantiate(loggingOn=talks, logMessage=log3)
+    callbacks = fmi2CallbackFunctions()
+    callbacks.logger = fmi2CallbackLoggerTYPE(logger)
+    callbacks.allocateMemory = defaultCallbacks.allocateMemory
+    callbacks.freeMemory = defaultCallbacks.freeMemory
+    unit.instantiate(callbacks=callbacks, loggingOn=talks)
     try:
         yield Instance(unit, {v.name: v.valueReference for v in description.modelVariables}, log)
     finally:

@@ -15,7 +15,6 @@ from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.state import rest_state
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.run import simulate
-from toolchain.quick import quick
 
 SEEN = ("carrier.position[1]", "carrier.attitude[2]", "carrier.V[6]", "w1.phi", "w2.phi_dot", "energy")
 DRIVEN = {"w1.tau": 0.03, "w2.tau": -0.02, "carrier.V[1]": 0.2, "w1.phi_dot": 50.0, "carrier.wrench[3]": 2.0}
@@ -33,7 +32,7 @@ def test_any_communication_step() -> None:
     """A step of 10 ms by dt = 1 ms and the same in parts of which dt is no divisor agree to the error of dt."""
     runs = []
     for parts in ([0.01] * 10, [0.0007, 0.0093] * 10, [0.1]):
-        with fmus.instance("driven", "2.0", "cs", "torque") as one:
+        with fmus.instance("driven", "cs", "torque") as one:
             one.put({"dt": 1e-3})
             begun(one)
             now = 0.0
@@ -47,33 +46,22 @@ def test_any_communication_step() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("version", ["2.0", "3.0"])
-def test_states_are_kept(version: str) -> None:
+def test_states_are_kept() -> None:
     """A state that is kept, also as bytes, goes on as the instance itself."""
-    with (
-        fmus.instance("driven", version, "cs", "torque") as one,
-        fmus.instance("driven", version, "cs", "torque") as two,
-    ):
-        fmu = one.fmu
-        get, put, free = (fmu.getFMUstate, fmu.setFMUstate, fmu.freeFMUstate) if version == "2.0" else (
-            fmu.getFMUState, fmu.setFMUState, fmu.freeFMUState
-        )  # fmt: skip
-        pack = fmu.serializeFMUstate if version == "2.0" else fmu.serializeFMUState
-        unpack = two.fmu.deSerializeFMUstate if version == "2.0" else two.fmu.deserializeFMUState
-        adopt = two.fmu.setFMUstate if version == "2.0" else two.fmu.setFMUState
+    with fmus.instance("driven", "cs", "torque") as one, fmus.instance("driven", "cs", "torque") as two:
         begun(one)
         one.step(0.0, 0.02)
-        kept = get()
-        packed = pack(kept)
+        kept = one.fmu.getFMUstate()
+        packed = one.fmu.serializeFMUstate(kept)
         one.step(0.02, 0.03)
         first = one.get(*SEEN)
-        put(kept)
+        one.fmu.setFMUstate(kept)
         assert one.get("time") == pytest.approx([0.02])
         one.step(0.02, 0.03)
         assert one.get(*SEEN) == first
         begun(two)
-        state = unpack(packed)
-        adopt(state)
+        unpack = two.fmu.deSerializeFMUstate
+        two.fmu.setFMUstate(unpack(packed))
         two.step(0.02, 0.03)
         assert two.get(*SEEN) == first
         with pytest.raises(Exception, match="error"):
@@ -81,12 +69,12 @@ def test_states_are_kept(version: str) -> None:
         assert two.log[-1][2] == "serialized FMU state: found one of another FMU"
         with pytest.raises(Exception, match="error"):
             unpack(packed[:-1])
-        free(kept)
+        one.fmu.freeFMUstate(kept)
 
 
 @pytest.mark.slow
 def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque") as one, fmus.instance("driven", "2.0", "cs", "torque") as two:
+    with fmus.instance("driven", "cs", "torque") as one, fmus.instance("driven", "cs", "torque") as two:
         begun(one)
         two.begin()
         one.step(0.0, 0.05)
@@ -101,12 +89,11 @@ def test_instances_know_nothing_of_one_another_and_reset_begins_anew() -> None:
         assert one.get(*SEEN) == first
 
 
-@pytest.mark.parametrize("version", quick(1, ["2.0", "3.0"]))
-def test_tuned_parameters_are_those_of_another_stand(version: str) -> None:
+def test_tuned_parameters_are_those_of_another_stand() -> None:
     """A parameter that is tuned in the middle of a run gives what a stand with that parameter gives from there on."""
     changed = fmus.stand("driven")
     heavy = replace(fmus.heavier(changed, 1.01), gravity=(0.3, -0.2, -5.0))
-    with fmus.instance("driven", version, "cs", "torque") as one:
+    with fmus.instance("driven", "cs", "torque") as one:
         one.put({"dt": 1e-3})
         one.begin()
         one.put({"carrier.mass": heavy.carrier.mass, "gravity[1]": 0.3, "gravity[2]": -0.2, "gravity[3]": -5.0})
@@ -157,7 +144,7 @@ WRONG = [
 
 @pytest.mark.parametrize(("values", "expected"), WRONG, ids=[next(iter(v)) for v, _ in WRONG])
 def test_wrong_start_values_are_refused(values: dict[str, float], expected: str) -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+    with fmus.instance("driven", "cs", "torque") as one:
         one.put(values)
         assert logged_line(one, one.begin).startswith(expected)
         one.fmu.reset()  # and all is well again
@@ -166,7 +153,7 @@ def test_wrong_start_values_are_refused(values: dict[str, float], expected: str)
 
 
 def test_wrong_calls_are_refused() -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+    with fmus.instance("driven", "cs", "torque") as one:
         assert logged_line(one, lambda: one.step(0.0, 0.1)) == "fmi2DoStep: not allowed in Instantiated"
         assert logged_line(one, lambda: one.put({"energy": 1.0})).startswith("value reference ")
         one.begin()
@@ -183,7 +170,7 @@ def test_wrong_calls_are_refused() -> None:
 
 
 def test_a_motion_that_leaves_its_ranges_says_when() -> None:
-    with fmus.instance("driven", "2.0", "cs", "torque") as one:
+    with fmus.instance("driven", "cs", "torque") as one:
         one.put({"w1.tau": 1e6})
         one.begin()
         one.step(0.0, 1e-4)

@@ -1,12 +1,12 @@
 """The sources of an FMU: the C of its stand, the stand as values with references, the interface of FMI; descriptions.
 
-`modelDescription.xml` describes its variables, `buildDescription.xml` how the sources are compiled.
+`modelDescription.xml` describes its variables.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,40 +17,15 @@ from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.templates import source_text, template
 from mahovik.core.lower.coordinates import Ways
 from mahovik.core.lower.fmu import has_angle, lower_fmu
-from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws, unique
+from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws
 from mahovik.core.lower.freedoms import scalar_coordinates, turns_about_point
 from mahovik.core.lower.units import DISPLAY, NONE, Unit
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 
-HEADERS = {
-    "2.0": ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
-    "3.0": ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
-}
-"""Headers of the FMI standard, unchanged, by version."""
-
-SPELLING = {
-    "2.0": {
-        "token_name": "guid",
-        "logger": "fmi2CallbackLogger",
-        "component": "fmi2Component",
-        "state": "FMUstate",
-        "deserialize": "DeSerialize",
-        "derivatives": "GetDerivatives",
-        "number": "Real",
-    },
-    "3.0": {
-        "token_name": "instantiationToken",
-        "logger": "fmi3LogMessageCallback",
-        "component": "fmi3Instance",
-        "state": "FMUState",
-        "deserialize": "Deserialize",
-        "derivatives": "GetContinuousStateDerivatives",
-        "number": "Float64",
-    },
-}
-"""Spelling of common things in each version."""
+HEADERS = ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h")
+"""Headers of the FMI standard 2.0, unchanged."""
 
 
 @dataclass(frozen=True)
@@ -61,18 +36,18 @@ class Sources:
     compiled: tuple[str, ...]
 
 
-def compiled_sources(stand: Stand, version: str) -> tuple[str, ...]:
+def compiled_sources(stand: Stand) -> tuple[str, ...]:
     """Names of the C files of an FMU, in the order in which they are compiled."""
     name = stand.name
-    return (f"{name}.c", f"{name}_pose.c", f"{name}_model.c", f"{name}_fmi{version[0]}.c")
+    return (f"{name}.c", f"{name}_pose.c", f"{name}_model.c", f"{name}_fmi2.c")
 
 
-def fmu_sources(stand: Stand, generated: Generated, form: Form, version: str, token: str) -> Sources:
+def fmu_sources(stand: Stand, generated: Generated, form: Form, token: str) -> Sources:
     """All sources of an FMU; `token` ties the binary to its description."""
     printer = _Printer(stand, generated, form)
-    compiled = compiled_sources(stand, version)
-    files = _with_model(stand, generated, printer, {compiled[-1]: printer.interface(version, token)})
-    files |= {header: source_text(f"fmu/{header}") for header in HEADERS[version]}
+    compiled = compiled_sources(stand)
+    files = _with_model(stand, generated, printer, {compiled[-1]: printer.interface(token)})
+    files |= {header: source_text(f"fmu/{header}") for header in HEADERS}
     return Sources(files, compiled)
 
 
@@ -159,18 +134,11 @@ class _Printer:
             calls=self._calls(),
         )
 
-    def interface(self, version: str, token: str) -> str:
+    def interface(self, token: str) -> str:
         """The functions of FMI."""
         nominals = [max(1.0, abs(v.start or 0.0)) if v.unit.name == "rad/s" else 1.0 for v in self._form.group("STATE")]
-        fmi = f"fmi{version[0]}"
-        return self._code.render(
-            f"fmu/{fmi}.c.j2",
-            **self._known,
-            fmi=fmi,
-            token=token,
-            **SPELLING[version],
-            nominals=wrap_statement(", ".join(map(self._code.real, nominals)), ""),
-        )
+        lines = wrap_statement(", ".join(map(self._code.real, nominals)), "")
+        return self._code.render("fmu/fmi2.c.j2", **self._known, token=token, nominals=lines)
 
     def block(self, name: str) -> str:
         """The interface of a block of another simulator."""
@@ -178,7 +146,7 @@ class _Printer:
         return self._code.render(
             f"block/{name}.j2",
             **self._known,
-            sources=compiled_sources(self._stand, "2.0")[:-1],
+            sources=compiled_sources(self._stand)[:-1],
             inputs_=form.variables[groups["DRIVE"].first : groups["STATE"].first],
             state=form.group("STATE"),
             calculated=form.variables[groups["RATES"].first :],
@@ -288,9 +256,6 @@ def _reals(type_: Kind | Struct) -> bool:
 
 KINDS = {"cs": "CoSimulation", "me": "ModelExchange"}
 
-OPTIONS = "-std=c99 -O2 -ffp-contract=off"
-"""Compiler options with which every processor gives the same bits."""
-
 
 @dataclass(frozen=True)
 class Description:
@@ -300,26 +265,19 @@ class Description:
     token: str
 
 
-def fmu_description(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> Description:
-    """The description of an FMU of this FMI version; `step`: the default communication step, s."""
-    render = template(f"fmu/modelDescription{version[0]}.xml.j2").render
-    known = _facts(stand, form, version, compiled, step)
+def fmu_description(stand: Stand, form: Form, step: float) -> Description:
+    """The description of an FMU; `step`: the default communication step, s."""
+    render = template("fmu/modelDescription.xml.j2").render
+    known = _facts(stand, form, step)
     digest = hashlib.sha256(render(**known, token="").encode("utf-8")).hexdigest()
     token = f"{{{'-'.join((digest[:8], digest[8:12], digest[12:16], digest[16:20], digest[20:32]))}}}"
     return Description(render(**known, token=token), token)
 
 
-def fmu_build(stand: Stand, compiled: Sequence[str]) -> str:
-    """How the sources are compiled: `buildDescription.xml` of FMI 3.0."""
-    return template("fmu/buildDescription.xml.j2").render(name=stand.name, compiled=compiled, options=OPTIONS)
-
-
-def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step: float) -> dict[str, Any]:
+def _facts(stand: Stand, form: Form, step: float) -> dict[str, Any]:
     hashes = identities(stand)
     shown = [(reference, v) for reference, v in enumerate(form.variables) if v.shown]
-    references = unique(form.variables)
-    index = {v.name: k + 1 for k, (_, v) in enumerate(shown)}
-    number = index if version == "2.0" else references  # how the structure names variables
+    number = {v.name: k + 1 for k, (_, v) in enumerate(shown)}
     used = {v.unit.name: v.unit for _, v in shown if v.unit is not NONE}
     measured = {v.unit.quantity: v.unit for _, v in shown if v.unit.quantity}
     return {
@@ -329,7 +287,7 @@ def _facts(stand: Stand, form: Form, version: str, compiled: Sequence[str], step
         "physics": hashes.physics,
         "kind": KINDS[form.kind],
         "cs": form.kind == "cs",
-        "compiled": compiled,
+        "compiled": compiled_sources(stand),
         "step": step,
         "text": _text,
         "units": [(unit, DISPLAY.get(unit.name, ())) for unit in used.values()],

@@ -13,7 +13,7 @@ VERIFICATION = "verification/"
 
 RESERVED = frozenset(
     (
-        *("H", "HPP", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "REAL_BYTES"),
+        *("H", "BATCH_H", "SERVO_H", "STRUCTURE", "PHYSICS", "TABLE_HASH", "REAL_BYTES"),
         *("VERSION_MAJOR", "VERSION_MINOR", "VERSION_PATCH", "CODE", "CONST", "ALIGNED", "APART", "COPIED"),
         *(
             "ALLOW_FAST_MATH",

@@ -407,13 +407,3 @@ class _Former:
 def _member(of: str, name: str) -> str:
     """A freedom as part of a structured name: `q.pitch`, or `q[1]` by its place."""
     return f"{of}[{name}]" if name.isdigit() else f"{of}.{name}"
-
-
-def unique(variables: Sequence[Variable]) -> dict[str, int]:
-    """Value references by name. Raises ValueError where two variables have one name."""
-    references: dict[str, Any] = {}
-    for reference, variable in enumerate(variables):
-        if variable.name in references:
-            raise ValueError(f"two variables are called {variable.name}")
-        references[variable.name] = reference
-    return references

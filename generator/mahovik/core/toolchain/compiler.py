@@ -91,18 +91,15 @@ STRICT = ("-Wdouble-promotion", "-Wshadow", "-Wundef", "-Wcast-qual", "-Wfloat-e
 """Warnings beside those of every compile."""
 
 _SUFFIX = {"linux": ".so", "darwin": ".dylib", "win32": ".dll"}
-_SYSTEM = {"linux": "linux", "darwin": "darwin", "win32": "windows"}
+_SYSTEM = {"linux": "linux", "darwin": "darwin", "win32": "win"}
 _MACHINE = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "aarch64", "arm64": "aarch64", "i686": "x86"}
 
 
-def platform_folder(version: str) -> str:
-    """Where an FMU of a version keeps the binary of this machine: `linux64`, in FMI 3 `x86_64-linux`."""
+def platform_folder() -> str:
+    """Folder of an FMU that keeps the binary of this machine, such as `linux64`."""
     system = _SYSTEM.get(sys.platform, sys.platform)
     machine = _MACHINE.get(platform.machine().lower(), platform.machine().lower())
-    if version == "2.0":
-        short = {"windows": "win"}.get(system, system)
-        return f"{short}{struct.calcsize('P') * 8}" if machine in ("x86_64", "x86") else f"{machine}-{system}"
-    return f"{machine}-{system}"
+    return f"{system}{struct.calcsize('P') * 8}" if machine in ("x86_64", "x86") else f"{machine}-{system}"
 
 
 def module_suffix() -> str:

@@ -34,9 +34,7 @@ if TYPE_CHECKING:
 Project = Annotated[str, "cmake|fmu|simulink|basilisk|BOARD"]
 Settings = Annotated[str | Mapping[str, Number], "NAME=VALUE"]
 
-FMU = {
-    "version": ("2.0", "3.0"), "kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no"),
-}  # fmt: skip
+FMU = {"kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no")}
 """Settings of an FMU that are one of some words, the default first."""
 
 
@@ -68,8 +66,8 @@ def generate(
     and where (12) is singular in practice. With --prefix the C is that of a stand of that name, and so is its physics
     hash; commands that read the folder, or a log of its C, find the name there.
 
-    --project writes a project around the C: cmake, with the target mahovik::NAME and a header for C++17; fmu, the stand
-    behind the Functional Mock-up Interface; simulink or basilisk, a plant block; a processor or board, such as m7,
+    --project writes a project around the C: cmake, with the target mahovik::NAME; fmu, the stand
+    behind the Functional Mock-up Interface 2.0; simulink or basilisk, a plant block; a processor or board, such as m7,
     where `make run` runs the self-test on the emulator and main.c is yours; fuzz, a harness for libFuzzer. --programme
     adds a programme as const tables with a clock that never drifts, with drive torques if --motion is given, to the C
     that the folder has, or with it; --servo adds the servos that follow it. --attitude writes an attitude loop with an
@@ -84,7 +82,7 @@ def generate(
         real: element type; default double, of a board the widest of its FPU, of a folder that exists its own.
         batch: add functions for many states at once.
         project: write a project of this kind around the C.
-        fmu: set version=2.0|3.0, kind=cs|me, inputs=torque|acceleration, start=STATE.json, dt=TIME (the longest step
+        fmu: set kind=cs|me, inputs=torque|acceleration, start=STATE.json, dt=TIME (the longest step
             inside, default 0.1 ms) or binary=yes|no of the FMU.
         programme: add this programme of `mahovik plan`.
         motion: read the required motion of the programme, for drive torques, feedforward and trim.
@@ -313,7 +311,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
         probe(target)
     notify(progress, Progress(f"FMU of {stand.name}"))
     binary = chosen["binary"] == "yes" and not check
-    made = export_fmu(stand, chosen["version"], chosen["kind"], chosen["inputs"], chosen["dt"], start, binary)
+    made = export_fmu(stand, chosen["kind"], chosen["inputs"], chosen["dt"], start, binary)
     if check:
         try:
             with zipfile.ZipFile(io.BytesIO(target.read_bytes())) as there:

@@ -26,7 +26,6 @@ def replay(
     log: FilePath,
     against: Folder | None = None,
     step: int | None = None,
-    emit_test: int | None = None,
     backend: Literal["c", "interpreter"] = "c",
     progress: Progressing = None,
 ) -> Result:
@@ -43,7 +42,6 @@ def replay(
         log: replay this flight log.
         against: replay the C in this folder, which was used in flight; default newly generated C.
         step: show this step, as a line for `eval` and all bits in hex.
-        emit_test: write NAME_step_K.c, this step as a unit test in C.
         backend: replay by c, or by interpreter, which needs no compiler and is slow.
 
     Raises:
@@ -74,15 +72,11 @@ def replay(
             outcomes.append(event)
         notify(progress, Progress(f"replay {log.name}, records", done, len(records)))
     messages = [f"note: {note}" for note in notes]
-    for name, number in (("step", step), ("emit_test", emit_test)):
-        if number is not None:
-            outcome = next((row for row in outcomes if row.step.count == number), None)
-            if outcome is None:
-                raise UsageError(f"{name} {number}: no such step among those that could be replayed")
-            if name == "step":
-                messages += replays.step_dump(outcome, machine.generated.layout.inputs)
-            else:
-                messages.append(_emit_test(model, machine, outcome))
+    if step is not None:
+        outcome = next((row for row in outcomes if row.step.count == step), None)
+        if outcome is None:
+            raise UsageError(f"step {step}: no such step among those that could be replayed")
+        messages += replays.step_dump(outcome, machine.generated.layout.inputs)
     messages += [f"{'note' if part.end else 'error'}: {part.message}" for part in damage]
     return _result(model, machine, starts[0], outcomes, messages, damage)
 
@@ -159,24 +153,3 @@ def _stand(start: Start, source: Any, log: Path) -> tuple[Stand, str]:
         f'{log}: of the stand "{start.stand}", physics {start.physics}: no {name} of it here, beside the log or among '
         "the examples; give its stand file"
     )
-
-
-def _emit_test(stand: Stand, machine: Machine, outcome: Outcome) -> str:
-    """Write a step as a unit test in C; say so."""
-    from mahovik.core.emit.replay_test import replay_test
-    from mahovik.use.simulate.replay import step_inputs
-    from mahovik.writing import write
-
-    path = Path(f"{stand.name}_step_{outcome.step.count}.c")
-    name, inputs = step_inputs(machine.generated, outcome.step)
-    carry = outcome.carry_after.tolist() if outcome.step.carried else None
-    if carry is not None:
-        inputs["carry"] = outcome.carry
-    before, after = ({k: v.tolist() for k, v in state.items()} for state in (outcome.before, outcome.after))
-    text = replay_test(
-        stand, machine.generated, path.name, outcome.step.count, name, inputs, before, after, outcome.status,
-        outcome.table,
-        carry,
-    )  # fmt: skip
-    write(path, text)
-    return f"{path}   step {outcome.step.count} as a unit test: build it with {stand.name}.c"

@@ -1,11 +1,10 @@
-"""A CMake project around a stand's C: library target, package, self-test, header for C++17."""
+"""A CMake project around a stand's C: library target, package, self-test."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
-from mahovik.core.emit.cpp import cpp_example, cpp_header
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import describe_bodies, generate_all
 from mahovik.core.emit.manifest import with_manifest
@@ -30,16 +29,12 @@ def cmake_project(
     beside  names of the files of programmes and servos in the folder, which the target has too
     loop    an attitude loop, which the target has too, with its own functions of the C; its run is an example
 
-    Without `forward` there is no example in C++. Raises StandError, UsageError.
+    Raises StandError, UsageError.
     """
     generated = generate_all(stand, real, only) if loop is None else loop.generated
     additions = (*(name for name in dict.fromkeys(additions) if name != "selftest"), "selftest")
-    name, hashes, example = stand.name, identities(stand), any(f.name == "forward" for f in generated.program.functions)
-    files = {
-        **generated.files,
-        **cpp_header(stand, generated),
-        **added_files(stand, generated, additions),
-    }
+    name, hashes = stand.name, identities(stand)
+    files = generated.files | added_files(stand, generated, additions)
     parts = [name for name in beside if name.endswith((".h", ".c"))]
     if loop is not None:
         files |= loop.files | board_folder(exportable("host"))
@@ -54,7 +49,6 @@ def cmake_project(
         "batch": "batch" in additions,
         "recorder": f"{VERIFICATION}{name}_recorder" if "recorder" in additions else "",
         "encoder": "encoder" in additions,
-        "example": example,
         "bodies": describe_bodies(stand),
         "command": f"mahovik generate STAND.toml --project cmake{options}",
         "structure": hashes.structure,
@@ -63,12 +57,9 @@ def cmake_project(
         "tests": [PurePosixPath(file).stem for file in parts if file.endswith("_test.c")],
         "parts": parts,
         "loop": loop is not None,
-        "headers": [
-            file for file in dict.fromkeys((*files, *parts)) if file.endswith((".h", ".hpp")) and "/" not in file
-        ],
+        "headers": [file for file in dict.fromkeys((*files, *parts)) if file.endswith(".h") and "/" not in file],
     }
     files |= {
-        **(cpp_example(stand, generated) if example else {}),
         "CMakeLists.txt": template("cmake/CMakeLists.txt.j2").render(**words),
         f"{name}Config.cmake.in": template("cmake/Config.cmake.in.j2").render(**words),
         "README.md": template("cmake/README.md.j2").render(**words),

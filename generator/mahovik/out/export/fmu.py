@@ -8,7 +8,7 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mahovik.core.emit.fmu import block_sources, compiled_sources, fmu_build, fmu_description, fmu_sources
+from mahovik.core.emit.fmu import block_sources, fmu_description, fmu_sources
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form
@@ -34,7 +34,6 @@ class Fmu:
 
 def export_fmu(
     stand: Stand,
-    version: str,
     kind: Kind,
     inputs: Inputs = "torque",
     dt: float = 1e-4,
@@ -54,15 +53,13 @@ def export_fmu(
     stand = with_wrench(stand)
     generated = generated or generate_all(stand)
     variables = form(stand, generated.layout, generated.values, kind, inputs, dt, start_of(stand, start, generated))
-    description = fmu_description(stand, variables, version, compiled_sources(stand, version), max(STEP, dt))
-    sources = fmu_sources(stand, generated, variables, version, description.token)
+    description = fmu_description(stand, variables, max(STEP, dt))
+    sources = fmu_sources(stand, generated, variables, description.token)
     files: dict[str, str | bytes] = {"modelDescription.xml": description.text}
     files |= {f"sources/{name}": text for name, text in sources.files.items()}
-    if version == "3.0":
-        files["sources/buildDescription.xml"] = fmu_build(stand, sources.compiled)
-    lines = [f"FMI {version}, {'co-simulation' if kind == 'cs' else 'model exchange'}; {description.token}"]
+    lines = [f"FMI 2.0, {'co-simulation' if kind == 'cs' else 'model exchange'}; {description.token}"]
     if binary:
-        place = f"binaries/{platform_folder(version)}/{stand.name}{module_suffix()}"
+        place = f"binaries/{platform_folder()}/{stand.name}{module_suffix()}"
         try:
             files[place] = build_module(sources.files, sources.compiled)
             lines.append(f"binary: {place}")
