@@ -8,10 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from cli.run import run
 from foreign.judge import difference, names
 from mahovik.errors import ForeignError
+from mahovik.laws.suspension.law import Suspension
 from mahovik.out.foreign.original import compare, read
 from mahovik.out.foreign.stand import ImportedStand, make_stand
 
@@ -122,6 +124,9 @@ def test_files_of_shapes_need_not_be_there(tmp_path: Path) -> None:
     text = SAT_MJCF.read_text().replace("<worldbody>", f"<asset>{asset}</asset><worldbody>", 1)
     text = text.replace('<geom type="box" size="0.2 0.2 0.2" mass="0"/>', '<geom type="mesh" mesh="m" material="k"/>')
     assert imported(written(tmp_path, "sat.xml", text)).stand.carrier.mass == pytest.approx(22.16)
+    shapes = '<geom size="0.1" mass="2"/><geom type="mesh" mesh="m" mass="0"/><geom type="mesh" mesh="m" density="0"/>'
+    text = f"<asset>{asset}</asset><worldbody><body><freejoint/>{shapes}</body></worldbody>"
+    assert imported(written(tmp_path, "bare.xml", f"<mujoco>{text}</mujoco>")).stand.carrier.mass == 2.0
 
 
 # ---- what holds the carrier ----
@@ -292,12 +297,10 @@ def test_a_hexacopter(tmp_path: Path) -> None:
     assert [wheel.name for wheel in made.stand.flywheels] == [f"rotor_{i}" for i in range(6)]
     for words in (
         "1 <mass> in <link>",
-        "1 <origin> in <link>",
         "1 <gravity> in <link>",
         "6 <pose> in <joint>",
         "1 <self_collide> in <robot>",
-        'link "rotor_2": warning: its <origin> is not read: the place of a link is that of its joint',
-        'joint "imu_joint": effort 0 is read as no limit of the torque',
+        'warning: link "rotor_2": its <origin> is not read: the place of a link is that of its joint',
         'joint "imu_joint": its limits are equal: it is fixed at 0',
         "effect on the equations: 1 gazebo",
     ):
@@ -372,7 +375,8 @@ def test_what_sdf_says_where_the_file_does_not(tmp_path: Path) -> None:
     sensor = '<link name="mast"/><joint name="m" type="fixed"><parent>base_link</parent><child>mast</child></joint>'
     held = """<joint name="post" type="revolute"><pose>0 0 -0.3 0 0 0.4</pose><parent>world</parent>
     <child>base_link</child><axis><xyz>1 0 0</xyz><limit><lower>-0.5</lower><upper>0.4</upper></limit>
-    <dynamics><damping>0.2</damping><friction>0.1</friction></dynamics></axis></joint>"""
+    <dynamics><damping>0.2</damping><friction>0.1</friction><spring_stiffness>2</spring_stiffness>
+    <spring_reference>0.1</spring_reference></dynamics></axis></joint>"""
     sun = "<include><uri>model://sun</uri></include>"
     ground = '<model name="ground"><static>1</static><link name="g"/></model>'
     text = f"{BASE}{ROTOR.format(i=0, y=0.1)}{sensor}{held}"
@@ -392,6 +396,10 @@ def test_what_sdf_says_where_the_file_does_not(tmp_path: Path) -> None:
     assert hold.position == pytest.approx((1, 2, 3))
     assert hold.pivot == pytest.approx((0, 0, -0.3))
     assert hold.freedoms[0].direction == pytest.approx((np.cos(0.4), np.sin(0.4), 0))
+    spring = made.stand.law(Suspension)
+    assert spring is not None
+    home, relaxed = (Rotation.from_euler("ZYX", angles) for angles in (hold.angles, spring.angles))
+    assert (home.inv() * relaxed).as_rotvec() == pytest.approx(0.1 * np.array(hold.freedoms[0].direction))
     frame = "<use_parent_model_frame>1</use_parent_model_frame>"
     for old in ('version="1.4"', 'version="1.6"'):
         text = path.read_text().replace('version="1.9"', old)

@@ -41,7 +41,7 @@ OF_URDF = {
     "planar": (WHEEL + joint("j", "planar", "base", "w"), 'link "w" has 3 joints: a flywheel has one'),
     "unknown": (
         WHEEL + joint("j", "screw", "base", "w"),
-        "MuJoCo refuses it: invalid joint type in URDF joint definition",
+        'joint "j": type "screw": expected one of revolute,',
     ),
     "mimic": (WHEEL + joint("j", "continuous", "base", "w", '<mimic joint="k"/>'), 'joint "j": mimic'),
     "axis": (WHEEL + joint("j", "continuous", "base", "w", axis="0 0 0"), "MuJoCo refuses it: axis too small"),
@@ -137,7 +137,7 @@ OF_MJCF = {
     "density": ('<option density="1000"/>' + hub(GOOD), "option, density: MuJoCo's fluid is not that of a stand"),
     "gravcomp": (hub(GOOD.replace("<body ", '<body gravcomp="1" ')), 'body "w": gravcomp: a stand has no such force'),
     "armature of a plane": (hub(GOOD, PLANE), 'joint "y": armature: inertia without a body'),
-    "heavy armature": (hub(SPUN.format('armature="1e9"')), "Theta is not positive semidefinite"),
+    "heavy armature": (hub(SPUN.format('armature="1e9"')), "armature 1e+09: a thin disc of it has more inertia"),
     "unknown attribute": (hub(SPUN.format('colour="1"')), "MuJoCo refuses it: "),
     "no file": (hub(GOOD) + '<include file="no.xml"/>', "MuJoCo refuses it: "),
 }
@@ -158,6 +158,7 @@ OF_SDF = {
     "circle": (VEHICLE.replace("<pose>0 0 0.1", '<pose relative_to="rotor_0">0 0 0.1'), "is in a circle of frames"),
     "numbers": (VEHICLE.replace("0 0 0.1", "0 0 no"), 'pose: expected 6 numbers separated by blanks, found "0 0 no'),
     "axis": (VEHICLE.replace("<xyz>0 0 1", "<xyz>0 0 0"), "MuJoCo refuses it: axis too small"),
+    "mimic": (VEHICLE.replace("<xyz>", '<mimic joint="k"/><xyz>'), 'joint "rotor_0_joint": mimic'),
     "include": ("<include><uri>https://fuel.example/x</uri></include>", 'include "https://fuel.example/x": expected'),
     "include nowhere": (
         '<model name="q"><include><uri>model://x</uri></include></model>',

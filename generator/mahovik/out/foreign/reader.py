@@ -19,6 +19,8 @@ from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, numbers
 
+MIMIC = "mimic: a flywheel cannot be coupled to another joint"
+
 
 class Reader:
     """One MJCF file.
@@ -45,21 +47,21 @@ class Reader:
     def limit(self, joint: str, kind: str, lower: str | None, upper: str | None, velocity: str, effort: str) -> None:
         """What a joint's limit says, in words of the file; `lower` and `upper` None where they have no meaning."""
         where, self.ranges[joint] = f"joint {show(joint)}", None
-        if velocity and kind != "fixed":
+        if lower is not None and upper is not None:
+            try:
+                least, most = numbers(f"{lower} {upper}", 2)
+            except ValueError:
+                words = f"expected two numbers, found {show(lower)} and {show(upper)}; without an end it is continuous"
+                self.problems.add(where, "limit, lower and upper", words)
+                return
+            if least > most:
+                self.problems.add(where, "limit", f"lower {least:g} is above upper {most:g}")
+            self.ranges[joint] = least, most
+            kind = "fixed" if least == most else kind
+        if velocity and kind != "fixed" and not velocity.startswith("-"):  # negative: there is none
             self.notes.append(f"{where}: its velocity limit {velocity} is left out: see motor.speed")
-        if effort.strip("+-0.") in ("", "e0") and effort:
+        if effort and kind != "fixed" and effort.strip("+-0.") in ("", "e0"):
             self.notes.append(f"{where}: effort {effort} is read as no limit of the torque")
-        if lower is None or upper is None:
-            return
-        try:
-            least, most = numbers(f"{lower} {upper}", 2)
-        except ValueError:
-            words = f"expected two numbers, found {show(lower)} and {show(upper)}; without an end it is continuous"
-            self.problems.add(where, "limit, lower and upper", words)
-            return
-        if least > most:
-            self.problems.add(where, "limit", f"lower {least:g} is above upper {most:g}")
-        self.ranges[joint] = least, most
 
     def stop(self) -> None:
         """Raises ForeignError if there are problems."""
@@ -82,7 +84,10 @@ class Reader:
         if touching:
             self.notes.append(f"a stand has no contacts: {len(touching)} geoms that could touch something do not here")
         always = spec.compiler.inertiafromgeom == self.mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
-        unused = [g for g in spec.geoms if g.parent.name == "world" or (g.parent.explicitinertial and not always)]
+        unused = [
+            g for g in spec.geoms
+            if g.parent.name == "world" or (g.parent.explicitinertial and not always) or _is_massless(g)
+        ]  # fmt: skip
         for element in (*spec.sensors, *spec.keys, *spec.pairs, *spec.excludes, *spec.skins, *unused):
             spec.delete(element)
         for geom in spec.geoms:
@@ -208,6 +213,10 @@ def _mass(model: Any, i: int, written: Any) -> RigidMass:
     if np.abs(full.inertia - inertia).max() < 1e-9 * np.abs(inertia).max():  # false where it is not given, nan
         inertia = full.inertia
     return place.mass(RigidMass(float(model.body_mass[i]), np.array(model.body_ipos[i]), inertia))
+
+
+def _is_massless(geom: Any) -> bool:
+    return not (geom.density if np.isnan(geom.mass) else geom.mass)
 
 
 def _matrix(quaternion: Array) -> Array:

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.units import show
 from mahovik.out.foreign.model import Array, Place, RigidMass, left_out, numbers, read_xml, tree_order
-from mahovik.out.foreign.reader import Reader
+from mahovik.out.foreign.reader import MIMIC, Reader
 
 _READ = {
     "sdf": "model world include",
@@ -23,7 +23,7 @@ _READ = {
     "inertia": "ixx ixy ixz iyy iyz izz",
     "frame": "pose",
     "joint": "parent child pose axis",
-    "axis": "xyz limit dynamics use_parent_model_frame",
+    "axis": "xyz limit dynamics mimic use_parent_model_frame",
     "limit": "lower upper effort velocity",
     "dynamics": "damping friction spring_reference spring_stiffness",
 }
@@ -77,7 +77,7 @@ class Sdf(Reader):
         self.stop()
 
         spec = self.mujoco.MjSpec()
-        spec.modelname = model.get("name", "")
+        spec.modelname, spec.compiler.degree = model.get("name", ""), False
         above = {child: (joint, parent) for joint, parent, child in edges}
         for link in order:
             joint, parent = above.get(link, ("", "world"))
@@ -214,6 +214,8 @@ class Sdf(Reader):
         self.numbers[name] = list(self._joints).index(name)
         if kind is None:
             self.problems.add(where, f"{element.get('type')}: expected one of {', '.join(_KINDS)}")
+        if element.find("axis/mimic") is not None:
+            self.problems.add(where, MIMIC)
         if not kind:
             return
         joint_place = self._place(name)

@@ -129,8 +129,12 @@ class _Maker:
         self._comments["carrier"] = [f"Frame: that of {self._words(frame)}.", self._sources(merged)]
         mass = self._mass(merged, Place(), self._places)
         for body in turning:
-            axis = self._places[body.name].axes @ body.joints[0].axis
-            mass = replace(mass, inertia=mass.inertia - _disc(body.joints[0].armature, axis))
+            joint, axes = body.joints[0], self._places[body.name].axes
+            mass = replace(mass, inertia=mass.inertia - _disc(joint.armature, axes @ joint.axis))
+            if joint.armature and np.linalg.eigvalsh(mass.inertia)[0] < 0.0:
+                words = f"armature {joint.armature:g}: a thin disc of it has more inertia than the carrier"
+                self._problems.add(f"joint {show(joint.name)}", f"{words}; write it into that of the wheel's body")
+        self._stop()
         instruments, flywheels = tuple(map(self._instrument, kept)), tuple(map(self._flywheel, turning))
         if driven := ", ".join(show(wheel.name) for wheel in flywheels if wheel.motor):
             self._notes.append(f"friction and limits of {driven} act in `mahovik simulate`, not in the equations")
