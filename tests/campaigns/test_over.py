@@ -61,7 +61,7 @@ def test_a_regime_is_that_of_the_model_of_each_sample(tmp_path: Path) -> None:
         "tau": '"peak torque"\nat = "all"',
         "speed": '"least speed"\nat = "rw1"',
         "power": '"mean power"\nat = "rw2"',
-        "turn": '"peak rotation"\nat = "acc1"',
+        "turn": '"peak angle"\nat = "acc1"',
     }
     rows, model = computed(tmp_path, SATELLITE, over, wanted, "sat4")
     for j, stand in enumerate(model):

@@ -152,7 +152,7 @@ def _campaign() -> Answers:
         '"w*.unbalance.static" = { relative = 0.2 }\n"carrier.mass" = { tolerance = "0.5 kg" }\n'
         '"w1.position[0]" = { normal = [0.1, 0.001] }\n[over]\nregime = { default = { speed = "1500 rpm" } }\n'
         'until = "0.05 s"\n[[quantity]]\nname = "shake"\nwhat = "rms acceleration"\nat = "imu"\n'
-        '[[quantity]]\nname = "turn"\nwhat = "peak rotation"\nat = "imu"\n'
+        '[[quantity]]\nname = "turn"\nwhat = "peak angle"\nat = "imu"\n'
     )
     rows: Answers = {}
     with tempfile.TemporaryDirectory() as folder:

@@ -170,6 +170,11 @@ SUSPENSION = "[suspension]\nstiffness = [1e3, 1e3, 1e3, 9, 9, 9]\ndamping = [1, 
     [
         ("linear = [13.7, 1,", "linear = [-13.7, -1,", "carrier: damping.linear has -13.7 for u, -1 for v: it drives"),
         ("0.047, 0.15", "0.047, -0.15", "carrier: damping.quadratic has -0.15 for r: it drives"),
+        (
+            "added_mass",
+            "fading_damping = { linear = [1, 1, -23, 1, 1, 1], rate = 3 }\nadded_mass",
+            "carrier: fading_damping.linear has -23 for w: it drives",
+        ),
         ("stiffness = [1e3", "stiffness = [-1e3", "suspension.stiffness has -1000 for u: it pushes away"),
         ("damping = [1, 1, 1, 1", "damping = [1, 1, 1, -1", "suspension.damping has -1 for p: it drives"),
     ],

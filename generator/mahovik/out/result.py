@@ -392,7 +392,7 @@ class Result(Mapping[str, Any]):
 
         Of arrays with more axes than one has in a table, and of a single row, there is a row an array.
         """
-        shown = [_fitted(one) for one in self.columns if one.name not in self.details]
+        shown = [fitted(one) for one in self.columns if one.name not in self.details]
         if self.single or any(one.values.ndim > 2 for one in shown):
             return ["name", "shape", "unit", "values", "meaning"], [self._about(one) for one in shown], [False] * 5
         columns = [part for one in shown for part in one.flat()]
@@ -425,7 +425,7 @@ class Result(Mapping[str, Any]):
                 continue
             one = Column(key, self.units.get(key, ""), np.array(parts, dtype=object))
             if not texts and not any(isinstance(part, bool | int) for part in parts):
-                one = _fitted(one._replace(values=np.array(parts, dtype=np.float64)))
+                one = fitted(one._replace(values=np.array(parts, dtype=np.float64)))
             words = (", " if texts else "  ").join(map(cell_text, one.values))
             yield f"{key_words(key)}: {words} {one.unit}".rstrip()
 
@@ -506,11 +506,11 @@ def cell_text(value: Any) -> str:
 
 def quantity_text(value: float, unit: str) -> str:
     """A number of an SI unit in the unit for people: "3.56 mm" of 0.00356 and "m"."""
-    one = _fitted(Column("", unit, np.array([value], dtype=np.float64)))
+    one = fitted(Column("", unit, np.array([value], dtype=np.float64)))
     return f"{one.values[0]:.6g} {one.unit}"
 
 
-def _fitted(one: Column) -> Column:
+def fitted(one: Column) -> Column:
     """A column in the unit for people."""
     unit = _unit_that_fits(one)
     return one if unit is None else one._replace(unit=unit[0], values=one.values / unit[1])

@@ -219,7 +219,7 @@ def _displacement(quantity: Quantity, scene: Scene, at: Moments) -> Array:
     return turn(scene.axes[quantity.at], turn(scene.C, values, back=True), back=True) if quantity.on_axes else values
 
 
-def _rotation(quantity: Quantity, scene: Scene, at: Moments) -> Array:
+def _angle(quantity: Quantity, scene: Scene, at: Moments) -> Array:
     values = rotation_vector(scene.start[3:7], at.state[:, 3:7])
     return turn(scene.axes[quantity.at], values, back=True) if quantity.on_axes else values
 
@@ -260,7 +260,7 @@ SIGNALS: Mapping[str, Signal] = {
     "acceleration": Signal("point", units.ACCELERATION, "V_dot", _acceleration),
     "velocity": Signal("point", units.VELOCITY, "", _velocity),
     "displacement": Signal("point", units.LENGTH, "", _displacement),
-    "rotation": Signal("point", units.ANGLE, "", _rotation),
+    "angle": Signal("point", units.ANGLE, "", _angle),
     "rate": Signal("point", units.SPEED, "", _rate),
     "specific_force": Signal("sensor", units.ACCELERATION, "readings", _specific_force),
     "force": Signal("part", units.FORCE, "loads", _load),
@@ -274,8 +274,8 @@ SIGNALS: Mapping[str, Signal] = {
 
 SIGNALS_OVER: Mapping[str, tuple[str, ...]] = {
     "regime": tuple(name for name in SIGNALS if name != "error"),
-    "speeds": ("acceleration", "velocity", "displacement", "rotation", "rate", "force", "moment"),
-    "states": tuple(name for name in SIGNALS if name not in ("displacement", "rotation", "error")),
+    "speeds": ("acceleration", "velocity", "displacement", "angle", "rate", "force", "moment"),
+    "states": tuple(name for name in SIGNALS if name not in ("displacement", "angle", "error")),
 }
 """Those over a kind of run; all over others."""
 

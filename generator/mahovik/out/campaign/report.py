@@ -15,7 +15,7 @@ from mahovik.out.campaign.designs import IN_BLOCKS
 from mahovik.out.campaign.file import Campaign
 from mahovik.out.plots import Line, Panel
 from mahovik.out.report.page import Part, page
-from mahovik.out.result import Result, column
+from mahovik.out.result import Result, column, fitted
 from mahovik.use.numeric.se3 import Array
 from mahovik.writing import write
 
@@ -24,6 +24,8 @@ SHARES = (0.05, 0.5, 0.95)
 """Quantiles of a quantity."""
 BINS, MOST_REASONS = 20, 20
 """Bins of a number whose influence is estimated; reasons that are shown."""
+ENOUGH = 4 * BINS
+"""Samples from which on that influence is estimated."""
 
 
 def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
@@ -48,10 +50,12 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
             "why samples have no quantities", (column("reason", "", texts), column("samples", "", counts))
         )
     meta["sensitivity"] = _sensitivity(campaign, values)
+    few = campaign.design.kind not in IN_BLOCKS and not meta["sensitivity"].count
+    messages = [f"what a quantity depends on is estimated from {ENOUGH} samples on"] if few else []
     panels = [_histogram(q.name, q.unit, values[q.name]) for q in campaign.quantities]
     return Result(
         f"campaign {campaign.name}: {len(rows)} of {campaign.design.samples} samples", columns, rows="quantities",
-        index="quantity", meta=meta, details=("of_samples", "chunks", "of_chunks"), drawings=panels,
+        index="quantity", meta=meta, details=("of_samples", "chunks", "of_chunks"), messages=messages, drawings=panels,
     )  # fmt: skip
 
 
@@ -90,7 +94,7 @@ def _sensitivity(campaign: Campaign, values: Mapping[str, Array]) -> Result:
         if campaign.design.kind not in IN_BLOCKS:
             known = ~np.isnan(y)
             used, names = int(known.sum()), [varied.number.path for varied in campaign.draw.varied if varied.factor]
-            if used >= 4 * BINS:
+            if used >= ENOUGH:
                 figures = {"share": np.array([variance_share(values[path][known], y[known]) for path in names])}
         if figures:
             key = next(iter({"ST", "mu_star", "share"} & figures.keys()))
@@ -115,8 +119,9 @@ def variance_share(x: Array, y: Array) -> float:
 def _histogram(name: str, unit: str, values: Array) -> Panel:
     known = values[~np.isnan(values)]
     counts, edges = np.histogram(known, bins="doane" if len(known) > 2 and np.ptp(known) > 0.0 else 1)
-    line = Line("samples", np.repeat(edges, 2)[1:-1], np.repeat(counts, 2))
-    return Panel("samples", (line,), abscissa=f"{name}, {unit}" if unit else name, top=float(counts.max()))
+    shown = fitted(column(name, unit, np.repeat(edges, 2)[1:-1]))
+    line = Line("samples", shown.values, np.repeat(counts, 2))
+    return Panel("samples", (line,), abscissa=shown.head, top=float(counts.max()))
 
 
 def write_report(campaign: Campaign, result: Result, path: Path) -> None:

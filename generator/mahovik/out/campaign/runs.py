@@ -430,7 +430,7 @@ def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> 
     def numbers_of(variant: Stand) -> Mapping[str, float]:
         motion, numbers = periodic_response(variant, plan.speeds(0.0), phases), {}
         for q in quantities:
-            view = find_view(variant, REACTION if q.at == HOLD else q.at, "angle" if q.what == "rotation" else q.what)
+            view = find_view(variant, REACTION if q.at == HOLD else q.at, q.what)
             chosen = [AXES.index(q.axis)] if q.axis else [0, 1, 2]
             if q.statistic == "peak":
                 numbers[q.name] = np.linalg.norm(motion.values(view)[:, chosen], axis=1).max()

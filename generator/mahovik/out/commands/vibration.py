@@ -238,10 +238,11 @@ def _improve(
     freedom = Freedom.of(stand, vibration.speeds[0], wanted, most, avoided_bands(vibration, avoid))
     better = improve_vibration(vibration, freedom, band, seed=seed, go_on=clock.go_on)
     before, after = better.before, better.after
-    words = f"{before / after:.4g} times quieter" if 0.0 < after < before else "no allowed speeds are quieter"
-    said = [
-        f"{words}: RMS {before:.4g} before, {after:.4g} {vibration.seen.measure.unit} after, of the whole equations"
-    ]
+    words = "no allowed speeds are quieter"
+    if after < before:
+        words = f"{before / after:.4g} times quieter" if after else "no line is left in the band"
+    sizes = [quantity_text(size, vibration.seen.measure.unit) if size else "0" for size in (before, after)]
+    said = [f"{words}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"]
     for wheel, turning, angle in zip(vibration.plan.names, better.speeds, better.phases, strict=True):
         said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
     return better._asdict(), said
