@@ -103,6 +103,7 @@ _FLYWHEEL_RESULTS: dict[str, tuple[Member, ...]] = {
 class Calls:
     """A stand with its compiled C: calls by the names of arguments. Holds nothing that a call changes.
 
+    state    a column of no state for each array of `States`
     columns  of each function: a column of no state for each result
     """
 
@@ -117,10 +118,10 @@ class Calls:
         wheels = Axis("flywheel", self.flywheels)
         self._counted = {"N": wheels, "SENSORS": Axis("sensor", tuple(self.made.sensors))}
         state = next(a for f in self.made.functions.values() for a in f.arguments if a.name == "x")
-        self._state = [self._column(m) for m in state.members]
-        self.maker = StateMaker(stand, self._state, self.element, self._quaternions)
+        self.state = [self._column(m) for m in state.members]
+        self.maker = StateMaker(stand, self.state, self.element, self._quaternions)
         self.columns = {name: list(self._columns(f)) for name, f in self.made.functions.items()}
-        self._axes = {one.name: one.axes[0] for one in self._state}
+        self._axes = {one.name: one.axes[0] for one in self.state}
         self._axes |= {"phi_ddot": wheels, "tau": wheels, "V_dot": TWIST, "angles": Axis("angle", _RATES.labels[3:])}
 
     # -- what comes out ----------------------------------------------------------------------------------------------
@@ -182,7 +183,7 @@ class Calls:
                 RuntimeWarning,
                 stacklevel=3,
             )
-        return States(self.stand.name, self._state, result["next"], single)
+        return States(self.stand.name, self.state, result["next"], single)
 
     def _call(
         self, function: str, x: Any, how: How, arguments: Mapping[str, Any], carry: Any = None
@@ -293,7 +294,7 @@ class Calls:
     def array(self, x: Any) -> Array:
         """States as an array of shape (n, k) or (k,). Raises InputError."""
         if isinstance(x, States):
-            if not x.is_like(self._state):
+            if not x.is_like(self.state):
                 raise InputError(f"states of another stand: {x!r}, expected states of {self.stand.name}")
             return x.array
         result = inputs.read(x, "states", self.maker.numbers)

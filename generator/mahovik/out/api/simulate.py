@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.motion.regime import Regime, steady_regime
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Stand
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import rest_state
 from mahovik.core.toolchain.block import Block
 from mahovik.errors import InputError, RefusedError, UsageError
@@ -27,10 +27,6 @@ MOST = 1 << 28
 
 SIZE = 256
 """Samples that are stepped together: their tables and states stay in the cache of the processor."""
-
-
-_CARRIER = ((Axis("axis", ("x", "y", "z")),), (Axis("quaternion", ("w", "x", "y", "z")),))
-_TWIST, _WRENCH = Axis("twist", tuple(TWIST_LETTERS)), Axis("wrench", tuple(WRENCH_LETTERS))
 
 
 def simulate(
@@ -51,9 +47,8 @@ def simulate(
     speeds = x[13 + len(calls.flywheels) :]
     if regime is None and np.any(speeds != speeds[:, :1]):
         raise InputError("start: the states have different speeds, expected a regime that gives them")
-    chosen = (
-        steady_regime(calls.stand, speeds[:, 0].tolist()) if regime is None else regime_of(regime, calls.stand, end)
-    )
+    steady = steady_regime(calls.stand, speeds[:, 0].tolist())
+    chosen = steady if regime is None else regime_of(regime, calls.stand, end)
     stand = stand_for(calls.stand, chosen)
     if stand != calls.stand:  # the regime puts wrenches on bodies that take none
         other = Calls(stand, calls.real, calls.compiler, calls.threads)
@@ -81,32 +76,30 @@ def simulate(
             raise RefusedError(f"{where}{words[j]}", "simulate", first + j, status, "", sum(map(bool, words)))
         refused += words
     arrays = {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
-    return _result(stand, case.times, arrays, refused, n)
+    return _result(calls, case.times, arrays, refused, n)
 
 
-def _result(stand: Stand, t: Array, arrays: Mapping[str, Array], refused: Sequence[str], n: int | None) -> Result:
+def _result(calls: Calls, t: Array, arrays: Mapping[str, Array], refused: Sequence[str], n: int | None) -> Result:
     """Arrays over the time, of one state or of n samples."""
-    flywheel = Axis("flywheel", tuple(s.name for s in stand.flywheels))
-    sensor = Axis("sensor", (*(one.name for one in stand.instruments), *(one.name for one in stand.points)))
-    fields: dict[str, tuple[tuple[Axis, ...], str]] = {
-        "position": (_CARRIER[0], "m"), "attitude": (_CARRIER[1], ""), "V": ((_TWIST,), "m/s, rad/s"),
-        "V_dot": ((_TWIST,), "m/s2, rad/s2"), "phi": ((flywheel,), "rad"), "phi_dot": ((flywheel,), "rad/s"),
-        "phi_ddot": ((flywheel,), "rad/s2"), "tau": ((flywheel,), "N m"), "reaction": ((_WRENCH,), "N, N m"),
-        "specific_force": ((sensor, *_CARRIER[0]), "m/s2"), "rate": ((sensor, *_CARRIER[0]), "rad/s"),
-        "mount_wrench": ((flywheel, _WRENCH), "N, N m"),
-    }  # fmt: skip
+    fields = {one.name: one for columns in (*calls.columns.values(), calls.state) for one in columns}
+    if sensed := fields.get("specific_force"):
+        fields["rate"] = Column("rate", "rad/s", sensed.values, sensed.axes)
     bad = sum(map(bool, refused))
     messages = [f"{bad} of {len(refused)} samples refused, NaN from then on"] if bad else []
-    about: dict[str, Any] = {"meta": {"stand": stand.name, "refused": refused}, "messages": messages, "ok": not bad}
-    title = f"{stand.name}, {len(t)} moments" + (f" of {n} samples" if n else "")
+    meta: dict[str, Any] = {"stand": calls.stand.name, "refused": refused}
+    title = f"{calls.stand.name}, {len(t)} moments"
     if n is None:
-        columns = [Column(name, fields[name][1], array[0], fields[name][0]) for name, array in arrays.items()]
-        return Result(title, [Column("t", "s", t), *columns], index="t", details=("stand", "refused"), **about)
-    time_axis = Axis("t", tuple(t.tolist()))
-    columns = [Column(name, fields[name][1], x, (time_axis, *fields[name][0])) for name, x in arrays.items()]
-    about["meta"] |= {"t": t}
-    samples = Column("sample", "", np.arange(n))
-    return Result(title, [samples, *columns], index="sample", details=("stand", "refused", "t"), **about)
+        index = Column("t", "s", t)
+        columns = [fields[name]._replace(values=array[0]) for name, array in arrays.items()]
+    else:
+        index, time_axis = Column("sample", "", np.arange(n)), Axis("t", tuple(t.tolist()))
+        title, meta = f"{title} of {n} samples", meta | {"t": t}
+        columns = [
+            fields[name]._replace(values=array, axes=(time_axis, *fields[name].axes)) for name, array in arrays.items()
+        ]
+    return Result(
+        title, [index, *columns], index=index.name, meta=meta, messages=messages, ok=not bad, details=tuple(meta)
+    )
 
 
 def _beginnings(calls: Calls, start: Any, tables: Tables | None) -> tuple[Array, int | None]:
