@@ -1,14 +1,12 @@
-"""cost: where it writes, and a gate that cannot be narrowed unseen. What is measured is made up here."""
+"""cost: where it writes, and what it leaves out. What is measured is made up here."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
@@ -74,63 +72,15 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {p.name: p.read_bytes() for p in folder.iterdir()}
 
 
-def accepted(folder: Path) -> list[tuple[str, str]]:
-    return [(t["target"], t["real"]) for t in json.loads((folder / "cost.json").read_text())["targets"]]
-
-
-def edit(folder: Path, change: Callable[[dict[str, Any]], object]) -> None:
-    """Other accepted figures, in a folder without a manifest."""
-    data = json.loads((folder / "cost.json").read_text())
-    change(data)
-    (folder / "cost.json").write_text(json.dumps(data))
-
-
-def test_both_files_lie_beside_the_delivery(folder: Path) -> None:
-    result = run("verify", DEMO3, str(folder), "--cost")
+def test_the_page_lies_beside_the_delivery(folder: Path) -> None:
+    result = run("verify", DEMO3, str(folder), "--cost", "--json")
     assert result.exit_code == 0
-    assert {"COST.md", "cost.json"} <= set(contents(folder))
-    assert not {"COST.md", "cost.json"} & set(json.loads((folder / "manifest.json").read_text())["files"])
-    assert accepted(folder) == list(USUAL)
+    assert [(t["target"], t["real"]) for t in json.loads(result.stdout)["targets"]] == list(USUAL)
+    assert "COST.md" in contents(folder)
+    assert "COST.md" not in json.loads((folder / "manifest.json").read_text())["files"]
     before = contents(folder)
     assert run("verify", DEMO3, str(folder), "--cost").exit_code == 0
-    assert run("verify", DEMO3, str(folder), "--cost", "--accept").exit_code == 0
     assert contents(folder) == before
-
-
-@pytest.mark.parametrize(
-    ("change", "line"),
-    [
-        (lambda f: f.pop(1), "not accepted: m4, float: inverse, instructions"),
-        (lambda f: f[0].pop("stack"), "not accepted: m4, float: forward, stack"),
-        (lambda f: f.append(f[0] | {"function": "old"}), "not accepted: m4, float: old, which is not there any more"),
-        (lambda f: f[0].update(code=0), "rise: m4, float: forward, code: 0 accepted, now 3000, there was none"),
-    ],
-)
-def test_check_wants_every_figure(change: Callable[[Any], object], line: str, tmp_path: Path) -> None:
-    run("verify", DEMO3, str(tmp_path), "--cost")
-    edit(tmp_path, lambda data: change(data["targets"][0]["functions"]))
-    failed = run(
-        "verify",
-        DEMO3,
-        str(tmp_path),
-        "--cost",
-    )
-    assert failed.exit_code == 1
-    assert line in failed.stderr
-
-
-def test_what_has_risen_is_not_written_until_it_is_accepted(folder: Path, functions: list[FunctionCost]) -> None:
-    arguments = ("verify", DEMO3, str(folder), "--cost")
-    run(*arguments)
-    before = contents(folder)
-    functions[0] = replace(FUNCTIONS[0], stack=511)
-    failed = run(*arguments)
-    assert failed.exit_code == 1
-    assert "rise: m4, float: forward, stack: 500 accepted, now 511" in failed.stderr
-    assert contents(folder) == before
-    assert run(*arguments, "--accept").exit_code == 0
-    assert "| 511 |" in (folder / "COST.md").read_text()
-    assert run(*arguments).exit_code == 0
 
 
 @pytest.mark.parametrize("everything", [False, True])
@@ -147,9 +97,10 @@ def test_targets_that_are_not_there_are_left_out_by_name(
     if everything:
         assert refused("verify", DEMO3, str(tmp_path), "--cost").startswith("error: m4: no qemu-system-arm: ")
         return
-    result = run("verify", DEMO3, str(tmp_path), "--cost", "--accept")
+    result = run("verify", DEMO3, str(tmp_path), "--cost", "--json")
     assert result.exit_code == 0
     assert [line.partition(": no ")[0] for line in result.stderr.splitlines()] == [
         f"warning: left out: {x}" for x in ("m4", "m7")
     ]
-    assert accepted(tmp_path) == [pair for pair in USUAL if pair[0].startswith("rv")]
+    measured = [(t["target"], t["real"]) for t in json.loads(result.stdout)["targets"]]
+    assert measured == [pair for pair in USUAL if pair[0].startswith("rv")]

@@ -160,7 +160,7 @@ def test_files_that_are_refused(fmu: Path) -> None:
     assert "no such file" in refused(*judged(FREE, "none.fmu", FREE_MAP))
     assert "stand.toml: is a stand file, expected an FMU" in refused(*judged(FREE, "stand.toml", FREE_MAP))
     assert "--map" in refused(*judged(FREE, fmu, FREE_MAP)[:-2])
-    assert "expected one of them" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
+    assert "of them, expected one" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
 
 
 @pytest.mark.parametrize("what", ["FILES", "BYTES", "DESCRIPTION"])

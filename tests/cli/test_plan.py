@@ -23,7 +23,7 @@ def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
     assert told.exit_code == 0 and "duration: 6 s" in told.stdout and "status: OK\n" in told.stdout
     assert load_programme(programme).carrier is not None
     judged = run("verify", sat4, str(programme), "--motion", str(motion), "--json")
-    names = {finding["item"] for finding in json.loads(judged.stdout)["findings"] if finding["verdict"] == "ok"}
+    names = {row["quantity"] for row in json.loads(judged.stdout)["rows"] if row["verdict"] == "ok"}
     assert judged.exit_code == 0 and names >= {"slew start", "slew end", "slew path", "slew rest", "motor torque"}
     motion.write_text(json.dumps(keys | {"duration": 1}), encoding="utf-8")
     short = run("plan", sat4, "--motion", str(motion), "-o", str(tmp_path / "q.json"))

@@ -1,11 +1,10 @@
-"""What lies in a delivered folder and is read again: manifest, accepted figures, cost page, header."""
+"""What lies in a delivered folder and is read again: manifest, cost page, header."""
 
 from __future__ import annotations
 
 import json
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given
@@ -16,12 +15,10 @@ from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.stand import load
-from mahovik.proof.cost import read_accepted_costs
-from mahovik.proof.verify.delivery import FIGURES, deliver, differences
+from mahovik.proof.verify.delivery import deliver, differences
 from mahovik.stands import path
 
 DEMO3 = load(path("demo3"))
-COSTS: dict[str, Any] = json.loads((Path(__file__).parent / "examples" / "cost.json").read_text(encoding="utf-8"))
 
 
 pytestmark = READERS
@@ -49,7 +46,6 @@ def folder(tmp_path: Path) -> Path:
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
     read_or_refuse(lambda: differences(folder, DEMO3, files()))
-    read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
     read_or_refuse(lambda: deliver(folder, DEMO3, files()))
     for name, text in files().items():
         there = folder / name
@@ -61,16 +57,3 @@ def visit(folder: Path) -> None:
 def test_manifest(data: bytes, folder: Path) -> None:
     (folder / MANIFEST).write_bytes(data)
     visit(folder)
-
-
-def test_the_example_is_accepted(folder: Path) -> None:
-    (folder / FIGURES).write_text(json.dumps(COSTS), encoding="utf-8")
-    assert read_accepted_costs(folder, DEMO3)
-
-
-@fuzzed(60)
-@given(text=spoiled_json([COSTS]))
-def test_accepted_figures(text: str, folder: Path) -> None:
-    (folder / FIGURES).write_bytes(text.encode("utf-8", "surrogatepass"))
-    read_or_refuse(lambda: read_accepted_costs(folder, DEMO3))
-    read_or_refuse(lambda: deliver(folder, DEMO3, files()))

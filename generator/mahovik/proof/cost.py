@@ -1,12 +1,10 @@
 """Cost of the emitted C on a processor: instructions, stack, code, constants of every public function.
 
-COST.md tells it, the same as JSON is kept to compare with later; both files lie beside the C and are no part of its
-delivery: the manifest does not list them.
+COST.md tells it; it lies beside the C and is no part of its delivery: the manifest does not list it.
 """
 
 from __future__ import annotations
 
-import json
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -19,7 +17,6 @@ from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
-from mahovik.core.stand.content import content
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.board import build, require, run, version
@@ -30,7 +27,7 @@ from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import NATIVE, instructions_of_host, read, workload
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify import selftest
-from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, delivered_options, is_cost_page, manifest_of
+from mahovik.proof.verify.delivery import COST_PAGE, delivered_options, is_cost_page, manifest_of
 
 STATES = 4
 """Number of states; the most expensive one is reported."""
@@ -214,33 +211,8 @@ def page(costs: Costs) -> str:
     return template("cost.md.j2").render(costs=costs, states=STATES, sources=sources)
 
 
-def as_json(costs: Costs, before: Sequence[Mapping[str, Any]] = ()) -> str:
-    """The figures as JSON; those of `before` for other targets and element types stay."""
-    new = {(t.target, t.real): asdict(t) for t in costs.targets}
-    kept = {(old["target"], old["real"]): old for old in before}
-    return json.dumps({**asdict(costs), "targets": list((kept | new).values())}, indent=1) + "\n"
-
-
-def read_accepted_costs(folder: Path, stand: Stand) -> dict[str, Any] | None:
-    """What `as_json` wrote for a stand into a folder; None where there is none. Raises UsageError."""
-    path = folder / FIGURES
-    if not path.is_file():
-        return None
-    try:
-        costs = json.loads(content(path))
-        names = [t[key] for t in costs["targets"] for key in ("target", "real", "compiler")]
-        names += [f["function"] for t in costs["targets"] for f in t["functions"]]
-        figures = [number for t in costs["targets"] for number in _figures(t).values()]
-        good = all(type(n) is int and n >= 0 for n in figures) and all(isinstance(name, str) for name in names)
-        if good and costs["stand"] == stand.name:
-            return dict(costs)
-    except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
-        pass
-    raise UsageError(f"{path}: no figures of `mahovik verify --cost` for {stand.name}: restore it, or move it away")
-
-
 def require_place(folder: Path, stand: Stand) -> None:
-    """Raises UsageError unless COST.md and cost.json of a stand may be written into a folder.
+    """Raises UsageError unless COST.md of a stand may be written into a folder.
 
     That is one that is new or empty, or that holds this stand's C as its file gives it; COST.md there must be ours.
     """
@@ -252,7 +224,7 @@ def require_place(folder: Path, stand: Stand) -> None:
             raise UsageError(
                 f"{folder}: holds other C than the stand file gives: `mahovik generate` first, nothing was written"
             )
-    elif folder.is_dir() and any(path.name not in (COST_PAGE, FIGURES) for path in folder.iterdir()):
+    elif folder.is_dir() and any(path.name != COST_PAGE for path in folder.iterdir()):
         raise UsageError(
             f"{folder}: is neither empty nor a folder of `mahovik generate`: choose another, nothing was written"
         )

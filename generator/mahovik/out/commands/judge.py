@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
@@ -15,14 +15,11 @@ from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, reading
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
-from mahovik.writing import probe
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
     from mahovik.proof.diagnose.answers import Answers
-    from mahovik.proof.diagnose.diagnosis import Diagnosis
     from mahovik.proof.diagnose.explain import Judged
-    from mahovik.proof.verify.check import Report
     from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.states import Request
 
@@ -35,8 +32,8 @@ MARGIN = 10.0
 COARSEST = 0.01
 """Largest accepted difference of derived accelerations."""
 
-STATES = 200
-"""Number of states by default."""
+STATES, TIMEOUT = 200, "5 min"
+"""Number of states, and limit of the time, by default."""
 
 
 def judge(
@@ -49,12 +46,10 @@ def judge(
     attitude: Literal["quaternion", "angles"] | None = None,
     want: Names = (),
     explain: bool = False,
-    states: int | None = None,
+    states: int = STATES,
     seed: int = 1,
     tolerance: float = 1e-12,
-    timeout: Seconds | None = None,
-    junit: FilePath | None = None,
-    worst: FilePath | None = None,
+    timeout: Seconds = TIMEOUT,
     progress: Progressing = None,
 ) -> Result:
     """Judge a program, an FMU or a log by the reference, and find its fault.
@@ -74,12 +69,10 @@ def judge(
         attitude: give attitudes in this form; default some states each way.
         want: wants that the program must offer; default those that it offers.
         explain: name the fault in its equations if it differs.
-        states: number of states; default 200.
+        states: number of states.
         seed: seed of the random states.
         tolerance: accepted difference, relative to the natural scale.
-        timeout: limit of the time of the program, s or "5 min"; default 5 min.
-        junit: write the table as JUnit XML too.
-        worst: write the states of the largest differences, for `eval`.
+        timeout: limit of the time of the program, s or with a unit.
 
     Raises:
         UsageError: options that contradict one another, a program that cannot be started.
@@ -88,13 +81,10 @@ def judge(
     from mahovik.out.api.stands import Stand
 
     machine, wants = Stand.of(stand), names_in("want", want) if want else ()
-    longest = 300.0 if timeout is None else time("timeout", timeout)
+    longest = time("timeout", timeout)
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
-    whole_number("states", 1 if states is None else states)
-    for file in (junit, worst):
-        if file is not None:
-            probe(Path(file))
+    whole_number("states", states)
     if unknown := [word for word in wants if word not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
     judged = sum(subject is not None for subject in (with_, log, fmu))
@@ -104,51 +94,41 @@ def judge(
         raise UsageError("fmu, map: one is missing, expected both")
     if attitude is not None and with_ is None:
         raise UsageError("attitude: only of a program, --with; a map and a log have their own attitudes")
-    if log is not None and (states is not None or timeout is not None):
-        raise UsageError(f"{'timeout' if states is None else 'states'}: not with --log, of which all rows are judged")
-    from mahovik.proof.diagnose.explain import Judged
-    from mahovik.proof.verify.fmu import fmu_program
-    from mahovik.proof.verify.foreign import answers_of_program, program_of, verify_program
-
+    if log is not None and (states, timeout) != (STATES, TIMEOUT):
+        raise UsageError(f"{'timeout' if states == STATES else 'states'}: not with --log, of which all rows are judged")
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         notify(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:
-            return _result(
-                *_explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, progress),
-                junit,
-                worst,
-            )
+            return _explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, progress)
         if fmu is not None and map is not None:
             from mahovik.out.file_kinds import expecting
+            from mahovik.proof.verify.fmu import fmu_program
 
             with expecting("fmu", fmu), expecting("map", map):
                 program = fmu_program(Path(fmu), Path(unpacked), Path(map), machine, str(stand))
         else:
+            from mahovik.proof.verify.foreign import program_of
+
             program = program_of(str(with_), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(machine, program, longest))
-        count = STATES if states is None else states
-        report = verify_program(
-            machine, program, wants=wants, seed=seed, count=count, timeout=longest, tolerance=tolerance
-        )
-
-        def answers(requests: Sequence[Request]) -> Answers:
-            results = answers_of_program(program, requests, longest)
-            by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
-            return lambda request: by_id[request.id]
-
-        judged_program = Judged(report, answers, tolerance, program=program)
-        return _result(*_explained(machine, judged_program, explain, seed, progress), junit, worst)
+        judged_program = _judge_program(machine, program, wants, seed, states, longest, tolerance)
+        return _explained(machine, judged_program, explain, seed, progress)
 
 
-def _result(report: Report, diagnosis: Diagnosis | None, junit: Any, worst: Any) -> Result:
-    """The verdict, with the diagnosis in JSON and in sentences."""
-    if diagnosis is None:
-        return report_result(report, everything=True, junit=junit, worst=worst)
-    from mahovik.proof.diagnose.diagnosis import as_object, sentences
+def _judge_program(
+    stand: CoreStand, program: Program, wants: tuple[str, ...], seed: int, count: int, timeout: float, tolerance: float
+) -> Judged:
+    """The verdict on a program."""
+    from mahovik.proof.diagnose.explain import Judged
+    from mahovik.proof.verify.foreign import answers_of_program, verify_program
 
-    more = {"diagnosis": as_object(diagnosis)}
-    words = sentences(diagnosis)
-    return report_result(report, more=more, words=words, everything=True, junit=junit, worst=worst)
+    def answers(requests: Sequence[Request]) -> Answers:
+        results = answers_of_program(program, requests, timeout)
+        by_id = {request.id: result for request, result in zip(requests, results, strict=True)}
+        return lambda request: by_id[request.id]
+
+    report = verify_program(stand, program, wants=wants, seed=seed, count=count, timeout=timeout, tolerance=tolerance)
+    return Judged(report, answers, tolerance, program=program)
 
 
 def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool:
@@ -194,17 +174,20 @@ def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: 
     return Judged(report, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
 
 
-def _explained(
-    stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: Progressing
-) -> tuple[Report, Diagnosis | None]:
-    """The verdict with its diagnosis, where one is asked for and possible."""
-    if not explain or judged.report.error:
-        return judged.report, None
-    from mahovik.out.api.stands import Stand
-    from mahovik.proof.diagnose.explain import diagnose_fault
+def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: Progressing) -> Result:
+    """The verdict; with its diagnosis in JSON and in sentences, where one is asked for and possible."""
+    report = judged.report
+    if explain and not report.error:
+        from mahovik.out.api.stands import Stand
+        from mahovik.proof.diagnose.diagnosis import as_object, sentences
+        from mahovik.proof.diagnose.explain import diagnose_fault
 
-    notify(progress, Progress("distinguish faults"))
-    try:
-        return judged.report, diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
-    except CheckError as error:
-        return replace(judged.report, error=str(error)), None
+        notify(progress, Progress("distinguish faults"))
+        try:
+            diagnosis = diagnose_fault(stand, Stand.of(stand).to_dict(), judged, seed)
+        except CheckError as error:
+            report = replace(report, error=str(error))
+        else:
+            more, words = {"diagnosis": as_object(diagnosis)}, sentences(diagnosis)
+            return report_result(report, more=more, words=words, everything=True)
+    return report_result(report, everything=True)

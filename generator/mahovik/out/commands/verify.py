@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -23,7 +24,7 @@ from mahovik.out.arguments import (
 )
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Column, Result, column, columns_of
-from mahovik.writing import probe
+from mahovik.writing import probe, write
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -58,7 +59,6 @@ def verify(
     tolerance: float | None = None,
     targets: Text | None = None,
     cost: bool = False,
-    accept: bool = False,
     judges: bool = False,
     rigorous: bool = False,
     all: bool = False,
@@ -77,8 +77,7 @@ def verify(
     machine.
 
     --targets runs the self-test on emulated processors: the same bits? --cost counts instructions, stack, code and
-    constants there, into COST.md and cost.json of FOLDER; exit status 1 if a figure is more than 2 % above the accepted
-    one of the same compiler.
+    constants there, into COST.md of FOLDER.
 
     Exit status: 0 only if all agree; 2 also where a compiler or an emulator is missing.
 
@@ -97,7 +96,6 @@ def verify(
             of V|V| 1e-5.
         targets: processors, all, quick or m7,rv64gc,...; of --cost m4, m7, rv32imafc, rv64gc by default.
         cost: measure what calls cost.
-        accept: accept the figures of --cost for later comparison.
         judges: judge by Pinocchio and MuJoCo, without the laws that they do not know.
         rigorous: bound the true error of the C by enclosures of the exact answer.
         all: print every check, not a line for each function.
@@ -123,7 +121,7 @@ def verify(
         raise UsageError(f"{', '.join(chosen)}: each is a verification of its own, expected one of them")
     path = None if subject is None else Path(subject)
     if path is not None and path.suffix == ".json":
-        return _programme(machine, path, motion, tolerance, None, name, progress, junit)
+        return report_result(_programme(machine, path, motion, tolerance, None, name, progress), junit=junit)
     if path is not None and path.is_file():
         return _log(machine, path, names_in("only", only))
     if path is not None and not path.is_dir() and not cost:
@@ -135,12 +133,12 @@ def verify(
     if path is None and servo is not None:
         raise UsageError("servo: its C is in a FOLDER, which is missing")
     if cost:
-        return _cost(machine, path, targets, real, accept, progress)
+        return _cost(machine, path, targets, real, progress)
     if servo is not None and path is not None:
         report = _servo(machine, path, servo, programme, motion, name, seed, states)
         return report_result(report, by="part", everything=True, junit=junit)
     if programme is not None:
-        return _programme(machine, programme, motion, tolerance, path, name, progress, junit)
+        return report_result(_programme(machine, programme, motion, tolerance, path, name, progress), junit=junit)
     report = _c(machine, stand, path, ways, states, seed, real, progress)
     by = "target" if targets else ""
     if targets and not report.passed and not any(row.verdict == "FAILED" for row in report.rows):
@@ -218,9 +216,9 @@ def _servo(
 
 def _programme(
     stand: Stand, programme: Any, motion: Any, tolerance: float | None, folder: Path | None, name: str,
-    progress: Progressing, junit: Any,
-) -> Result:  # fmt: skip
-    """The result on a programme, and with `folder` on its C there."""
+    progress: Progressing,
+) -> Report:  # fmt: skip
+    """The report on a programme, and with `folder` on its C there."""
     from mahovik.proof.verify.check import report
     from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
 
@@ -236,25 +234,7 @@ def _programme(
         from mahovik.proof.verify.functions.table import verify_compiled
 
         checks += verify_compiled(stand, ProgrammeCase.of(stand, required, course, tolerance), folder, name)
-    failed = [item.quantity for item in checks if item.failed]
-    words = f"REFUSED: {', '.join(failed)}" if failed else "the programme is right"
-    if junit is not None:
-        _write_junit(junit, report(stand, "programme", 0, len(checks), tolerance or 0.0, checks))
-    return Result(
-        f"programme of {required.name} on {stand.name}",
-        (
-            column("item", "", [item.quantity for item in checks]),
-            column("value", "", [item.value for item in checks]),
-            column("limit", "", [item.limit for item in checks]),
-            column("verdict", "", ["FAILED" if item.failed else "ok" for item in checks]),
-            column("words", "", [item.words for item in checks]),
-        ),
-        rows="findings",
-        meta={"stand": stand.name, "motion": required.name, "passed": not failed},
-        messages=[*(f"{item.quantity}: {item.words}" for item in checks if item.failed and item.words), words],
-        ok=not failed,
-        details=("stand", "motion", "passed", "words"),
-    )
+    return report(stand, f"programme of {required.name}", 0, len(checks), tolerance or 0.0, checks)
 
 
 def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
@@ -280,44 +260,24 @@ def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
     )
 
 
-def _cost(
-    stand: Stand, folder: Path | None, targets: str | None, real: str | None, accept: bool, progress: Progressing
-) -> Result:
-    """What calls cost on processors, compared with accepted figures; written into a folder of the stand's C."""
+def _cost(stand: Stand, folder: Path | None, targets: str | None, real: str | None, progress: Progressing) -> Result:
+    """What calls cost on processors; written into a folder of the stand's C."""
     from mahovik.proof import cost
-    from mahovik.proof.verify.delivery import COST_PAGE, FIGURES, Options, delivered_options, stand_in
-    from mahovik.writing import write_all
+    from mahovik.proof.verify.delivery import COST_PAGE, Options, delivered_options, stand_in
 
-    if accept and folder is None:
-        raise UsageError("accept: the figures are those of a FOLDER, which is missing")
-    options = (delivered_options(folder) if folder is not None else None) or Options()
-    in_float = real is None and options.real == "float"
-    pairs, absent = cost.available(cost.parse_targets(targets, "float" if in_float else real))
+    options = Options()
+    if folder is not None:
+        stand, options = stand_in(folder, stand, UsageError), delivered_options(folder) or options
+        cost.require_place(folder, stand)
+    chosen = "float" if real is None and options.real == "float" else real
+    pairs, absent = cost.available(cost.parse_targets(targets, chosen))
     for line in absent:
         warn(f"left out: {line}")
-    before = None
-    if folder is not None:
-        stand = stand_in(folder, stand, UsageError)
-        cost.require_place(folder, stand)
-        accepted = cost.read_accepted_costs(folder, stand)
-        before = None if accepted is None else accepted["targets"]
     notify(progress, Progress(f"cost of {stand.name}"))
     costs = cost.measure(stand, pairs, lambda *_: None, options.only, "recorder" in options.additions)
-    usual = targets is None and real is None and not absent
-    compared: Sequence[str] = ()
-    if before is not None and not accept:
-        result = cost.compare(costs, before, () if in_float or not usual else cost.USUAL)
-        compared = result.compared
-        if result.rises or result.missing:
-            what = "the cost has risen" if result.rises else "not all figures are accepted"
-            lines = [*(f"rise: {x}" for x in result.rises), *(f"not accepted: {x}" for x in result.missing)]
-            raise CheckError("\n".join([*lines, f"{stand.name}: {what}; nothing was written; --accept accepts it"]))
     if folder is not None:
-        files = {COST_PAGE: cost.page(costs)} if usual else {}
-        if accept or (before is None and usual):
-            files[FIGURES] = cost.as_json(costs, before or ())
-        write_all(folder, files)
-    figures = json.loads(cost.as_json(costs))
+        write(folder / COST_PAGE, cost.page(costs))
+    figures = asdict(costs)
     rows = [(target, function) for target in figures["targets"] for function in target["functions"]]
     names = [key for key in (rows[0][1] if rows else {}) if key != "function"]
     return Result(
@@ -325,18 +285,17 @@ def _cost(
         (
             *columns_of([target for target, _ in rows], {"target": "", "real": ""}),
             column("function", "", [function["function"] for _, function in rows]),
-            *(column(key, "", [_figure(function.get(key)) for _, function in rows]) for key in names),
+            *(column(key, "", [_figure(function[key]) for _, function in rows]) for key in names),
         ),
         rows="functions",
         meta=figures,
-        messages=[f"no rise on {'; '.join(compared)}"] if compared else [],
         details=tuple(figures),
     )
 
 
 def _figure(figure: Any) -> Any:
     """A figure of a function; names in one text."""
-    return ", ".join(figure) if isinstance(figure, list) else figure
+    return ", ".join(figure) if isinstance(figure, tuple) else figure
 
 
 def report_result(
@@ -349,15 +308,14 @@ def report_result(
     everything  the text has every check too
     """
     from mahovik.contract.functions import ALL_WANTS, is_public
-    from mahovik.proof.verify.check import as_json, conclusion, worst_lines
-    from mahovik.writing import write
+    from mahovik.proof.verify.check import as_json, as_junit, conclusion, worst_lines
 
     about = json.loads(as_json(report))
     about.pop("rows")
     named = {row.judged for row in report.rows if row.judged}
     by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
     if junit is not None:
-        _write_junit(junit, report)
+        write(Path(junit), as_junit(report))
     messages = [f"error: {report.error}"] if report.error else []
     if report.left_out:
         messages.append(f"the stand without: {', '.join(report.left_out)}")
@@ -381,13 +339,6 @@ def report_result(
         details=(*about, *(() if everything else ("rows",)), *(more or {})),
         drawings=(_draw_shares,),
     )
-
-
-def _write_junit(path: Any, report: Report) -> None:
-    from mahovik.proof.verify.check import as_junit
-    from mahovik.writing import write
-
-    write(Path(path), as_junit(report))
 
 
 def _shortest(rows: Sequence[Check]) -> tuple[list[Check], list[str]]:
@@ -420,7 +371,8 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
 
     heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
     columns = list(zip(*map(cells, rows), strict=True)) or [()] * len(heads)
-    return tuple(column(head, "", values) for head, values in zip(heads, columns, strict=True))
+    first = 0 if any(row.judged for row in rows) or not rows else 1  # what has no parts has no column of them
+    return tuple(column(head, "", values) for head, values in list(zip(heads, columns, strict=True))[first:])
 
 
 def _draw_shares(result: Result, ax: Any) -> None:

@@ -34,9 +34,6 @@ from mahovik.writing import write_all
 COST_PAGE = "COST.md"
 """Measured cost of the C whose SHA-256 it names; `mahovik verify --cost` writes it, the manifest does not list it."""
 
-FIGURES = "cost.json"
-"""Accepted figures, with which later C is compared; as unlisted."""
-
 PROVENANCE = "provenance.json"
 """File beside the manifest, which does not list it: what made the folder, of this machine."""
 
@@ -185,7 +182,7 @@ def deliver(
     if made_by and path.is_file() and b'"package": ' not in path.read_bytes():
         raise UsageError(f"{path}: was not written by mahovik: move it away or choose another folder, {_NOTHING}")
     stale = {}
-    for name in sorted(unchanged - {*files, COST_PAGE, FIGURES}):
+    for name in sorted(unchanged - {*files, COST_PAGE}):
         if "/" not in name.removeprefix(VERIFICATION):  # a manifest may name anything
             stale[folder / name] = "is no longer delivered"
     if is_cost_page(folder, stand) and not _is_measured_on(folder, files.get(f"{stand.name}.c", "")):
