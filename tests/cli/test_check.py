@@ -60,29 +60,6 @@ mass = 1
 """
 
 
-TWO_PLANES = f"""{CUBE}spin_inertia = 0.002
-transverse_inertia = 0.0011
-unbalance = {{ static = "1 g mm", dynamic = "30 g mm^2", dynamic_at = "ANGLE" }}
-"""
-
-
-@pytest.mark.parametrize(("angle", "residual"), [("0 deg", 1.25), ("180 deg", 1.25), ("90 deg", math.hypot(0.5, 0.75))])
-def test_the_grade_at_two_planes_is_that_of_static_and_couple_unbalance(
-    angle: str, residual: float, work_folder: Path
-) -> None:
-    """Half of 1 g mm at each of two planes 40 mm apart, and 30 g mm2 over 40 mm: 0.75 g mm; on 1 kg at 1000 rad/s."""
-    (work_folder / "a.toml").write_text(TWO_PLANES.replace("ANGLE", angle), encoding="utf-8")
-    document = json.loads(run("check", "a.toml", "--speed", "1000", "--planes", "40 mm", "--json").stdout)
-    row = document["unbalance"][0] | document["effects"][0]
-    assert row["eccentric_velocity"] == pytest.approx(1e-3)
-    assert row["plane_velocity"] == pytest.approx(2e-3 * residual)
-    assert (row["grade"], row["plane_grade"]) == ("G 1", "G 2.5")
-    assert (row["static"], row["dynamic"]) == (pytest.approx(1e-6), pytest.approx(30e-9))
-    assert row["couple"] == pytest.approx(30e-9 * 1e6)
-    cells = table(run("check", "a.toml", "--speed", "1000", "--planes", "0.04").stdout, "name   speed")["w1"]
-    assert cells[-1] == "G 2.5" and "G 1" in cells
-
-
 CART = """schema = 1
 name = "cart"
 gravity = [0, 0, -9.81]

@@ -39,7 +39,6 @@ Names = Annotated[str | Sequence[str], "NAME,NAME"]
 Text = Annotated[str, "TEXT"]
 Seconds = Annotated[Number, "TIME"]
 Speed = Annotated[Number, "SPEED"]
-Length = Annotated[Number, "LENGTH"]
 Band = Annotated[tuple[Number, Number] | str, "LOW..HIGHHz"]
 Speeds = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=SPEED"]
 """One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""

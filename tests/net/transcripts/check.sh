@@ -1,4 +1,4 @@
-mahovik check $STANDS/auv6.toml --speed "1000 rpm" --planes "40 mm"
+mahovik check $STANDS/auv6.toml --speed "1000 rpm"
 mahovik check $INPUTS/pendulum.toml --dt "1 ms"
 mahovik check $STANDS/demo3.toml --speed "3000 mm"
 mahovik check $STANDS/demo3.toml --sped 1

@@ -204,20 +204,6 @@ def eccentric_velocity(flywheel: Flywheel, speed: float) -> float:
     return math.hypot(*flywheel.center_of_mass[1:]) * abs(speed)
 
 
-def plane_velocity(flywheel: Flywheel, speed: float, distance: float) -> float | None:
-    """Twice the larger residual at two planes, over the mass, times the speed (rad/s), m/s: what the grades bound.
-
-    The planes are `distance` (m) apart, the centre of mass in the middle. None for a flywheel without mass.
-    """
-    if not flywheel.mass:
-        return None
-    J, (_, y, z) = inertia_about_center(flywheel), flywheel.center_of_mass
-    halves = (0.5 * flywheel.mass * y, 0.5 * flywheel.mass * z)
-    pair = (-float(J[0, 1]) / distance, -float(J[0, 2]) / distance)
-    larger = max(math.hypot(*(a + sign * b for a, b in zip(halves, pair, strict=True))) for sign in (1.0, -1.0))
-    return 2.0 * larger / flywheel.mass * abs(speed)
-
-
 def grade(velocity: float) -> str:
     """The finest grade that admits this eccentricity times speed, m/s: "G 6.3"; "-" without static unbalance."""
     if velocity == 0.0:

@@ -21,7 +21,6 @@ from mahovik.core.stand.masses import (
     inertia_about_origin,
     mass_properties,
     placed_bodies,
-    plane_velocity,
     vec3,
 )
 from mahovik.core.stand.model import WRENCH_LETTERS, Flywheel, Instrument, Stand, Vec3
@@ -63,8 +62,6 @@ class UnbalanceRow:
     force           static unbalance times speed^2, N
     moment          dynamic unbalance about the origin times speed^2, N m
     couple          dynamic unbalance about the centre of mass times speed^2, N m: no grade bounds it
-    plane_velocity  twice the larger residual at two planes over the mass, times speed, m/s; None without planes, mass
-    plane_grade     the finest grade that admits the residuals at both planes; None without planes, mass
     """
 
     name: str
@@ -82,8 +79,6 @@ class UnbalanceRow:
     force: float
     moment: float
     couple: float
-    plane_velocity: float | None
-    plane_grade: str | None
 
 
 @dataclass(frozen=True)
@@ -128,13 +123,10 @@ class Summary:
         return result if self.hold else {key: value for key, value in result.items() if not key.startswith("hold")}
 
 
-def summarize(
-    stand: Stand, speed: float | None = None, planes: float | None = None, written: Mapping[str, str] | None = None
-) -> Summary:
+def summarize(stand: Stand, speed: float | None = None, written: Mapping[str, str] | None = None) -> Summary:
     """Figures of `stand`; `speed` (rad/s) of all flywheels, default each motor's no-load speed, else 3000 rpm.
 
-    `planes`: distance of the two tolerance planes of each flywheel, m; its mass centre is in the middle. `written`:
-    static unbalances as written in the file, for warnings.
+    `written`: static unbalances as written in the file, for warnings.
     """
     bodies = []
     for placed_body in placed_bodies(stand):
@@ -143,7 +135,7 @@ def summarize(
         mount = body.mount if isinstance(body, Flywheel) else "carrier" if isinstance(body, Instrument) else ""
         bodies.append(BodyRow(body.name, kind, mount, body.mass, vec3(placed_body.center_of_mass)))
     whole = mass_properties(stand)
-    unbalance = tuple(_unbalance(flywheel, speed, planes) for flywheel in stand.flywheels)
+    unbalance = tuple(_unbalance(flywheel, speed) for flywheel in stand.flywheels)
     known = [speed is not None or (s.motor or UNLIMITED).no_load is not None for s in stand.flywheels]
     return Summary(
         name=stand.name,
@@ -187,14 +179,13 @@ def forces_along_freedoms(stand: Stand) -> list[HoldNumber]:
     return [number for law in held_laws() for number in law.numbers(stand)]
 
 
-def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) -> UnbalanceRow:
+def _unbalance(flywheel: Flywheel, asked: float | None) -> UnbalanceRow:
     speed = asked if asked is not None else (flywheel.motor or UNLIMITED).no_load or USUAL_SPEED
     static = flywheel.mass * math.hypot(*flywheel.center_of_mass[1:])
     J, central = inertia_about_origin(flywheel), inertia_about_center(flywheel)
     dynamic = math.hypot(J[0, 1], J[0, 2])
     velocity = eccentric_velocity(flywheel, speed)
     couple = math.hypot(central[0, 1], central[0, 2])
-    at_planes = None if planes is None else plane_velocity(flywheel, speed, planes)
     return UnbalanceRow(
         name=flywheel.name,
         static=static,
@@ -211,8 +202,6 @@ def _unbalance(flywheel: Flywheel, asked: float | None, planes: float | None) ->
         force=static * speed**2,
         moment=dynamic * speed**2,
         couple=couple * speed**2,
-        plane_velocity=at_planes,
-        plane_grade=None if at_planes is None else grade(at_planes),
     )
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import Length, Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
+from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
 from mahovik.out.result import Result, column, columns_of
 
 if TYPE_CHECKING:
@@ -25,14 +25,13 @@ def check(
     speed: Speed | None = None,
     phase: Phases | None = None,
     dt: Seconds | None = None,
-    planes: Length | None = None,
     tools: bool = False,
 ) -> Result:
     """Validate a stand; print its figures.
 
     Shows masses, centres of mass, principal inertia, the unbalance of each flywheel, its force and balance grade of
     ISO 21940-11 at a speed, momentum and torque of the motors, the rest pose, and numbers with units as they are
-    written. The grade is that of the static part; --planes adds the couple, which has no grade alone. Warns of
+    written. The grade is that of the static part. Warns of
     plausible slips; if float would not resolve an unbalance; where (12) is singular in practice and no task names the
     rows that are demanded; and of tasks that the flywheels do not reach.
 
@@ -41,7 +40,6 @@ def check(
         speed: turn all flywheels at this speed, rad/s or "3000 rpm"; default each motor's no-load speed.
         phase: rest with a flywheel at this phase, rad or "w1=90 deg"; default 0.
         dt: show what float steps of this length, s or "0.1 ms", lose of the speeds.
-        planes: grade the residuals at two planes this far apart, m or "40 mm", the mass centre in the middle.
         tools: list compilers, emulators, checkers and extras on this machine, and how to install the others. Only a C
             compiler is needed for daily work; exit status 1 without one.
 
@@ -54,7 +52,7 @@ def check(
     if stand is None:
         raise UsageError("stand: missing, expected a stand file, or --tools")
     from mahovik.core.stand.summary import summarize
-    from mahovik.core.stand.units import LENGTH, SPEED, TIME
+    from mahovik.core.stand.units import SPEED, TIME
     from mahovik.core.stand.written import written_numbers
     from mahovik.out.api.stands import Stand
     from mahovik.out.notices import warn_of_speeds
@@ -64,7 +62,6 @@ def check(
 
     machine = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))
-    apart = None if planes is None else quantity("planes", planes, LENGTH, 1e-6, 1e6)
     step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
     phases = by_flywheel("phase", phase, machine)
     if turning is not None:
@@ -74,7 +71,7 @@ def check(
             [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(machine.flywheels),
         )
     written, doubts = written_numbers(stand) if isinstance(stand, str | Path) else ([], [])
-    summary = summarize(machine, turning, apart, {w.where: w.text for w in written if w.key == "unbalance.static"})
+    summary = summarize(machine, turning, {w.where: w.text for w in written if w.key == "unbalance.static"})
     speeds = [row.speed for row in summary.unbalance]
     short, over = shortfalls(machine, speeds), excess(machine)
     unreached, steep = task_shortfalls(machine), long_steps(machine, step)
@@ -114,8 +111,6 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
     }  # fmt: skip
     effects = {"name": "", "speed": "rad/s", "force": "N", "moment": "N m", "couple": "N m"}
     effects |= {"eccentric_velocity": "m/s", "grade": ""}
-    if any(row.plane_velocity is not None for row in summary.unbalance):
-        effects |= {"plane_velocity": "m/s", "plane_grade": ""}
     capacities = [("momentum", summary.momentum, "N m s"), ("torque", summary.torque, "N m")]
     capacities = [entry for entry in capacities if entry[1].total > 0.0]
     numbers = [(number, *number.printed) for number in summary.hold_numbers]
