@@ -10,6 +10,7 @@ from mahovik.errors import UsageError
 from mahovik.out.arguments import Folder, Progressing, reading
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result
+from mahovik.writing import probe
 
 
 def campaign(
@@ -49,7 +50,6 @@ def campaign(
     from mahovik.out.campaign.file import load_campaign
     from mahovik.out.campaign.report import summarise, write_report
     from mahovik.out.campaign.workers import compute
-    from mahovik.writing import probe
 
     for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
         if path is not None and Path(path).suffix != suffix:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
+from mahovik.out.notices import warn_of_speeds
 from mahovik.out.result import Result, column, columns_of
 
 if TYPE_CHECKING:
@@ -55,7 +56,6 @@ def check(
     from mahovik.core.stand.units import SPEED, TIME
     from mahovik.core.stand.written import written_numbers
     from mahovik.out.api.stands import Stand
-    from mahovik.out.notices import warn_of_speeds
     from mahovik.use.simulate.held import USUAL_STEP, long_steps, lost_increments
     from mahovik.use.study.reach import excess, task_shortfalls
     from mahovik.use.study.resolution import shortfalls, shortfalls_line

@@ -7,6 +7,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from mahovik.contract.functions import ALL, is_default
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import (
@@ -24,8 +25,9 @@ from mahovik.out.arguments import (
     reading,
     servo_of,
 )
-from mahovik.out.notices import Progress, notify, warn
+from mahovik.out.notices import Progress, notify, warn, warn_of_turn
 from mahovik.out.result import Result, column
+from mahovik.writing import probe, write, write_all
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -97,7 +99,6 @@ def generate(
         UsageError: options that contradict one another, files of others in the folder.
         CheckError: a programme that exceeds its bounds, a loop without margin, a folder that differs.
     """
-    from mahovik.contract.functions import ALL
     from mahovik.out.api.stands import Stand
     from mahovik.out.export.folder import (
         Contents,
@@ -228,7 +229,6 @@ def _loop_options(attitude: Any) -> Any:
 def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
     from mahovik.core.stand.content import content
     from mahovik.proof.verify.delivery import deliver, provenance
-    from mahovik.writing import write_all
 
     made_by = provenance(content(Path(source)) if isinstance(source, str | Path) else None)
     paths: list[Path] = []
@@ -262,7 +262,6 @@ def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
     """Warn of what float does not resolve, of tasks out of reach, of a singular (12), as `mahovik check` does."""
     import json
 
-    from mahovik.contract.functions import ALL
     from mahovik.core.stand.summary import summarize
     from mahovik.use.simulate.held import USUAL_STEP, lost_increments, lost_increments_line
     from mahovik.use.study.reach import excess, task_shortfalls
@@ -290,9 +289,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
 
     from mahovik.core.stand.units import TIME
     from mahovik.out.export.fmu import export_fmu
-    from mahovik.out.notices import warn_of_turn
     from mahovik.use.simulate.case import load_start
-    from mahovik.writing import probe, write
 
     chosen: dict[str, Any] = {"start": None, "dt": 1e-4, **{key: words[0] for key, words in FMU.items()}}
     for key, value in (settings if isinstance(settings, Mapping) else {settings: ""} if settings else {}).items():
@@ -330,7 +327,6 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
 
 def _functions(stand: Stand) -> Result:
     """The public functions of a stand, what each gives, and with which options it is written."""
-    from mahovik.contract.functions import ALL, is_default
     from mahovik.core.emit.generate import generate_all
 
     functions = [f for f in generate_all(stand, only=ALL).program.functions if f.public]

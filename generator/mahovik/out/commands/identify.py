@@ -13,6 +13,7 @@ import numpy as np
 from mahovik.errors import UsageError
 from mahovik.out.arguments import FilePath, StandGiven, reading
 from mahovik.out.result import Result, column
+from mahovik.writing import probe, write
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -53,7 +54,6 @@ def identify(
     from mahovik.out.identify.free import Free, read_free
     from mahovik.out.identify.stand_text import with_numbers
     from mahovik.use.measured import read_recordings
-    from mahovik.writing import probe, write
 
     machine, files = Stand.of(stand), files_of(data)
     if output is not None:

@@ -10,6 +10,7 @@ from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in, suggestion
 from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
+from mahovik.out.notices import rest_to_start
 from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column, columns_of
 
@@ -128,7 +129,6 @@ def modes(
 
 def _nominal(stand: Stand, at: Any) -> State:
     """The state to linearise about. Raises UsageError, CheckError."""
-    from mahovik.out.notices import rest_to_start
     from mahovik.use.simulate.held import allowed_start
 
     if not isinstance(at, str) or at != "rest":

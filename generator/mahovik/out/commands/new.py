@@ -6,10 +6,13 @@ from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from mahovik import stands
+from mahovik.contract.evaluation import STATE, ZEROS, text_lines
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
+from mahovik.writing import format_of, is_written_through, write, write_all
 
 if TYPE_CHECKING:
     from mahovik.out.foreign.stand import ImportedStand
@@ -63,7 +66,6 @@ def new(
         UsageError: an unknown source, a file that exists.
         ForeignError: every feature of FILE that a stand cannot have.
     """
-    from mahovik import stands
 
     if list:
         result = {example: _first_sentence(stands.path(example)) for example in stands.names()}
@@ -95,8 +97,6 @@ def new(
 
 
 def _example(name: str, output: str | None, called: str | None) -> Result:
-    from mahovik import stands
-    from mahovik.writing import is_written_through, write_all
 
     source, target = stands.path(name), new_file(output, called or name)
     alone = is_written_through(target)
@@ -125,9 +125,7 @@ def _list_of(paths: Any, messages: Any, through: bool = False) -> Result:
 
 def _adapter(path: Path, called: str | None) -> Result:
     """The skeleton in the language that the name of the file says. Raises UsageError."""
-    from mahovik.contract.evaluation import STATE, ZEROS, text_lines
     from mahovik.core.emit.templates import template
-    from mahovik.writing import format_of, is_written_through, write
 
     suffix = format_of(path, (".py", ".cpp"))
     if suffix is None:
@@ -168,7 +166,6 @@ def _imported(
 
 def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Result:
     """The stand file, written; what was found, left out and compared."""
-    from mahovik.writing import write
 
     stand = made.stand
     target = new_file(output, stand.name)
@@ -180,7 +177,6 @@ def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Re
 
 def new_file(output: str | None, name: str) -> Path:
     """Path of a new stand file: the given one, or NAME.toml in the given folder. Raises UsageError where it exists."""
-    from mahovik.writing import is_written_through
 
     path = Path(output) if output is not None else Path(f"{name}.toml")
     if path.is_dir() or (output is not None and output.endswith("/")):

@@ -12,8 +12,21 @@ import numpy as np
 
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.arguments import FileGiven, FilePath, Progressing, Seconds, StandGiven, output_path
+from mahovik.out.arguments import (
+    FileGiven,
+    FilePath,
+    Progressing,
+    Seconds,
+    StandGiven,
+    output_path,
+    programme_of,
+    required_of,
+    text_of_keys,
+    time_limit,
+)
+from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Column, Result, column
+from mahovik.writing import write
 
 if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion, Slew
@@ -68,10 +81,7 @@ def plan(
         UsageError: a path leads to no number; the method does not apply to the stand.
     """
     from mahovik.out.api.stands import Stand
-    from mahovik.out.arguments import required_of, time_limit
-    from mahovik.out.notices import Progress, notify
     from mahovik.use.plan.outcome import PlanOptions
-    from mahovik.writing import write
 
     if method not in get_args(Method):
         raise UsageError(f'method: unknown "{method}"{suggestion(method, get_args(Method))}')
@@ -145,7 +155,6 @@ def _result(
     changes: Sequence[tuple[str, str, float, float]],
 ) -> Result:
     """A row a flywheel, the figures of the programme, and the numbers that moved."""
-    from mahovik.out.arguments import text_of_keys
 
     report: Mapping[str, Any] = {} if programme is None else programme["report"]
     columns: list[Column] = []
@@ -201,7 +210,6 @@ def _details(report: Mapping[str, Any]) -> list[str]:
 
 def _draw_speeds(result: Result, ax: Any) -> None:
     """The speeds of the flywheels over the period, or the duration."""
-    from mahovik.out.arguments import programme_of
 
     programme = programme_of(result["programme"])
     t = np.linspace(0.0, programme.span, 401)

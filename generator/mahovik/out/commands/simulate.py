@@ -23,7 +23,7 @@ from mahovik.out.arguments import (
     state_of,
     time,
 )
-from mahovik.out.notices import Progress, notify, warn, warn_of_steps
+from mahovik.out.notices import Progress, notify, rest_to_start, warn, warn_of_steps
 from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
@@ -166,7 +166,6 @@ def _split(name: str) -> tuple[str, str]:
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
     """The regime, and the initial state. Raises RegimeError, UsageError, CheckError."""
     from mahovik.core.motion.regime import steady_regime
-    from mahovik.out.notices import rest_to_start
     from mahovik.use.simulate.case import HINT, START_KEYS
     from mahovik.use.simulate.held import allowed_start
 

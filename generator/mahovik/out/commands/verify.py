@@ -9,7 +9,8 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from mahovik.errors import CheckError, UsageError, whole_number
+from mahovik.contract.functions import ALL_WANTS, is_public
+from mahovik.errors import CheckError, ToolchainError, UsageError, whole_number
 from mahovik.nearest import names_in
 from mahovik.out.arguments import (
     FileGiven,
@@ -142,7 +143,6 @@ def verify(
     report = _c(machine, stand, path, ways, states, seed, real, progress)
     by = "target" if targets else ""
     if targets and not report.passed and not any(row.verdict == "FAILED" for row in report.rows):
-        from mahovik.errors import ToolchainError
         from mahovik.proof.verify.check import conclusion
 
         raise ToolchainError(f"{machine.name}: {conclusion(report)}")
@@ -307,7 +307,6 @@ def report_result(
     by          head of the column of what is judged; more, words: further entries and sentences
     everything  the text has every check too
     """
-    from mahovik.contract.functions import ALL_WANTS, is_public
     from mahovik.proof.verify.check import as_json, as_junit, conclusion, worst_lines
 
     about = json.loads(as_json(report))

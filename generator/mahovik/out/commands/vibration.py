@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
+from mahovik.errors import UsageError, whole_number
+from mahovik.nearest import suggestion
 from mahovik.out.arguments import (
     Band,
     FilePath,
@@ -18,8 +21,14 @@ from mahovik.out.arguments import (
     StandGiven,
     Text,
     Turning,
+    by_flywheel,
+    quantity,
     reading,
+    time_limit,
+    vector,
 )
+from mahovik.out.notices import Progress, notify, warn_of_speeds, warn_of_turn
+from mahovik.out.plots import ARCSEC, Line, Panel, stems
 from mahovik.out.result import Column, Result, column, quantity_text
 
 if TYPE_CHECKING:
@@ -99,10 +108,7 @@ def vibration(
         UsageError: an argument that cannot be; TableError: a table that cannot.
         CheckError: no equilibrium, no steady motion, no speeds within the limits.
     """
-    from mahovik.errors import UsageError
     from mahovik.out.api.stands import Stand
-    from mahovik.out.arguments import by_flywheel
-    from mahovik.out.notices import warn_of_turn
     from mahovik.use.vibration.band import read_band
     from mahovik.use.vibration.chain import Makers
     from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
@@ -149,7 +155,6 @@ def vibration(
 
 def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str | Path | None) -> Observable:
     """What is seen. Raises UsageError: neither a point nor a line of sight, or both."""
-    from mahovik.errors import UsageError
     from mahovik.use.vibration.view import find_view, read_sight
 
     if (at is None) is (sight is None):
@@ -163,8 +168,6 @@ def _by_wheel(
     stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
 ) -> dict[str, Any]:
     """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, TableError."""
-    from mahovik.errors import UsageError
-    from mahovik.nearest import suggestion
     from mahovik.use.vibration.speeds import ALL
 
     if tables is not None and not isinstance(tables, Mapping):
@@ -180,7 +183,6 @@ def _by_wheel(
 
 def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
-    from mahovik.out.notices import warn_of_speeds
     from mahovik.use.vibration.speeds import by_name
 
     fastest = np.abs(plan.rows(np.array(plan.sweep or (0.0,)))).max(axis=0)
@@ -194,15 +196,12 @@ class _Clock:
     def __init__(self, seconds: float | str | None, progress: Progressing) -> None:
         from time import monotonic
 
-        from mahovik.out.arguments import time_limit
-
         self._now, self.progress = monotonic, progress
         limit = time_limit("time", seconds)
         self.end = None if limit is None else monotonic() + limit
 
     def go_on(self, done: int = 1, planned: int | None = None) -> bool:
         """Whether to go on: with the first solution always."""
-        from mahovik.out.notices import Progress, notify
 
         notify(self.progress, Progress("speeds", done, planned))
         return done == 0 or self.end is None or self._now() < self.end
@@ -226,10 +225,7 @@ def _improve(
     stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
 ) -> tuple[dict[str, Any], list[str]]:
     """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
-    from mahovik.contract.quantities import RPM
     from mahovik.core.stand.units import SPEED
-    from mahovik.errors import whole_number
-    from mahovik.out.arguments import quantity, vector
     from mahovik.use.vibration.improve import Freedom, avoided_bands, improve_vibration
 
     most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
@@ -332,8 +328,6 @@ def _line_columns(vibration: Study, band: Interval | None) -> list[Column]:
 
 def _picture(vibration: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
     """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
-    from mahovik.contract.quantities import RPM
-    from mahovik.out.plots import ARCSEC, Line, Panel, stems
 
     seen, unit, scale = vibration.seen, vibration.seen.measure.unit, 1.0
     if unit.startswith("rad"):
