@@ -17,12 +17,13 @@ from audits.audit import momentum_products, without_added_products
 from laws.stands import CONTROL, MAIN, RUDDER, SLENDER, STILL, TEXTS, WHOLE, bearing
 from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, loads, rest_state
+from mahovik.core.stand.derivatives import Velocity
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.random import random_state
 from mahovik.laws.control.law import ControlDerivatives
 from mahovik.laws.control.reference import control_derivatives
 from mahovik.laws.cross_flow.reference import cross_flow_drag
-from mahovik.laws.damping.law import Damping, DampingTerm, Factor, products_of_added_mass
+from mahovik.laws.damping.law import Damping, DampingTerm, products_of_added_mass
 from mahovik.laws.damping.reference import products_in_derivatives
 from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fading.reference import fading_damping
@@ -124,7 +125,7 @@ def by_terms(stand: Stand) -> Stand:
 
 
 def _term(row: Mapping[str, Any]) -> DampingTerm:
-    first, second = (Factor(TWIST_LETTERS.index(letter), absolute=False) for letter in row["of"])
+    first, second = (Velocity(TWIST_LETTERS.index(letter), absolute=False) for letter in row["of"])
     return DampingTerm(WRENCH_LETTERS.index(row["wrench"]), (first, second), row["value"])
 
 

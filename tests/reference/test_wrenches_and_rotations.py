@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from mahovik.core.stand.derivatives import Velocity
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
-from mahovik.laws.damping.law import Damping, DampingTerm, Factor
+from mahovik.laws.damping.law import Damping, DampingTerm
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.rotation import C1, attitude, carrier_rotation, flywheel_mounting, rotation_vector
@@ -26,9 +27,9 @@ def test_damping_by_hand() -> None:
     V_r = np.array([1.0, -2.0, 3.0, -0.5, 0.0, 2.0])
     matrix = np.arange(36.0).reshape(6, 6)
     terms = (
-        DampingTerm(1, (Factor(0, False), Factor(5, False)), -3.1),  # Y += -3.1 u r
-        DampingTerm(5, (Factor(5, False), Factor(1, True)), -4.2),  # N += -4.2 r |v|
-        DampingTerm(5, (Factor(1, True), Factor(1, True)), 0.5),  # N += 0.5 |v| |v|
+        DampingTerm(1, (Velocity(0, False), Velocity(5, False)), -3.1),  # Y += -3.1 u r
+        DampingTerm(5, (Velocity(5, False), Velocity(1, True)), -4.2),  # N += -4.2 r |v|
+        DampingTerm(5, (Velocity(1, True), Velocity(1, True)), 0.5),  # N += 0.5 |v| |v|
     )
     damping = Damping(rows(matrix), rows(matrix.T), terms)
     np.testing.assert_allclose(linear_damping(damping, V_r), -matrix @ V_r, rtol=ROUNDING)

@@ -11,10 +11,11 @@ import pytest
 from hypothesis import given, settings
 
 from mahovik.core.stand import dumps, identities, loads
+from mahovik.core.stand.derivatives import Velocity
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.laws.control.law import Control, ControlDerivative, ControlDerivatives, Velocity
+from mahovik.laws.control.law import Control, ControlDerivative, ControlDerivatives
 from mahovik.laws.cross_flow.law import CrossFlow
 from mahovik.laws.fading.law import FadingDamping
 from mahovik.laws.fin.law import Fin, Fins

@@ -7,10 +7,11 @@ import math
 import pytest
 
 from mahovik.core.stand import dumps, loads
+from mahovik.core.stand.derivatives import Velocity
 from mahovik.core.stand.model import Encoder, MountingAngles, MountingAxes, Point
 from mahovik.core.stand.motor import Motor
 from mahovik.laws.buoyancy.law import Buoyancy
-from mahovik.laws.damping.law import Damping, DampingTerm, Factor
+from mahovik.laws.damping.law import Damping, DampingTerm
 from mahovik.laws.leg.law import Leg, legs_of
 from mahovik.laws.suspension.law import Suspension
 
@@ -128,8 +129,8 @@ def test_every_key_is_read() -> None:
     assert damping.quadratic is not None
     assert damping.quadratic[0] == (1.0, 0.0, 0.0, 0.0, 0.0, 7.0)
     terms = (
-        DampingTerm(1, (Factor(0, False), Factor(5, False)), -3.1),
-        DampingTerm(5, (Factor(5, False), Factor(1, True)), -4.2),
+        DampingTerm(1, (Velocity(0, False), Velocity(5, False)), -3.1),
+        DampingTerm(5, (Velocity(5, False), Velocity(1, True)), -4.2),
     )
     assert terms == damping.terms
 

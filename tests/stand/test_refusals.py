@@ -158,7 +158,7 @@ OF_CARRIER = [
     ),
     (
         'damping = { terms = [{ wrench = "Y", of = ["u", "r"], value = "1 N" }] }',
-        'damping, terms[0], value: unit "N" does not fit, expected a hydrodynamic derivative (N s^2/m/rad)',
+        'damping, terms[0], value: unit "N" does not fit, expected a derivative (N s^2/m/rad)',
     ),
     ("damping = { terms = 3 }", "damping, terms: expected a list, found 3"),
     (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.control.law import ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import Control, ControlDerivatives, Factor
 from mahovik.proof.second.body import BodyEnergy
 from mahovik.proof.second.rotation import Expr
 
@@ -31,7 +31,7 @@ def _of_power(body: Body, law: ControlDerivatives) -> Expr:
 
 def _size(body: Body, law: ControlDerivatives, velocity: Factor, V: Expr) -> Expr:
     """A factor without its bars; the race is the excess of one speed ahead over another."""
-    if isinstance(velocity, Velocity):
+    if not isinstance(velocity, Control):
         return V[velocity.component]
     value = body.inputs[velocity.source]
     if velocity.what != "race":

@@ -13,10 +13,11 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 from pydantic import model_validator
 
 from mahovik.core.stand.declare import TIMES, Declared, Default, Draw, Tables
-from mahovik.core.stand.fields import Table, letter, refuse, scalar, text, validator
+from mahovik.core.stand.derivatives import TermTable, Velocity, texts, velocity, without_bars
+from mahovik.core.stand.fields import Table, letter, refuse, scalar, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
-from mahovik.core.stand.units import Dimension, QuantityError, number, show
+from mahovik.core.stand.units import Dimension, QuantityError, show
 
 RACE = Dimension("a squared length per squared angle", "m^2/rad^2")
 Input = Literal["deflection", "speed", "race"]
@@ -25,25 +26,6 @@ INPUTS: tuple[Input, ...] = ("deflection", "speed", "race")
 
 MOST_FACTORS = 4
 _INPUT = re.compile(r"(\w+)\.(\w+)")
-
-
-@dataclass(frozen=True)
-class Velocity:
-    """A component 0..5 of V_r as a factor, or its magnitude."""
-
-    component: int
-    absolute: bool
-
-    @property
-    def text(self) -> str:
-        """Letter of SNAME as in the stand file: "u" or "|u|"."""
-        result = TWIST_LETTERS[self.component]
-        return f"|{result}|" if self.absolute else result
-
-    @property
-    def powers(self) -> tuple[int, int, int]:
-        """Powers of metre, radian and 1/second."""
-        return (0, 1, 1) if self.component >= 3 else (1, 0, 1)
 
 
 @dataclass(frozen=True)
@@ -79,18 +61,15 @@ Factor = Velocity | Control
 
 
 def _factor(raw: Any) -> Factor:
-    spelling = text(raw)
-    bars = len(spelling) > 2 and spelling[0] == spelling[-1] == "|"
-    inner = spelling[1:-1] if bars else spelling
-    if inner in TWIST_LETTERS:
-        return Velocity(TWIST_LETTERS.index(inner), bars)
+    if (factor := velocity(raw)) is not None:
+        return factor
+    inner, bars = without_bars(raw)
     match = _INPUT.fullmatch(inner)
     what = None if match is None else next((input_ for input_ in INPUTS if input_ == match[2]), None)
     if match is None or what is None:
-        letters = " ".join(TWIST_LETTERS)
         raise QuantityError(
-            f"expected one of {letters}, or FIN.deflection, PROPELLER.speed, PROPELLER.race, with or without bars, "
-            f"found {show(raw)}"
+            f"expected one of {' '.join(TWIST_LETTERS)}, or FIN.deflection, PROPELLER.speed, PROPELLER.race, with or "
+            f"without bars, found {show(raw)}"
         )
     return Control(match[1], what, bars)
 
@@ -102,31 +81,6 @@ def _factors(raw: Any) -> tuple[Factor, ...]:
     return tuple(map(_factor, raw))
 
 
-def _texts(factors: tuple[Factor, ...]) -> list[str]:
-    return [factor.text for factor in factors]
-
-
-class TermTable(Table):
-    """The value of a derivative.
-
-    value  in SI, or with the unit that follows from the component and the factors
-    """
-
-    value: Any
-
-    @model_validator(mode="after")
-    def _value_in_si(self: Any) -> Any:
-        metres, radians, rates = (sum(column) for column in zip(*(f.powers for f in self.of), strict=True))
-        powers = [("s", rates), ("m", -metres), ("rad", -radians)]
-        unit = ["N m" if self.wrench >= 3 else "N", *(f"{unit}^{power}" for unit, power in powers if power)]
-        try:
-            value = number(self.value, Dimension("a control derivative", " ".join(unit)))
-        except QuantityError as error:
-            raise refuse(str(error), "value") from None
-        object.__setattr__(self, "value", value)
-        return self
-
-
 @dataclass(frozen=True)
 class ControlDerivative(Declared):
     """A component of the wrench += value times the product of one to four factors.
@@ -136,7 +90,7 @@ class ControlDerivative(Declared):
     """
 
     wrench: Annotated[int, letter(WRENCH_LETTERS)]
-    of: Annotated[tuple[Factor, ...], validator(_factors, write=_texts)]
+    of: Annotated[tuple[Factor, ...], validator(_factors, write=texts)]
     value: Annotated[float, TIMES]
 
     keys: ClassVar[type[Table]] = TermTable

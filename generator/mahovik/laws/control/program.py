@@ -13,7 +13,7 @@ from mahovik.core.program.kernel import Reals, inline, let, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
 from mahovik.core.stand.structure_facts import Structure
-from mahovik.laws.control.law import MOST_FACTORS, ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import MOST_FACTORS, Control, ControlDerivatives, Factor
 
 INT, REAL = Kind.INT, Kind.REAL
 ORDER = ("first", "second", "third", "fourth")
@@ -80,7 +80,7 @@ class Steering(BodyProgram):
         start = max((TWIST, *(row[name] + 1 for row in before for name in ORDER)))
 
         def place(factor: Factor) -> int:
-            if isinstance(factor, Velocity):
+            if not isinstance(factor, Control):
                 return 1 + factor.component + 6 * factor.absolute
             return inputs.setdefault(factor, start + len(inputs))
 

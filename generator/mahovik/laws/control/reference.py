@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.laws.control.law import ControlDerivatives, Factor, Velocity
+from mahovik.laws.control.law import Control, ControlDerivatives, Factor
 from mahovik.proof.reference.array import Array, sqrt
 from mahovik.proof.reference.law import BodyReference
 
@@ -28,12 +28,12 @@ def control_derivatives(body: Body, law: ControlDerivatives, V_r: Array) -> Arra
 
 def factor(body: Body, law: ControlDerivatives, velocity: Factor, V_r: Array) -> Any:
     """A velocity (m/s, rad/s), deflection (rad), speed (rad/s) or race (m/s), or its magnitude."""
-    if isinstance(velocity, Velocity):
-        result = V_r[velocity.component]
-    else:
+    if isinstance(velocity, Control):
         result = body.inputs[velocity.source]
         if velocity.what == "race":
             result = race(law.race, result, V_r[0])
+    else:
+        result = V_r[velocity.component]
     return abs(result) if velocity.absolute else result
 
 

@@ -7,70 +7,29 @@ from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
 
 from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Default, Draw, Size, Tables
-from mahovik.core.stand.fields import LINEAR, QUADRATIC, ZERO6, Table, letter, matrix, one_word, refuse, text, validator
+from mahovik.core.stand.derivatives import TermTable, Velocity, texts, velocity
+from mahovik.core.stand.fields import LINEAR, QUADRATIC, ZERO6, Table, letter, matrix, one_word, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Carrier, Mat6, Stand
-from mahovik.core.stand.units import Dimension, QuantityError, number, show
+from mahovik.core.stand.units import QuantityError, show
 
 WITHOUT_PRODUCTS = "without added-mass products"
 WITH_PRODUCTS = "with added-mass products"
 """Word for published derivatives that contain the products of added mass."""
 
 
-@dataclass(frozen=True)
-class Factor:
-    """One factor of a hydrodynamic derivative: component 0..5 of V_r, or its magnitude."""
-
-    component: int
-    absolute: bool
-
-    @property
-    def letter(self) -> str:
-        """Letter of SNAME, "u", or "|u|"."""
-        result = TWIST_LETTERS[self.component]
-        return f"|{result}|" if self.absolute else result
-
-
-def _factors(raw: Any) -> tuple[Factor, Factor]:
+def _factors(raw: Any) -> tuple[Velocity, Velocity]:
     if not isinstance(raw, list) or len(raw) != 2:
         shown = f"{len(raw)}" if isinstance(raw, list) else show(raw)
         raise QuantityError(f'expected two factors such as ["r", "|v|"], found {shown}')
     factors = []
     for item in raw:
-        bars = len(text(item)) == 3 and item[0] == item[2] == "|"
-        component = item[1] if bars else item
-        if component not in TWIST_LETTERS:
+        if (factor := velocity(item)) is None:
             raise QuantityError(f"expected one of {' '.join(TWIST_LETTERS)}, with or without bars, found {show(item)}")
-        factors.append(Factor(TWIST_LETTERS.index(component), bars))
+        factors.append(factor)
     return factors[0], factors[1]
-
-
-def _letters(factors: tuple[Factor, ...]) -> list[str]:
-    return [factor.letter for factor in factors]
-
-
-class TermTable(Table):
-    """The value of one of `damping.terms`.
-
-    value  in SI, or with the unit that follows from the component and the factors
-    """
-
-    value: Any
-
-    @model_validator(mode="after")
-    def _value_in_si(self: Any) -> Any:
-        angular = sum(factor.component >= 3 for factor in self.of)
-        moment = "N m" if self.wrench >= 3 else "N"
-        per = {0: "s^2/m^2", 1: "s^2/m/rad", 2: "s^2/rad^2"}[angular]
-        try:
-            value = number(self.value, Dimension("a hydrodynamic derivative", f"{moment} {per}"))
-        except QuantityError as error:
-            raise refuse(str(error), "value") from None
-        object.__setattr__(self, "value", value)
-        return self
 
 
 @dataclass(frozen=True)
@@ -82,7 +41,7 @@ class DampingTerm(Declared):
     """
 
     wrench: Annotated[int, letter(WRENCH_LETTERS)]
-    of: Annotated[tuple[Factor, Factor], validator(_factors, write=_letters)]
+    of: Annotated[tuple[Velocity, Velocity], validator(_factors, write=texts)]
     value: Annotated[float, TIMES]
 
     keys: ClassVar[type[Table]] = TermTable
@@ -200,8 +159,8 @@ class Damping(BodyLaw):
             DampingTerm(
                 int(rng.integers(6)),
                 (
-                    Factor(int(rng.integers(6)), bool(rng.random() < 0.3)),
-                    Factor(int(rng.integers(6)), bool(rng.random() < 0.5)),
+                    Velocity(int(rng.integers(6)), bool(rng.random() < 0.3)),
+                    Velocity(int(rng.integers(6)), bool(rng.random() < 0.5)),
                 ),
                 float(rng.normal() * 0.2 * mean),
             )

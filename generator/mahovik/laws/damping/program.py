@@ -99,7 +99,7 @@ class DampingProgram(BodyProgram):
         laws = ((body.name, body.law(Damping)) for body in stand.bodies)
         derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
         for k, ((name, term), row) in enumerate(zip(derivatives, rows, strict=True)):
-            factors = " ".join(factor.letter for factor in term.of)
+            factors = " ".join(factor.text for factor in term.of)
             text = f"{name}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
             unit = units.law(term.wrench, tuple(f.component for f in term.of))
             yield Member(f"derivative[{k + 1}]", unit, text, float(member(row, "value")))
