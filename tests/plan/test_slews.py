@@ -14,17 +14,16 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from mahovik.core.motion.motion_file import motion_of_slew
-from mahovik.core.motion.programme import Programme, programme_text
+from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import Stand
 from mahovik.core.stand.capacity import torque_capacity
-from mahovik.core.stand.masses import mass_properties
 from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, simulate
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import prescribe, torques
 from mahovik.use.plan.outcome import Plan
 from mahovik.use.plan.slew import plan_slew
-from mahovik.use.plan.slew.timing import KNOTS, Sharp, sharpest, smooth
+from mahovik.use.plan.slew_path import KNOTS, Sharp, sharpest, smooth
 from mahovik.use.plan.unbalance import twist_at_rest, unbalance_effect
 from plan.slew_stands import ATTITUDE, PYRAMID, about, inertia, sat4, satellite, slew
 
@@ -256,17 +255,6 @@ def quick_slew() -> Programme:
     return planned_sat4(end=about_z(5), duration=10, start=against(314)).programmes[0]
 
 
-def test_a_point_that_unbalance_alone_would_hold_is_refused_by_its_direction() -> None:
-    """Along the line through the centre of mass no moment accelerates it."""
-    rows = [{"point": "acc1", "rows": ["vx", "vy", "vz"]}]
-    plan = planned_sat4(rows=rows, start=against(100), duration=1, unbalance="resisted")
-    words = plan.words[0]
-    assert plan.reason == "SPAN" and "they give no acceleration of acc1 along (" in words
-    direction = np.array([float(x) for x in words.split("(")[1].split(")")[0].split(",")])
-    line = np.array(sat4().points[0].position) - mass_properties(sat4()).center_of_mass
-    assert np.linalg.norm(np.cross(direction, line / np.linalg.norm(line))) < 2e-3
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     "keys",
@@ -307,13 +295,3 @@ def test_what_unbalance_adds_is_what_the_reference_simulates() -> None:
     assert aside[:, :3] == pytest.approx(effect.shift[: k + 1 : 8], abs=1e-4 * float(np.abs(effect.shift).max()))
     yaw_pitch_roll = effect.turn[: k + 1 : 8, ::-1]  # near the attitude of E0 they are the small angles, in reverse
     assert aside[:, 3:] == pytest.approx(yaw_pitch_roll, abs=2e-3 * float(np.abs(effect.turn).max()))
-
-
-def test_near_rest_unbalance_can_be_resisted() -> None:
-    """The flywheels' ripple is in the programme, and nothing is added; wheels from rest do not pass zero speed."""
-    plan = planned_sat4(end=about_z(3), duration=5, unbalance="resisted", verify=True)
-    assert plan.status == "OK", plan.words
-    programme = plan.programmes[0]
-    assert "unbalance" not in programme.report
-    assert '"unbalance"' not in programme_text(programme)
-    assert programme.report["through_zero"] == []

@@ -46,7 +46,7 @@ from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
 from mahovik.core.stand.fields import Length3, Table, Text, direction, require_bounds, scalar, validator, vec3, vector
-from mahovik.core.stand.masses import Unbalance, turn
+from mahovik.core.stand.masses import turn
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.task import check_tasks
@@ -576,7 +576,6 @@ class SlewTable(Table):
     duration   of the turn
     bounds     `speed`, `acceleration`, `torque` (of the motor), besides the motors' limits; without a motor
                `inverse_most` holds
-    unbalance  `"resisted"`: flywheels move so that unbalance does not move the rows; for wheels near rest
     """
 
     name: Text = ""
@@ -589,7 +588,6 @@ class SlewTable(Table):
     goal: Annotated[Goal | None, choice("fastest", "quietest")] = None
     duration: Annotated[float | None, scalar(TIME, above=1e-3, most=1e6)] = None
     bounds: FlywheelBounds = FlywheelBounds()
-    unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "averaged"
 
 
 def _read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Problems) -> Slew:
@@ -618,7 +616,7 @@ def _read_slew(document: dict[str, Any], stand: Stand, name: str, problems: Prob
     none = (0.0,) * N
     return Slew(
         table.name or name, task, kind, start, table.start.position, axis, normal, angle, goal, table.duration,
-        table.start.phi or none, table.start.phi_dot or none, table.bounds, table.unbalance, doubts,
+        table.start.phi or none, table.start.phi_dot or none, table.bounds, doubts,
     )  # fmt: skip
 
 

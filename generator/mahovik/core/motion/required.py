@@ -13,7 +13,6 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.document import Data, bound_per_flywheel, per_flywheel
 from mahovik.core.motion.functions import Array, Course, Harmonics, PlannedCourse, SampledCourse
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
-from mahovik.core.stand.masses import Unbalance
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.task import places_of, row_vector
@@ -137,7 +136,6 @@ class Slew:
     goal      fastest: free duration; quietest: of the given `duration` (s)
     phi, phi_dot   N: angles and speeds of the flywheels at t = 0, rad, rad/s
     bounds    speed, acceleration, torque of the flywheels; the motors' limits hold besides
-    unbalance averaged: planned on the mean stand; resisted: the flywheels move so that unbalance does not move the rows
     doubts    warnings on numbers of the file, a line each
     """
 
@@ -154,7 +152,6 @@ class Slew:
     phi: tuple[float, ...]
     phi_dot: tuple[float, ...]
     bounds: FlywheelBounds
-    unbalance: Unbalance = "averaged"
     doubts: tuple[str, ...] = ()
     periodic: Literal[False] = False
 

@@ -34,8 +34,7 @@ from mahovik.out.campaign.quantities import AXES, HOLD, Errors, Quantity, Scene,
 from mahovik.out.notices import MahovikWarning, warn_of_steps, warn_of_turn
 from mahovik.proof.verify.programme.mechanics import scale_of
 from mahovik.proof.verify.programme.verification import motion_check, stand_check
-from mahovik.use.control.loop import required_state
-from mahovik.use.control.plant import coordinates
+from mahovik.use.control.loop import coordinates, required_state
 from mahovik.use.measured.headers import sensors
 from mahovik.use.numeric.frame import Frame
 from mahovik.use.numeric.se3 import Array

@@ -111,8 +111,7 @@ def _planned(
 ) -> tuple[Plan, Stand, Sequence[tuple[str, str, float, float]]]:
     """The plan, the stand that it is for, and the numbers that moved."""
     from mahovik.core.motion.required import Slew
-    from mahovik.use.plan.mean_pose import refuse_unplannable
-    from mahovik.use.plan.planner import plan_motion
+    from mahovik.use.plan.planner import plan_motion, refuse_unplannable
 
     def on_progress(state: Any) -> None:
         say(state.words)

@@ -10,29 +10,278 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any, cast
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
+from mahovik.contract.status import STATUS_VALUES, status_words
+from mahovik.core.emit.generate import generate_all
+from mahovik.core.emit.servo import ServoTables, servo_code
+from mahovik.core.lower.servo import ServoForm, TrimForm, lower_servo
 from mahovik.core.motion.functions import Angles
+from mahovik.core.motion.laws import Torque
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.motor import steepness
+from mahovik.core.stand.state import State, rest_state
+from mahovik.core.toolchain.block import Block
+from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.library import Library, uniform_data
 from mahovik.errors import StateError, UsageError
-from mahovik.use.control.controller import Controller, Encoders
-from mahovik.use.control.plant import Plant, coordinates, plant_state
 from mahovik.use.control.reference_motion import ReferenceMotion, nodes, required_orbit, settled_state
-from mahovik.use.control.trim import TrimDesign, design_trim
+from mahovik.use.control.servo import gains
+from mahovik.use.control.trim import TrimDesign, design_trim, trim_members
 from mahovik.use.numeric.course import Chart, equilibrium
-from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.numeric.se3 import Array
+from mahovik.use.numeric.frame import Frame
+from mahovik.use.numeric.mechanics import Mechanics, inertia
+from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.plan.basis import harmonics
 from mahovik.use.plan.unbalance import twist_at_rest
+from mahovik.use.simulate.course import Course
+from mahovik.use.simulate.held import long_steps
 from mahovik.use.simulate.run import STATE_COLUMNS
+
+# -- the stand: carrier and flywheels under motor torques, in fixed steps of the emitted C
+
+_MOST, _LONGEST, _SETTLED = 40, 3.0, 1e-13
+"""Most steps of Newton's method; longest step of a coordinate, and the one that ends it, m or rad."""
+
+_REACHED = 1e-6
+"""m, rad: a pose farther off than this is one that the freedoms do not reach."""
+
+
+def coordinates(stand: Stand, position: Array, attitude: Array, near: Array) -> Array:
+    """q (M, 6; m, rad) of positions (M, 3) and quaternions (M, 4; w first), angles within half a turn of `near`.
+
+    Of a held carrier those of its freedoms (M, m); what a pose is off the hold by rounding is left out. StateError: a
+    pose is none that the hold allows.
+    """
+    rotations = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])
+    if stand.hold is not None:
+        q = _held_coordinates(stand, position, rotations.as_matrix(), near)
+        if np.isnan(q).any():
+            raise StateError(f"{stand.name}: hold: found a pose far from the required one, which it does not allow")
+        return q
+    angles = rotations.as_euler(EULER[stand.angles])
+    return np.hstack([position, near[:, 3:] + np.remainder(angles - near[:, 3:] + np.pi, 2.0 * np.pi) - np.pi])
+
+
+def _held_coordinates(stand: Stand, O1: Array, C: Array, near: Array) -> Array:
+    """Coordinates (M, m) of poses O1 (M, 3; m), C (M, 3, 3) of a held carrier, by Newton's method from `near` (M, m).
+
+    Each row by itself, so that its bits depend on no other. Angles are those within half a turn of `near`. NaN where
+    the freedoms do not reach the pose.
+    """
+    x, moving = near.copy(), np.arange(len(near))
+    for _ in range(_MOST):
+        off = _offset(stand, O1[moving], C[moving], x[moving])
+        step = (np.linalg.pinv(Frame.of(stand).slopes(x[moving])[2]) @ off[:, :, None])[:, :, 0]
+        x[moving] += np.clip(step, -_LONGEST, _LONGEST)
+        far = np.abs(step).max(axis=1, initial=0.0) > _SETTLED * (1.0 + np.abs(x[moving]).max(axis=1, initial=0.0))
+        moving = moving[far]
+        if not len(moving):
+            break
+    lost = np.abs(_offset(stand, O1, C, x)).max(axis=1, initial=0.0) > _REACHED
+    return np.where(lost[:, None], np.nan, x)
+
+
+def _offset(stand: Stand, O1: Array, C: Array, x: Array) -> Array:
+    """Shift and rotation vector (M, 6; m, rad) in E1 from the pose at coordinates x to another."""
+    there, place = Frame.of(stand).pose(x)
+    back = np.swapaxes(there, 1, 2)
+    turned = Rotation.from_matrix(back @ C).as_rotvec()
+    return np.hstack([(back @ (O1 - place)[:, :, None])[:, :, 0], turned])
+
+
+STIFFNESS = 0.2
+"""Largest product of step and fastest decay rate of a speed: a flywheel's by its motor, a freedom's by friction."""
+
+TURN = 0.05
+"""rad: largest turn of a flywheel in a step; the carrier's error is then far below a millionth of its motion."""
+
+
+class Plant:
+    """Plant in steps of fourth order. Torques are those of the motors at the speeds in the middle of each step.
+
+    State: position (3), attitude (4, quaternion, w first), V (6), phi, phi_dot (N each); tau: torques at the end.
+    """
+
+    def __init__(self, stand: Stand, state: State) -> None:
+        """In a state with a quaternion. Raises ToolchainError."""
+        self._block = Block(stand, compile_library(stand, kind="states"), 1)
+        block, N = self._block, len(stand.flywheels)
+        x = block.x[:, 0]
+        x[:] = [*state.position, *(state.quaternion or ()), *state.V, *state.phi, *state.phi_dot]
+        block.given["order"][0] = 4
+        self.position, self.attitude, self.V, self.phi_dot = x[:3], x[3:7], x[7:13], x[13 + N : 13 + 2 * N]
+        drives = [(Torque(0.0), s.motor) for s in stand.flywheels]
+        self._course = Course(block, [False] * N, drives, by_torque=True)
+        self._first, self.tau, self._fastest = np.array(state.phi), np.zeros(N), _steepest_rate(stand)
+
+    @property
+    def phi(self) -> Array:
+        """Angles (N, rad), not wrapped."""
+        return self._first + self._course.turned[:, 0]
+
+    def advance(self, command: Array, begin: float, end: float) -> None:
+        """Advance from `begin` to `end` (s) under constant commanded torques (N, N m). StateError: out of range."""
+        if not np.all(np.isfinite(command)):
+            raise StateError(f"at t = {begin:.6g} s a commanded torque is not a number")
+        span = end - begin
+        count = max(1, math.ceil(span * max(self._fastest, float(np.abs(self.phi_dot).max()) / TURN)))
+        self._course.advance(command, begin, span / count, count)
+        if why := self._block.reason(0):
+            raise StateError(why)
+        self.tau = self._block.given["tau"][:, 0].copy()
+
+
+def _steepest_rate(stand: Stand) -> float:
+    """Steps per second that the steepest motor needs, and the friction of a hold."""
+    rates = [steepness(s.motor) / (0.5 * inertia(s)[3, 3]) for s in stand.flywheels]
+    rates += [1.0 / friction.bound for friction in long_steps(stand, math.inf)]
+    return float(max(rates, default=0.0)) / STIFFNESS
+
+
+def plant_state(stand: Stand, chart: Chart, y: Array, phi: Array, phi_dot: Array) -> State:
+    """The state of a plant: y (12; held 2 m) of a chart, flywheels at phi, phi' (N each)."""
+    at = chart.twists(y[None])
+    a, b, c, w = Rotation.from_matrix(at.C[0]).as_quat().tolist()
+    return replace(
+        rest_state(stand),
+        position=cast(Vec3, tuple(at.O1[0].tolist())),
+        quaternion=(w, a, b, c),
+        V=cast(Vec6, tuple(at.V[0].tolist())),
+        u=() if stand.hold is None else tuple(y[chart.count :].tolist()),
+        phi=tuple(phi.tolist()),
+        phi_dot=tuple(phi_dot.tolist()),
+    )
+
+
+# -- what firmware does once per sample: read the encoders, and the C of servos and trim
+
+
+class Encoders:
+    """Encoders of the stand file: a reading is the middle of the count reached.
+
+    A flywheel without an encoder, or any if `ideal`, is measured exactly and without delay. `latency`: (N, s).
+    """
+
+    def __init__(self, stand: Stand, ideal: bool = False) -> None:
+        encoders = [None if ideal else s.encoder for s in stand.flywheels]
+        self.latency = np.array([0.0 if e is None else e.latency for e in encoders])
+        self._exact = np.array([e is None for e in encoders])
+        self._counts = np.array([1 if e is None else e.counts for e in encoders]) / (2.0 * np.pi)
+        self._zero = np.array([0.0 if e is None else e.zero for e in encoders])
+
+    def read(self, phi: Array) -> Array:
+        """Angles (N, rad) as measured; true angles are not wrapped."""
+        counted = (np.floor(self._counts * phi + self._zero) + 0.5 - self._zero) / self._counts
+        return np.where(self._exact, phi, counted)
+
+
+_LIMITED = STATUS_VALUES["LIMITED"]
+
+
+class Controller:
+    """`servo_step` and `trim_step` of the emitted C, with their states.
+
+    limited      samples so far in which the servo cut a torque
+    corrections  (N, T): present Fourier coefficients of the trim, rad; T = 1 without trim
+    """
+
+    def __init__(self, wanted: ReferenceMotion, servo: Servo, design: TrimDesign | None) -> None:
+        stand, N = wanted.stand, len(wanted.stand.flywheels)
+        members = None if design is None else trim_members(design, wanted.motion, wanted.programme, servo.period)
+        trim = None if design is None else (design.trim.coordinates, design.trim.harmonics)
+        self._library = library = _compile_servos(stand, trim)
+        ffi, name = library.ffi, stand.name
+        self._prefix, self._feedforward = name, servo.feedforward
+        self._gains = ffi.new(f"{name}_servo_gains *", gains(stand, servo, wanted.motion.span))
+        self._servo, self._servo_step = ffi.new(f"{name}_servo_state *"), library.function("servo_step")
+        self._check(library.function("servo_reset")(self._servo))
+        self.limited = 0
+        # phi_ref, phi_dot_ref, tau_ff, phi, phi_dot, tau
+        self._rows = np.zeros((6, N))
+        self._places = [ffi.cast(f"{name}_real *", row.ctypes.data) for row in self._rows]
+        self._all_valid = ffi.NULL
+        self._trim: Any = None
+        self.corrections = np.zeros((N, 1))
+        if design is not None:
+            self._design = ffi.new(f"{name}_trim_design *", members)
+            self._trim, self._trim_step = ffi.new(f"{name}_trim_state *"), library.function("trim_step")
+            self._check(library.function("trim_reset")(self._trim))
+            self._coordinates = list(design.trim.coordinates)
+            self._q = np.zeros(len(self._coordinates))
+            self._q_place = ffi.cast(f"{name}_real *", self._q.ctypes.data)
+            shape = (N, 2 * design.trim.harmonics + 1)
+            self.corrections = np.frombuffer(ffi.buffer(self._trim.present), dtype=np.float64).reshape(shape)
+
+    @property
+    def trims(self) -> bool:
+        """Whether it needs the carrier's coordinates."""
+        return self._trim is not None
+
+    @property
+    def rounds(self) -> int:
+        """Number of corrections by the trim."""
+        return 0 if self._trim is None else int(self._trim.rounds)
+
+    def step(
+        self,
+        phase: float,
+        q: Array | None,
+        phi_ref: Array,
+        phi_dot_ref: Array,
+        tau_ff: Array,
+        phi: Array,
+        phi_dot: Array,
+    ) -> Array:
+        """Torques (N, N m) of a sample. Raises StateError if the C refuses an input.
+
+        phase   of the programme, in [0, 1); q (6): coordinates of the carrier, None without trim
+        phi_ref, phi_dot_ref, tau_ff   of the programme (N each); phi, phi_dot: measured
+        """
+        rows = self._rows
+        rows[0], rows[1], rows[3], rows[4] = phi_ref, phi_dot_ref, phi, phi_dot
+        rows[2] = tau_ff if self._feedforward else 0.0
+        if self._trim is not None and q is not None:
+            self._q[:] = q[self._coordinates]
+            self._check(self._trim_step(self._design, self._trim, phase, self._q_place, *self._places[:3]))
+            if not self._feedforward:
+                rows[2] = 0.0
+        *measured, tau = self._places
+        status = self._check(self._servo_step(self._gains, self._servo, *measured, self._all_valid, tau))
+        self.limited += bool(status & _LIMITED)
+        return np.array(rows[5])
+
+    def _check(self, status: int) -> int:
+        if status < 0:
+            raise StateError(f"the servo refuses a sample: {status_words(status)}")
+        return int(status)
+
+
+@lru_cache(maxsize=4)
+def _compile_servos(stand: Stand, trim: tuple[tuple[int, ...], int] | None) -> Library:
+    """The C of servos for a stand; `trim`: measured coordinates, harmonics. Raises ToolchainError."""
+    made = generate_all(stand, "double", ("torque",))
+    form = ServoForm(made.layout.count, None if trim is None else TrimForm(*trim, held=stand.hold is not None))
+    tables = ServoTables(_zeros(form.gains), None if trim is None else _zeros(form.design), 1.0)
+    files = servo_code(stand, lower_servo(made.layout, form), form, tables)
+    header = f"{stand.name}.h"
+    return Library.of_texts({**files, header: made.files[header]}, f"{stand.name}_servo.c", stand.name)
+
+
+def _zeros(struct: Any) -> dict[str, Any]:
+    return {f.name: uniform_data(f.type, f.shape, 0.0) for f in struct.fields}
+
+
+# -- the loop
 
 _AXES, _ANGLES = "xyz", ("psi", "theta", "phi")
 

@@ -26,12 +26,11 @@ from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import MotionError, StandError, StateError
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.mean_pose import mean_pose, refuse_unplannable
 from mahovik.use.plan.objective import Rows, bound_uses
 from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions
-from mahovik.use.plan.planner import plan_motion
+from mahovik.use.plan.planner import plan_motion, refuse_unplannable
 from mahovik.use.plan.points import jacobian
-from mahovik.use.plan.preflight import preflight
+from mahovik.use.plan.preflight import mean_pose, preflight
 from mahovik.use.plan.problem import FlywheelMotion, Grid, Problem
 from mahovik.use.plan.starts import Kind, draw_windings, with_shortest_period
 

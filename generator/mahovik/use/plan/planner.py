@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.motion.functions import Fourier, Samples
+from mahovik.core.motion.motion_file import NO_SLEW
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.motion.required import RequiredMotion, Slew
+from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
-from mahovik.errors import StateError
+from mahovik.errors import MotionError, StateError
 from mahovik.use.numeric.residual import prescribe, torques
 from mahovik.use.plan.basis import SplineSpace
 from mahovik.use.plan.certificate import (
@@ -26,7 +28,6 @@ from mahovik.use.plan.certificate import (
 )
 from mahovik.use.plan.finite import TIMES, Collocator, table_of
 from mahovik.use.plan.improve import Candidate, Improver
-from mahovik.use.plan.mean_pose import refuse_unplannable
 from mahovik.use.plan.objective import has_bounds
 from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
 from mahovik.use.plan.preflight import preflight
@@ -102,6 +103,17 @@ def plan_motion(
         return Plan("OK_LIMIT" if over else "OK", None, over, warnings, (programme,), effort, interrupted)
     interrupted = result.interrupted or whole.interrupted
     return Plan("NO_PROGRAM", "SEARCH", tuple(refused), (*first.warnings, *first.hint), (), effort, interrupted)
+
+
+def refuse_unplannable(stand: Stand, required: RequiredMotion | Slew) -> None:
+    """Refuse what is planned for free carriers alone. Raises StandError, MotionError."""
+    if stand.hold is None:
+        return
+    coordinates = coordinates_of(stand)
+    if isinstance(required, Slew):
+        raise MotionError([f"{required.name}: type: {NO_SLEW}"])
+    if len(required.mean) != coordinates.count:
+        raise MotionError([f"{required.name}: is of another carrier; expected rows of {coordinates.words}"])
 
 
 def _fewer(problem: Problem) -> str:

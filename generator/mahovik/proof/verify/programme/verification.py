@@ -107,7 +107,7 @@ def motion_check(motion: RequiredMotion, programme: Programme) -> Check:
     pairs = {"name": (programme.motion, motion.name), "kind": (kind[programme.periodic], kind[motion.periodic])}
     if programme.periodic == motion.periodic:
         pairs["period" if motion.periodic else "duration"] = f"{span:.15g} s", f"{motion.span:.15g} s"
-    pairs["unbalance"] = programme.unbalance, "resisted" if motion.slew is None else motion.slew.unbalance
+    pairs["unbalance"] = programme.unbalance, "resisted" if motion.slew is None else "averaged"
     return _owner_check("motion", pairs, motion.name)
 
 

@@ -1,39 +1,250 @@
-"""A programme for a slew, or the reason why there is none: reach, time law, exact motion, limits, table."""
+"""A programme for a slew, or the reason why there is none: reach, time law, exact motion, limits, table.
+
+The exact motion is that of the mean stand, whose flywheels do not shake it, by the coupled equations: demanded rows as
+the path says, all else by the dynamics. With R0 the residual of (12) at V* = 0 and phi'' = 0, V* = K^-1 (R0 - I phi'')
+and a = S V* + s, so that
+
+    S K^-1 I phi'' = S K^-1 R0 + s - a
+
+at every time; of the flywheels' accelerations that solve it the one nearest to a wanted share, in the norm of Theta_ff.
+Accelerations at all nodes at once give speeds and positions by integrals of splines, and these the accelerations, until
+nothing changes: Picard's iteration, which converges since the accelerations hardly depend on the positions.
+"""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
+from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.functions import Angles, PlannedCourse, Samples
+from mahovik.core.motion.functions import Angles, Course, PlannedCourse, Samples
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import SINGULAR, Slew, rows_of
 from mahovik.core.stand.masses import mean_stand
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
+from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.numeric.residual import Norm, prescribe, residual, torques
-from mahovik.use.numeric.se3 import Array
+from mahovik.use.numeric.residual import Norm, linear, prescribe, prescribed_at, residual, torques
+from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.plan.certificate import certify, failed_items, make_programme, peaks
 from mahovik.use.plan.outcome import Plan, Status
-from mahovik.use.plan.slew.dynamics import SLOWER, Demand, Exact, SlewMotion
-from mahovik.use.plan.slew.share import (
+from mahovik.use.plan.slew_path import (
+    Law,
     Limits,
     LimitUse,
     Mean,
     NoSlewError,
     Path,
     PathTable,
+    Sharp,
     choices,
     limit_uses,
+    quietest,
+    sharpest,
+    smooth,
     unreached_motion,
 )
-from mahovik.use.plan.slew.timing import Law, Sharp, quietest, sharpest, smooth
 from mahovik.use.plan.unbalance import unbalance_effect
+
+_ITERATIONS = 60
+_LAST_CHANGE = 1e-12
+"""Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
+
+_RANK = 1e-9
+_REACH = 1e-8
+
+
+@dataclass(frozen=True, eq=False)
+class Demand:
+    """A path at M times: sigma, sigma', sigma'' (M) that the rows follow, and the wanted phi'' (M, N)."""
+
+    t: Array
+    sigma: Array
+    speed: Array
+    acceleration: Array
+    phi_ddot: Array
+
+
+@dataclass(frozen=True, eq=False)
+class SlewMotion:
+    """The motion at times t (M, s): course of the carrier, angles of the flywheels, drive torques (M, N; N m).
+
+    missing   what the flywheels do not give, where the demand was missed most; None: reached
+    """
+
+    t: Array
+    course: Course
+    angles: Angles
+    tau: Array
+    missing: NoSlewError | None
+
+
+@dataclass(frozen=True, eq=False)
+class Exact:
+    """The exact equations of a slew; S (m, 6)."""
+
+    mechanics: Mechanics
+    slew: Slew
+    S: Array
+
+    def follow(self, demand: Demand) -> SlewMotion:
+        """The motion whose demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
+        t, slew = demand.t, self.slew
+        M = len(t)
+        phi_dot = np.tile(slew.phi_dot, (M, 1))
+        phi = slew.phi + t[:, None] * phi_dot
+        position, velocity = np.tile(np.array(slew.position), (M, 1)), np.zeros((M, 3))
+        C = slew.path(demand.sigma) @ slew.start
+        if slew.kind == "attitude":
+            omega = demand.speed[:, None] * slew.axis
+        else:
+            omega = in_E1(C, demand.speed[:, None] * slew.normal)
+        theta = self._angles(C)
+        missing: NoSlewError | None
+        unreached: NoSlewError | None
+        missing, unreached, previous = None, None, np.inf
+        for _ in range(_ITERATIONS):
+            rates = self._rates(theta, omega)
+            q = np.hstack([position, theta])
+            q_dot = np.hstack([velocity, rates])
+            V_dot, phi_ddot, missing = self._accelerations(demand, Course(q, q_dot, np.zeros_like(q)), phi, phi_dot)
+            unreached = unreached or missing
+            before = phi
+            gained = _integral(t, phi_ddot)
+            new_dot = np.array(slew.phi_dot) + gained
+            # angles of many turns would lose digits that the distances between the rows need
+            phi = slew.phi + t[:, None] * slew.phi_dot + _integral(t, gained)
+            change = max(_change(phi, before), _change(new_dot, phi_dot))
+            phi_dot = new_dot
+            at = self.mechanics.frame.twists(Course(q, q_dot, np.zeros_like(q)))
+            in_E0 = (at.C @ (V_dot[:, :3] + np.cross(omega, at.V[:, :3]))[:, :, None])[:, :, 0]
+            velocity = _integral(t, in_E0)
+            moved = slew.position + _integral(t, velocity)
+            change = max(change, float(np.abs(moved - position).max()))
+            position = moved
+            if slew.kind != "attitude":
+                new_omega = _integral(t, V_dot[:, 3:])
+                new_theta = theta[0] + _integral(t, self._rates(theta, new_omega))
+                change = max(change, _change(new_theta, theta), _change(new_omega, omega))
+                omega, theta = new_omega, new_theta
+            if not np.isfinite(change) or change > 1e6:
+                break
+            if change < _LAST_CHANGE or (change < 1e-10 and change > 0.5 * previous):
+                return self._end(t, position, velocity, theta, omega, V_dot, phi, phi_dot, phi_ddot, missing)
+            previous = change
+        if unreached is not None:
+            raise unreached
+        raise StateError(
+            "the motion of the slew does not settle: the surroundings act too strongly on what the rows demand"
+        )
+
+    def _angles(self, C: Array) -> Array:
+        """psi, theta, phi (M, 3; rad) of attitudes (M, 3, 3); where they are singular any that fit."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # singular attitudes are refused by name
+            angles = Rotation.from_matrix(C).as_euler(EULER[self.mechanics.stand.angles])
+        return np.asarray(np.unwrap(angles, axis=0))
+
+    def _accelerations(
+        self, demand: Demand, course: Course, phi: Array, phi_dot: Array
+    ) -> tuple[Array, Array, NoSlewError | None]:
+        """V* (M, 6), phi'' (M, N), and what is missing most."""
+        mechanics = self.mechanics
+        at = mechanics.frame.twists(course)
+        u = at.V[:, :3] - at.V_r[:, :3]
+        still = at._replace(V_r_dot=np.hstack([np.cross(at.V[:, 3:], u), np.zeros_like(u)]))
+        equations = linear(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
+        I = -equations.by_phi_ddot
+        K, _ = mechanics.mass_and_coupling(phi)
+        to_motion = np.linalg.solve(K, np.concatenate([equations.R[:, :, None], I], axis=2))
+        free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
+        a, s = self._demand(demand, at.C, at.V)
+        A = self.S @ by_phi_ddot
+        c = free @ self.S.T + s - a
+        root = np.sqrt(mechanics.tables.Theta_ff)
+        left = c - (A @ demand.phi_ddot[:, :, None])[:, :, 0]
+        more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
+        phi_ddot = demand.phi_ddot + more
+        V_dot = free - (by_phi_ddot @ phi_ddot[:, :, None])[:, :, 0]
+        return V_dot, phi_ddot, self._missing(K, a, free @ self.S.T + s - a, a - V_dot @ self.S.T - s)
+
+    def _missing(self, K: Array, a: Array, c: Array, left: Array) -> NoSlewError | None:
+        """The part of the demand a that is left where this is most; None: nothing is.
+
+        c: what the flywheels are to add, so that a demand to stay at rest has a size, too; (M, m) each.
+        """
+        G = self.S @ np.linalg.solve(K, np.broadcast_to(self.S.T, (len(K), *self.S.T.shape)))
+        wrenches = np.linalg.solve(G, np.stack([left, a, c], axis=2))
+        sizes = np.sqrt(np.maximum(np.einsum("mi,mi->m", left, wrenches[:, :, 0]), 0.0))
+        demands = np.einsum("mik,mik->mk", np.stack([a, c], axis=2), wrenches[:, :, 1:])
+        whole = np.sqrt(np.maximum(demands, 0.0)).max()
+        k = int(np.argmax(sizes))
+        if sizes[k] <= _REACH * whole or sizes[k] == 0.0:
+            return None
+        twist = np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
+        return unreached_motion(self.slew, self.S, twist, left[k])
+
+    def _demand(self, demand: Demand, C: Array, V: Array) -> tuple[Array, Array]:
+        """a, s (M, m each) of a = S V* + s."""
+        slew = self.slew
+        omega = V[:, 3:]
+        if slew.kind == "attitude":
+            angular = demand.acceleration[:, None] * slew.axis
+        else:
+            normal = in_E1(C, np.tile(slew.normal, (len(C), 1)))
+            angular = demand.acceleration[:, None] * normal - demand.speed[:, None] * np.cross(omega, normal)
+        a, s = np.zeros((2, len(C), len(slew.task.rows)))
+        places = places_of(self.mechanics.stand.instruments, self.mechanics.stand.points)
+        for i, row in enumerate(slew.task.rows):
+            if row.component.startswith("w"):
+                a[:, i] = angular @ self.S[i, 3:]
+            elif row.of:
+                v = V[:, :3] + np.cross(omega, places[row.of][0])
+                s[:, i] = np.cross(omega, v) @ self.S[i, :3]
+        return a, s
+
+    def _rates(self, theta: Array, omega: Array) -> Array:
+        """theta' (M, 3) of omega (M, 3) in E1."""
+        return np.asarray(np.linalg.solve(self._columns(theta), omega[:, :, None])[:, :, 0])
+
+    def _columns(self, theta: Array) -> Array:
+        """B (M, 3, 3) of omega = B theta'."""
+        return self.mechanics.frame.slopes(np.hstack([np.zeros_like(theta), theta]))[2][:, 3:, 3:]
+
+    def _end(
+        self, t: Array, position: Array, velocity: Array, theta: Array, omega: Array, V_dot: Array,
+        phi: Array, phi_dot: Array, phi_ddot: Array, missing: NoSlewError | None,
+    ) -> SlewMotion:  # fmt: skip
+        rates = self._rates(theta, omega)
+        q, q_dot = np.hstack([position, theta]), np.hstack([velocity, rates])
+        at = self.mechanics.frame.twists(Course(q, q_dot, np.zeros_like(q)))
+        turning = np.linalg.solve(self._columns(theta), (V_dot[:, 3:] - at.V_r_dot[:, 3:])[:, :, None])[:, :, 0]
+        straight = (at.C @ (V_dot[:, :3] + np.cross(omega, at.V[:, :3]))[:, :, None])[:, :, 0]
+        course = Course(q, q_dot, np.hstack([straight, turning]))
+        angles = Angles(phi, phi_dot, phi_ddot)
+        tau = torques(prescribe(self.mechanics, course), *angles)
+        return SlewMotion(t, course, angles, tau, missing)
+
+
+def _integral(t: Array, values: Array) -> Array:
+    """Integrals (M, n) from t[0] of values (M, n) at t (M)."""
+    spline = make_interp_spline(t, values, k=5).antiderivative()
+    return np.asarray(spline(t) - spline(t[0]))
+
+
+def _change(new: Array, old: Array) -> float:
+    return float(np.abs(new - old).max(initial=0.0) / (1.0 + np.abs(new).max(initial=0.0)))
+
+
+# -- the plan
 
 TOLERANCE = 3e-7
 """Relative residual of (12) between the rows of the table that ends the refinement."""
@@ -42,18 +253,10 @@ ACCEPTED_RESIDUAL = 8e-7
 """Residual that is enough where closer rows do not help, as rounding of phi counts over the square of the distance."""
 
 SHORTEST = 4096
-"""Rows over the whole time, were all as close as the closest may be; closer if an uneven flywheel turns by TURN / 2."""
-
-MOST_ROWS = 8192
-
-TURN = 2.0 * np.pi / 20.0
-"""rad: the furthest that a flywheel turns between rows, at the first try."""
+"""Rows over the whole time, were all as close as the closest may be."""
 
 FINE, COARSE = 8, 4
 """Rows in an interval of the time law where it bends; intervals between rows elsewhere."""
-
-EVEN = 1e-9
-"""Part of a flywheel's inertia below which what turns with it is rounding."""
 
 NEAR = 0.995
 """Share of the limits that the fastest slew is to use at least."""
@@ -74,17 +277,15 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, say: Callable[[str]
     """The programme of a slew. `say` hears what is being done."""
     try:
         say("searching")
-        planned = mean_stand(stand) if slew.unbalance == "averaged" else stand
-        made, sharp = _search(planned, slew)
+        made, sharp = _search(mean_stand(stand), slew)
     except NoSlewError as error:
         status: Status = "NO_PROGRAM" if error.reason else "SINGULAR_ATTITUDE"
         return Plan(status, error.reason, (error.words,), slew.doubts, ())
     except StateError as error:
         return Plan("NO_PROGRAM", "SEARCH", (str(error),), slew.doubts, ())
     programme = _programme(stand, slew, made, sharp)
-    if slew.unbalance == "averaged":
-        say("simulating with unbalance")
-        programme = _with_unbalance(stand, slew, programme)
+    say("simulating with unbalance")
+    programme = _with_unbalance(stand, slew, programme)
     if verify:
         say("verifying")
         programme = certify(stand, motion_of_slew(slew, programme), programme)
@@ -204,29 +405,20 @@ def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[
 
 def _table(exact: Exact, path: Path, law: Law, rows: Array | None = None) -> Table:
     """The exact motion at rows so close that (12) holds between them; `rows`: the first, as shares of the time."""
-    t = _rows(exact, path, law) if rows is None else rows * law.duration
+    t = _rows(law) if rows is None else rows * law.duration
     while True:
-        if len(t) > MOST_ROWS:
-            raise NoSlewError(
-                "SEARCH",
-                f"more than {MOST_ROWS} rows would be needed: the flywheels turn too often in {law.duration:.4g} s; "
-                + SLOWER,
-            )
         sigma, speed, acceleration = law.at(t)
         motion = exact.follow(Demand(t, sigma, speed, acceleration, path.phi_ddot(sigma, speed, acceleration)))
         if motion.missing is not None:
             raise motion.missing
         _refuse_singular(exact, motion)
         residuals, takes = _intervals(exact, path.limits, motion)
-        far = (np.diff(t) > law.duration / SHORTEST) | (_turn_between_rows(exact, motion) > 0.5 * TURN)
-        splitting = (residuals > 0.5 * TOLERANCE) & far
+        splitting = (residuals > 0.5 * TOLERANCE) & (np.diff(t) > law.duration / SHORTEST)
         if residuals.max() < TOLERANCE or (not splitting.any() and residuals.max() < ACCEPTED_RESIDUAL):
             return Table(law, motion, takes, float(residuals.max()), t / law.duration)
         if not splitting.any():
-            words = f"the table does not come below a residual of {residuals.max():.2g}"
-            resisted = exact.slew.unbalance == "resisted"
-            raise NoSlewError("SEARCH", f"{words}; {SLOWER}" if resisted else words)
-        t = _split(t, np.where(splitting, 2, 1))
+            raise NoSlewError("SEARCH", f"the table does not come below a residual of {residuals.max():.2g}")
+        t = np.sort(np.concatenate([t, (0.5 * (t[:-1] + t[1:]))[splitting]]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,8 +437,8 @@ class Table:
         return max(self.limit_uses, key=lambda use: use.share, default=LimitUse("torque", 0.0, "", 0.0, 0.0, np.inf))
 
 
-def _rows(exact: Exact, path: Path, law: Law) -> Array:
-    """Times of the first rows: closer where the law bends, and where unevenly built flywheels turn fast."""
+def _rows(law: Law) -> Array:
+    """Times of the first rows: closer where the law bends."""
     bent = np.flatnonzero(np.diff(np.concatenate([[False], law.bends, [False]]).astype(int)))
     t = [0.0]
     for a, b in zip(bent[::2], bent[1::2], strict=True):  # intervals a to b bend
@@ -254,44 +446,13 @@ def _rows(exact: Exact, path: Path, law: Law) -> Array:
         t += [*_even_times(t[-1], float(law.breaks[b]), law.breaks[1] / FINE)]
     t += [*_even_times(t[-1], law.duration, COARSE * law.breaks[1])]
     t[-1] = law.duration
-    return _turning(exact, path, law, np.array(t))
+    return np.array(t)
 
 
 def _even_times(begin: float, end: float, step: float) -> Array:
     """Times after `begin` up to `end`, no further apart than `step`; none where they are the same."""
     count = int(np.ceil((end - begin) / step - 1e-6))
     return np.linspace(begin, end, count + 1)[1:]
-
-
-def _split(t: Array, counts: Array) -> Array:
-    """The times with each interval in a number of equal parts."""
-    inner = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(t[:-1], t[1:], counts, strict=True)]
-    return np.concatenate([*inner, t[-1:]])
-
-
-def _turning(exact: Exact, path: Path, law: Law, t: Array) -> Array:
-    """More rows where an uneven flywheel would turn further than TURN from one to the next."""
-    uneven = _is_uneven(exact)
-    if not uneven.any():
-        return t
-    _, speed, _ = law.at(t)
-    fastest = (np.abs(exact.slew.phi_dot) + np.abs(speed)[:, None] * np.abs(path.share))[:, uneven].max(axis=1)
-    angle = np.maximum(fastest[1:], fastest[:-1]) * np.diff(t)
-    counts = np.maximum(1, np.ceil(angle / TURN)).astype(int)
-    return np.linspace(0.0, law.duration, 2 * MOST_ROWS) if counts.sum() > MOST_ROWS else _split(t, counts)
-
-
-def _is_uneven(exact: Exact) -> Array:
-    """Is a flywheel unevenly built (N)? Its wrench then changes as it turns."""
-    tables = exact.mechanics.tables
-    changing, mean = np.abs(tables.Theta[1:]).max(axis=(0, 2, 3)), np.abs(tables.Theta[0]).max(axis=(1, 2))
-    return np.asarray(changing > EVEN * mean)
-
-
-def _turn_between_rows(exact: Exact, motion: SlewMotion) -> Array:
-    """The furthest that an uneven flywheel turns in each interval between rows; rad."""
-    angles = np.abs(np.diff(motion.angles.phi, axis=0))
-    return np.asarray(angles[:, _is_uneven(exact)].max(axis=1, initial=0.0))
 
 
 def _refuse_singular(exact: Exact, motion: SlewMotion) -> None:
@@ -345,7 +506,7 @@ def _programme(stand: Stand, slew: Slew, planned: Table, sharp: Sharp | None) ->
     made = make_programme(
         stand, slew.name, float(motion.t[-1]), np.zeros(6), None, Samples(motion.t, *angles), report
     )  # fmt: skip
-    return replace(made, carrier=PlannedCourse(motion.t, *motion.course), unbalance=slew.unbalance)
+    return replace(made, carrier=PlannedCourse(motion.t, *motion.course), unbalance="averaged")
 
 
 def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
