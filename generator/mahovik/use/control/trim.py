@@ -89,10 +89,6 @@ class TrimDesign:
         share = (self.response / self.unit[:, None])[seen]
         return float(1.0 / (np.linalg.norm(back, 2) * np.linalg.norm(share, 2)))
 
-    def unreachable_part(self, error: Array) -> Array:
-        """Part of an error (C T) that no correction reaches, by the nominal model."""
-        return np.asarray(error - self.response @ (self.matrix @ error) / self.trim.gain)
-
 
 def design_trim(stand: Stand, motion: RequiredMotion, programme: Programme, trim: Trim) -> TrimDesign:
     """The trim of a servo for a stand that follows a programme.

@@ -106,29 +106,17 @@ def regularity(mechanics: Mechanics, phi: Array, *, periodic: bool) -> dict[str,
     """How regular (12) is at angles (M, N), for a report.
 
     Least singular value of K^-1/2 I Theta_ff^-1/2, and the number of sign changes of det I, `periodic`: also from the
-    last moment to the first; None unless there are six flywheels.
+    last moment to the first; None unless there are six flywheels. Of a held carrier, rows along its m freedoms take the
+    place of the six.
     """
-    sigma, determinants = singular_values(mechanics, phi)
-    changes = None
-    if determinants is not None:
-        changes = int(np.sum(determinants[1:] * determinants[:-1] < 0.0))
-        changes += bool(periodic and determinants[0] * determinants[-1] < 0.0)
+    (K, I), S = mechanics.mass_and_coupling(phi), mechanics.freedoms
+    factor, columns = np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(mechanics.tables.Theta_ff)
+    scaled = np.linalg.solve(factor, columns)
+    sigma, changes = np.linalg.svd(scaled, compute_uv=False), None
+    if scaled.shape[1] == mechanics.N:
+        signs = np.linalg.det(scaled) < 0.0  # of G^-1 I Theta_ff^-1/2 with K = G G^T: the sign is that of det I
+        changes = int(np.sum(signs[1:] != signs[:-1])) + int(periodic and signs[0] != signs[-1])
     return {"least_singular_value": float(sigma.min()) if sigma.size else 0.0, "det_I_sign_changes": changes}
-
-
-def singular_values(mechanics: Mechanics, phi: Array) -> tuple[Array, Array | None]:
-    """min(6, N) singular values of K^-1/2 I Theta_ff^-1/2 (M, .) at angles (M, N), and its determinant where N = 6.
-
-    The determinant is of G^-1 I Theta_ff^-1/2 with K = G G^T: its sign is that of det I. Of a held carrier, rows along
-    its m freedoms take the place of the six.
-    """
-    K, I = mechanics.mass_and_coupling(phi)
-    S = mechanics.freedoms
-    scaled: Array = np.asarray(
-        np.linalg.solve(np.linalg.cholesky(S.T @ K @ S), S.T @ I / np.sqrt(mechanics.tables.Theta_ff))
-    )
-    determinants = np.asarray(np.linalg.det(scaled)) if scaled.shape[1] == mechanics.N else None
-    return np.asarray(np.linalg.svd(scaled, compute_uv=False)), determinants
 
 
 def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:

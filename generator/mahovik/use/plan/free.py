@@ -32,6 +32,7 @@ from mahovik.use.plan.planner import plan_motion, refuse_unplannable
 from mahovik.use.plan.points import jacobian
 from mahovik.use.plan.preflight import mean_pose, preflight
 from mahovik.use.plan.problem import FlywheelMotion, Grid, Problem
+from mahovik.use.plan.search import Search
 from mahovik.use.plan.starts import Kind, draw_windings, with_shortest_period
 
 SHARE = 0.1
@@ -156,23 +157,6 @@ def _unknown(group: list[StandNumber], free: list[str], intervals: Mapping[str, 
         names = ", ".join(leaf.path for leaf in group)
         raise MotionError([f"same: {names}: no value is within the bounds of all; expected intervals that overlap"])
     return FreeNumber(tuple(group), low, high)
-
-
-@dataclass
-class FreeSearch:
-    """State of the search: starts made, least relative residual, why a stand had no programme, what ended it."""
-
-    starts: int = 0
-    best: float = np.inf
-    refused: tuple[str, ...] = ()
-    interrupted: bool = False
-    cut: bool = False
-    doing: str = "searching a stand"
-
-    @property
-    def words(self) -> str:
-        """One line of progress."""
-        return f"{self.doing}: {self.starts} starts tried, best residual {self.best:.2g}"
 
 
 @dataclass(frozen=True)
@@ -343,8 +327,8 @@ def plan_free(
     unknowns = free_numbers(numbers, keys, motion.free, motion.same)
     short = with_shortest_period(motion)
     problem = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
-    budget, state, beyond = Budget(_NO_LIMIT, options.seconds), FreeSearch(), None
-    spare = problem.start.rows_count < problem.start.N
+    budget, state, beyond = Budget(_NO_LIMIT, options.seconds), Search(doing="searching a stand"), None
+    spare, refused = problem.start.rows_count < problem.start.N, ""
     try:
         for k in range(STARTS):
             on_progress(state)
@@ -364,11 +348,12 @@ def plan_free(
                 if made.plan.status == "OK" or made.plan.interrupted:
                     return made
                 beyond = beyond or (made if made.document is not None else None)
-                state.refused = made.plan.words
+                refused = made.plan.words[0]
             state.best = min(state.best, residual)
     except KeyboardInterrupt:
         state.interrupted = True
-    return beyond or _nothing(problem, state, budget, options.seed)
+    state.cut = budget.cut
+    return beyond or _nothing(problem, state, refused, options.seed)
 
 
 def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, FlywheelMotion]:
@@ -401,17 +386,17 @@ def _planned(
     return FreePlan(plan, document, tuple(changes))
 
 
-def _nothing(problem: FreeProblem, state: FreeSearch, budget: Budget, seed: int) -> FreePlan:
-    """The outcome without a stand: how near the search came, and what the stand as it is lacks."""
-    ended = "cut by time" if budget.cut else "interrupted" if state.interrupted else "out of budget"
+def _nothing(problem: FreeProblem, state: Search, refused: str, seed: int) -> FreePlan:
+    """The outcome without a stand: how near the search came, why the last stand was refused, or what this one lacks."""
     words = [
-        f"no stand was found (this does not prove that there is none): {state.starts} starts, {ended}, least relative "
+        f"no stand was found (this does not prove that there is none): {state.starts} starts, {state.end_reason}, "
+        f"least relative "
         f"residual {state.best:.3g}; free more numbers, widen their bounds, or make the motion smaller"
     ]
     first = preflight(problem.start)
-    if state.refused:
-        words.append(f"the last stand: {state.refused[0]}")
+    if refused:
+        words.append(f"the last stand: {refused}")
     elif first.refusal is not None:
         words.append(f"the stand as it is: {first.refusal.words}")
-    effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": budget.cut}
+    effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": state.cut}
     return FreePlan(Plan("NO_PROGRAM", "SEARCH", tuple(words), (), (), effort, state.interrupted))

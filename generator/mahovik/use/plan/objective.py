@@ -92,32 +92,23 @@ class Sums(NamedTuple):
 
 def gauss_newton_sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
     """Gauss-Newton sums of half the mean squares of all kinds; `free` (6, bool): unknown components of the bias."""
-    W, n_bias = basis.value.shape[1], int(free.sum())
-    n = N * W
-    g, G = np.zeros(n + n_bias), np.zeros((n + n_bias, n + n_bias))
+    W, bias = basis.value.shape[1], N * basis.value.shape[1]
+    unknowns = bias + int(free.sum())
+    value, g, G = 0.0, np.zeros(unknowns), np.zeros((unknowns, unknowns))
     swing = basis.value.copy()
     swing[:, 0] = 0.0
-    blocks, gradient, border = np.zeros((N, W, W)), np.zeros((N, W)), np.zeros((N, W, n_bias))
     for rows in kinds:
-        jac = rows.by_phi.T[:, :, None] * (swing if rows.about_mean else basis.value)  # (N, M, W)
-        jac += rows.by_phi_dot.T[:, :, None] * basis.first
-        jac += rows.by_phi_ddot.T[:, :, None] * basis.second
-        across = np.swapaxes(jac, 1, 2)
-        blocks += across @ jac
-        gradient += (across @ rows.value.T[:, :, None])[:, :, 0]
-        if rows.by_bias is not None and n_bias:
-            by_bias = rows.by_bias[:, :, free]
-            border += across @ np.swapaxes(by_bias, 0, 1)
-            flat = by_bias.reshape(-1, n_bias)
-            G[n:, n:] += flat.T @ flat
-            g[n:] += flat.T @ rows.value.ravel()
-    for s in range(N):
-        block = slice(s * W, (s + 1) * W)
-        G[block, block] = blocks[s]
-        G[block, n:], G[n:, block] = border[s], border[s].T
-    g[:n] = gradient.ravel()
-    M = len(basis.t)
-    return Sums(sum(rows.mean_square for rows in kinds) / 2.0, g / M, G / M)
+        functions = (swing if rows.about_mean else basis.value, basis.first, basis.second)
+        slopes = (rows.by_phi, rows.by_phi_dot, rows.by_phi_ddot)
+        value += rows.mean_square / 2.0
+        for s in range(N):
+            J = sum((by[:, s, None] * function for by, function in zip(slopes, functions, strict=True)), np.zeros(()))
+            own = np.arange(s * W, (s + 1) * W)
+            if rows.by_bias is not None:
+                J, own = np.hstack([J, rows.by_bias[:, s, free]]), np.concatenate([own, np.arange(bias, unknowns)])
+            g[own] += J.T @ rows.value[:, s]
+            G[np.ix_(own, own)] += J.T @ J
+    return Sums(value, g / len(basis.t), G / len(basis.t))
 
 
 KINDS = ("acceleration", "torque", "speed_variation", "power")

@@ -65,8 +65,7 @@ _FREE = 1e-6
 """Part of the largest singular value below which a direction is free; differences leave 1e-8."""
 
 
-@dataclass(frozen=True, eq=False)
-class MeanPose:
+class MeanPose(NamedTuple):
     """The bias with the least mean wrench, and the remaining wrench.
 
     wrench   (6; N, N m): remaining mean over the period, in E0 axes, moment about O1
