@@ -79,36 +79,26 @@ class Rows:
         return float(np.sum(self.value**2) / len(self.value))
 
 
-class Sums(NamedTuple):
-    """Half the mean-square sum of rows at a point: its value, gradient (n), Gauss-Newton curvature (n, n).
+def gauss_newton_sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> tuple[Array, Array]:
+    """Gradient (n) and Gauss-Newton curvature (n, n) of half the mean squares of all kinds.
 
-    n unknowns: N (2H + 1) waves, then the free bias.
+    Unknowns are the waves of N flywheels, then the bias, of which `free` (6, bool) says what is unknown.
     """
-
-    value: float
-    gradient: Array
-    curvature: Array
-
-
-def gauss_newton_sums(kinds: Sequence[Rows], basis: Basis, N: int, free: Array) -> Sums:
-    """Gauss-Newton sums of half the mean squares of all kinds; `free` (6, bool): unknown components of the bias."""
     W, bias = basis.value.shape[1], N * basis.value.shape[1]
-    unknowns = bias + int(free.sum())
-    value, g, G = 0.0, np.zeros(unknowns), np.zeros((unknowns, unknowns))
+    g, G = np.zeros(bias + int(free.sum())), np.zeros((bias + int(free.sum()), bias + int(free.sum())))
     swing = basis.value.copy()
     swing[:, 0] = 0.0
     for rows in kinds:
-        functions = (swing if rows.about_mean else basis.value, basis.first, basis.second)
-        slopes = (rows.by_phi, rows.by_phi_dot, rows.by_phi_ddot)
-        value += rows.mean_square / 2.0
+        value = swing if rows.about_mean else basis.value
         for s in range(N):
-            J = sum((by[:, s, None] * function for by, function in zip(slopes, functions, strict=True)), np.zeros(()))
-            own = np.arange(s * W, (s + 1) * W)
+            J = rows.by_phi[:, s, None] * value + rows.by_phi_dot[:, s, None] * basis.first
+            J += rows.by_phi_ddot[:, s, None] * basis.second
+            columns = np.arange(s * W, (s + 1) * W)
             if rows.by_bias is not None:
-                J, own = np.hstack([J, rows.by_bias[:, s, free]]), np.concatenate([own, np.arange(bias, unknowns)])
-            g[own] += J.T @ rows.value[:, s]
-            G[np.ix_(own, own)] += J.T @ J
-    return Sums(value, g / len(basis.t), G / len(basis.t))
+                J, columns = np.hstack([J, rows.by_bias[:, s, free]]), np.append(columns, np.arange(bias, len(g)))
+            g[columns] += J.T @ rows.value[:, s]
+            G[np.ix_(columns, columns)] += J.T @ J
+    return g / len(basis.t), G / len(basis.t)
 
 
 KINDS = ("acceleration", "torque", "speed_variation", "power")

@@ -268,10 +268,11 @@ class InHarmonics:
         J = jacobian(problem, self.stage.grid.basis, linear, R_by_bias[..., free].reshape(M * m, -1))
         rows = harmonic_rows(J.reshape(M, m, -1), 2 * H)
         A, T = rows[: self._equations], self.stage.tail * rows[self._equations :]
-        total = gauss_newton_sums(self._kinds(Rows.torque(linear, tau_by_bias)), stage.grid.basis, problem.N, free)
+        kinds = self._kinds(Rows.torque(linear, tau_by_bias))
+        gradient, curvature = gauss_newton_sums(kinds, stage.grid.basis, problem.N, free)
         held, slope = bias_hinges(problem.motion.bounds, self.motion.bias)
-        gradient = total.gradient + T.T @ self.tail
-        curvature = total.curvature + T.T @ T
+        gradient += T.T @ self.tail
+        curvature += T.T @ T
         n = problem.N * (2 * H + 1)
         gradient[n:] += (held * slope)[free]
         curvature[n:, n:] += np.diag((slope**2)[free])
