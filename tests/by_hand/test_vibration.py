@@ -27,7 +27,6 @@ import pytest
 from by_hand.stands import ACROSS, SPIN, stand, wheel
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.result import Result
-from mahovik.use.vibration.balance import balance
 from mahovik.use.vibration.lines import Sums
 from mahovik.use.vibration.noise import integral
 from mahovik.use.vibration.peaks import Resonances, mattering
@@ -35,8 +34,8 @@ from mahovik.use.vibration.requirement import read_requirements
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.spectrum import left_out_of
 from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.steady import quasiperiodic
 from mahovik.use.vibration.study import vibration as find
-from mahovik.use.vibration.torus_motion import full_motion
 from mahovik.use.vibration.view import find_view
 
 M = 20.0
@@ -135,8 +134,8 @@ def test_requirements_count_what_a_solution_leaves_out() -> None:
     carrier = stand(wheel("a", position=[0.5, 0, 0], unbalance={"static": "100 g m"}))
     scene, seen = Scene.of(carrier), find_view(carrier, "carrier", "displacement")
     solutions = find(scene, read_speeds(carrier, W), seen)
-    high, low = balance(scene, [W], order=4), balance(scene, [W], order=2)
-    above = np.abs(high.torus.coefficients(seen.full(full_motion(high, high.torus, high.c, high.h)))[3:]).sum(axis=0)
+    high, low = (quasiperiodic(scene, [W], order=order) for order in (4, 2))
+    above = np.abs(high.torus.coefficients(seen.full(high.full()))[3:]).sum(axis=0)
     left = left_out_of(low, seen)
     assert left == pytest.approx(above, rel=0.1, abs=1e-3 * above.max()) and left.max() > 0.0
     solution = solutions.whole[0]._replace(left_out=left)

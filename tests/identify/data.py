@@ -15,7 +15,7 @@ from mahovik.out.api.stands import Stand, example
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import points
 from mahovik.stands import path
-from mahovik.use.vibration.balance import balance as steady
+from mahovik.use.vibration.steady import quasiperiodic
 
 Array = NDArray[np.float64]
 
@@ -42,10 +42,10 @@ def stand_text(flywheels: int = 2) -> str:
 
 def recorded(stand: Stand, speeds: Sequence[float] = SPEEDS, duration: float = 1.0, every: float = 2e-3) -> Array:
     """Time, six channels and phases (T, 7 + N), without noise, in the periodic steady state of constant speeds."""
-    motion = steady(stand, tuple(speeds))
+    motion = quasiperiodic(stand, tuple(speeds))
     t = np.arange(0.0, duration, every)
     theta = 0.3 + 0.7 * np.arange(len(speeds)) + np.array(speeds) * t[:, None]
-    _, rates = motion.states(theta)
+    rates = motion.scene.twist(motion.at(theta)[2][:, motion.scene.count :])
     rows = []
     for i in range(len(t)):
         seen = points(pieces(stand, motion.state(theta[i])), stand, rates[i])["imu"]

@@ -93,7 +93,7 @@ def test_spring_of_the_axle_swings_by_its_closed_formula() -> None:
         ({"V": [0, 0, 0, 0, 1, 0]}, "V: the carrier is held, expected u, 1 number"),
         ({"u": [1, 2]}, "u: expected 1 number, found 2"),
         ({"angles": [0, 0.2, 0.1]}, "rad along roll, which [hold] blocks; expected what the freedoms (pitch) reach"),
-        ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m, most along x, which [hold] blocks"),
+        ({"angles": [0, 0.2, 0], "position": [0, 0, 0]}, "m along x, which [hold] blocks"),
         ({"position": [0, 0.01, 0]}, "0.01 m along y, which [hold] blocks"),
         ({"position": [0, 0, 1e-3]}, "along z, which [hold] blocks"),
     ],

@@ -161,7 +161,9 @@ def test_without_motors_a_stated_acceleration_decides() -> None:
     sat = example_stand("sat4")
     bare = replace(sat, flywheels=tuple(replace(s, motor=None) for s in sat.flywheels), tasks=())
     largest = excess(bare)
-    assert largest is not None and largest.share == pytest.approx(largest.phi_ddot / bare.inverse_most)
+    assert largest is not None
+    more = excess(replace(bare, inverse_most=bare.inverse_most / 3))
+    assert more is not None and more.share == pytest.approx(3 * largest.share)
     assert excess(replace(bare, inverse_most=1e9)) is None
     assert excess(replace(bare, flywheels=())) is None
 

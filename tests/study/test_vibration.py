@@ -23,19 +23,16 @@ from mahovik.proof.reference.momentum import momentum, momentum_in_E0
 from mahovik.proof.reference.motion import mounts
 from mahovik.stands import path
 from mahovik.use.study.linear.model import places
-from mahovik.use.vibration import spectrum
-from mahovik.use.vibration.balance import _Search, balance
+from mahovik.use.vibration import steady as steady_motions
 from mahovik.use.vibration.band import in_band, rms
 from mahovik.use.vibration.chain import Makers
 from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes
-from mahovik.use.vibration.periodic import periodic_response
-from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.steady import Steady, _Search, quasiperiodic, steady
 from mahovik.use.vibration.structure import read_structure
 from mahovik.use.vibration.study import Vibration
 from mahovik.use.vibration.study import vibration as find
 from mahovik.use.vibration.torus import Torus
-from mahovik.use.vibration.torus_motion import Balance, full_motion
 from mahovik.use.vibration.view import find_view
 from study.test_response_held import table as force_table
 
@@ -123,8 +120,8 @@ def test_with_a_common_period_it_is_the_periodic_response(name: str, speeds: lis
     stand, quantity = load(path(name)), "acceleration"
     asked = read_speeds(stand, speeds)
     result = vibration(stand, speeds, quantity, point)
-    other = periodic_response(stand, asked.speeds(0.0))
-    wanted = rms(other.harmonics(find_view(stand, point, quantity)), other.frequencies)
+    frequency, a = steady(stand, asked.speeds(0.0)).harmonics(find_view(stand, point, quantity))
+    wanted = rms(a, frequency)
     assert result.sums().rms[0] == pytest.approx(wanted, rel=1e-6)
 
 
@@ -132,7 +129,7 @@ def test_an_undamped_resonance_is_said(tmp_path: Path) -> None:
     rate = 9e5 / (M_CARRIER + M_WHEEL)
     stand = one_wheel(tmp_path, 'static = "5 g cm"', SUSPENSION.replace("damping = [40, 40, 40, 0.1, 0.1, 0.1]", ""))
     with pytest.raises(CheckError, match="no steady motion found"):
-        balance(stand, [float(np.sqrt(rate))])
+        quasiperiodic(stand, [float(np.sqrt(rate))])
 
 
 def test_a_line_on_the_end_of_a_band_is_within() -> None:
@@ -167,7 +164,7 @@ def test_a_requirement_has_one_verdict_in_all_branches(
     )
     values = [requirement["value"] for requirement in wanted["requirements"]]
     assert values[0] == pytest.approx(wanted["rms"].max(), rel=1e-9) and values[0] <= values[2] <= values[4]
-    monkeypatch.setattr(spectrum, "FEW_TURNS", few_turns)
+    monkeypatch.setattr(steady_motions, "FEW_TURNS", few_turns)
     for part, verdict in ((1.0 + 1e-5, True), (1.0 - 1e-5, False)):
         limits = [text.replace("VALUE", repr(part * value)) for text, value in zip(sums, values, strict=True)]
         for asked in (speeds, sweep):
@@ -205,16 +202,16 @@ NEARLY_EQUAL: tuple[list[float], ...] = (
 )
 
 
-def solve(speeds: list[float]) -> Balance:
+def solve(speeds: list[float]) -> Steady:
     """The motion at speeds in rpm."""
-    return balance(SAT4, [RPM * x for x in speeds])
+    return quasiperiodic(SAT4, [RPM * x for x in speeds])
 
 
 @pytest.mark.parametrize("speeds", NEARLY_EQUAL, ids=str)
 def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
     """Momentum in E0 by the literal reference: a carrier that turned by a false beat would show it."""
     solution, rng = solve(speeds), np.random.default_rng(3)
-    angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(solution.turning)))
+    angles = rng.uniform(0.0, 2.0 * np.pi, (12, len(solution.base)))
     Z = np.array([momentum_in_E0(pieces(SAT4, solution.state(theta))) for theta in angles])
     spin = np.linalg.norm(Z[:, 3:], axis=1).max()
     assert np.abs(Z[:, :3]).max() < 1e-9 and np.abs(Z - Z.mean(axis=0)).max() < 1e-11 * spin
@@ -222,11 +219,11 @@ def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
 
 def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:
     """Two methods, at speeds without slow beats."""
-    search = _Search(Scene.of(SAT4), np.array([300.0, -211.0, 0.0, 0.0]), np.zeros(4))
-    by_momentum = search.at(3)
+    search = _Search(SAT4, np.array([300.0, -211.0]), np.eye(4, dtype=int)[:, :2], None)
+    by_momentum = search.judged(3)
     search.conserves = False
-    search.before = None
-    other = search.at(3)
+    search.c = np.zeros((1, 12))
+    other = search.judged(3)
     size = np.abs(by_momentum.c).max(axis=0)
     assert np.abs(other.c - by_momentum.c).max(axis=0) / size == pytest.approx(np.zeros(12), abs=1e-6)
 
@@ -238,7 +235,7 @@ def test_coefficients_come_back_from_values(count: int, order: int, seed: int) -
     c[0] = c[0].real
     values = torus.values(c)
     assert np.abs(torus.coefficients(values) - c).max() < 1e-12
-    assert np.abs(torus.at(c, torus.nodes) - values).max() < 1e-10
+    assert np.abs(torus.at(c, torus.angles(np.eye(count, dtype=int))) - values).max() < 1e-10
 
 
 def table(folder: Path, text: str) -> Path:
@@ -249,13 +246,13 @@ def table(folder: Path, text: str) -> Path:
 
 def test_mount_wrenches_are_those_of_the_reference() -> None:
     stand = load(path("bench8"))
-    solution = balance(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
+    solution = quasiperiodic(stand, [60.0, -41.2, 20.1, 0, 0, 0, 0, 0], order=3)
     torus = solution.torus
     rates = 1j * solution.frequencies[:, None] * solution.c
-    ours = full_motion(solution, torus, solution.c, solution.h).mount_wrenches()
+    ours, nodes = solution.full().mount_wrenches(), torus.angles(np.eye(3, dtype=int))
     transfers = solution.scene.chart.mechanics.tables.Lm
     for j in (0, 11, 57):
-        at = pieces(stand, solution.state(torus.nodes[j]))
+        at = pieces(stand, solution.state(nodes[j]))
         V_dot = torus.values(rates)[j, 6:]
         wanted = mounts(at, V_dot, np.zeros(8))
         for s in range(8):
@@ -394,8 +391,9 @@ QUIET: dict[str, Any] = {"speed": AWAY, "at": "acc1", "quantity": "acceleration"
 def test_small_differences_of_speed_make_sat4_quieter() -> None:
     """All orders in the band agree with a common period; the momentum is that of the literal reference."""
     result = command(path("sat4"), **QUIET, momentum="0 0 14")["improved"]
-    exact = periodic_response(SAT4, result["speeds"].tolist(), result["phases"].tolist())
-    values = rms(exact.harmonics(find_view(SAT4, "acc1")), exact.frequencies, BAND)
+    exact = steady(SAT4, result["speeds"].tolist(), result["phases"].tolist())
+    frequency, a = exact.harmonics(find_view(SAT4, "acc1"))
+    values = rms(a, frequency, BAND)
     assert result["after"] == pytest.approx(float(np.linalg.norm(values)), rel=1e-6)
     assert result["before"] > 5.0 * result["after"]
     mean = np.zeros(3)

@@ -21,7 +21,7 @@ import mahovik
 from campaigns import Rows, Table
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import points
-from mahovik.use.vibration.balance import balance as steady
+from mahovik.use.vibration.steady import quasiperiodic
 
 Array = NDArray[np.float64]
 
@@ -69,11 +69,11 @@ def true_values(stand: mahovik.Stand, rng: np.random.Generator) -> dict[str, flo
 
 def record(stand: mahovik.Stand) -> Array:
     """Time, six channels DELAY late, and phases (T, 7 + N), without noise."""
-    motion = steady(stand, SPEEDS)
+    motion = quasiperiodic(stand, SPEEDS)
     t = np.arange(0.0, DURATION, EVERY)
     theta = 0.3 + np.outer(t, SPEEDS)
     before = 0.3 + np.outer(t - DELAY, SPEEDS)
-    _, rates = motion.states(before)
+    rates = motion.scene.twist(motion.at(before)[2][:, motion.scene.count :])
     channels = np.empty((len(t), 6))
     for i in range(len(t)):
         imu = points(pieces(stand, motion.state(before[i])), stand, rates[i])["imu"]

@@ -25,14 +25,12 @@ from mahovik.use.simulate.run import simulate
 from mahovik.use.study.linear import linear_model
 from mahovik.use.study.linear.model import places
 from mahovik.use.study.rest import rest
-from mahovik.use.vibration.balance import balance
 from mahovik.use.vibration.chain import Makers
 from mahovik.use.vibration.maker import Harmonics
-from mahovik.use.vibration.periodic import Periodic, periodic_response
 from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.steady import Steady, quasiperiodic, steady
 from mahovik.use.vibration.structure import Structure
 from mahovik.use.vibration.study import vibration
-from mahovik.use.vibration.torus_motion import Balance, full_motion
 from mahovik.use.vibration.view import FullMotion, View
 from study.energy_linear import linear
 
@@ -89,11 +87,11 @@ RESPONSES = (
 )
 
 
-def run_c(stand: Stand, motion: Balance, step_length: float, seconds: float) -> tuple[Array, Array]:
+def run_c(stand: Stand, motion: Steady, step_length: float, seconds: float) -> tuple[Array, Array]:
     """Times (n) and pose and V (n, 13) by the C, from the motion of a balance, phases set exactly at every step."""
     speeds = motion.speeds
     N, block = len(speeds), Block(stand, compile_library(stand, kind="states"), 1)
-    view, start = block.x[:, 0], motion.state(np.zeros(len(motion.turning)))
+    view, start = block.x[:, 0], motion.state(np.zeros(len(motion.base)))
     view[:13] = [*start.position, *(start.quaternion or ()), *start.V]
     view[13 + N :] = speeds
     block.given["dt"][0], block.given["order"][0] = step_length, 4
@@ -126,7 +124,7 @@ def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
     A combination's is part of its amplitude, after SEEN of the largest amplitude.
     """
     stand = load(path(course.stand))
-    solved, place = balance(stand, [x * RPM for x in course.rpm]), places(stand, [course.point])[0]
+    solved, place = quasiperiodic(stand, [x * RPM for x in course.rpm]), places(stand, [course.point])[0]
     t, rows = run_c(stand, solved, course.seconds or 1e-3, SECONDS)
     chart = solved.scene.chart.frame
     attitude = Rotation.from_matrix(chart.C.T) * Rotation.from_quat(rows[:, 3:7], scalar_first=True)
@@ -134,7 +132,7 @@ def jitter_rows(course: Course) -> Iterator[tuple[Any, ...]]:
     for quantity in ("angle", "rate", "displacement"):
         view = View.of(place, quantity)
         torus = solved.torus
-        lines = torus.coefficients(view.full(full_motion(solved, torus, solved.c, solved.h)))
+        lines = torus.coefficients(view.full(solved.full()))
         hertz = np.abs(solved.frequencies) / (2.0 * np.pi)
         lines = np.where(solved.frequencies[:, None] < 0.0, lines.conj(), lines)
         still = np.zeros((len(y), len(course.rpm)))
@@ -178,38 +176,38 @@ def sweep(options: Namespace) -> Iterator[tuple[Any, ...]]:
     yield len(names), options.speeds, harmonics, modes, len(result.lines.names), seconds, SWEEP
 
 
-def distance_from_course(stand: Stand, course: Periodic, until: float | None) -> float:
+def distance_from_course(stand: Stand, course: Steady, until: float | None) -> float:
     """Distance of a run of the C from a steady response, at eight moments of its last period, part of the amplitude."""
-    period, chart = course.turning.period, course.scene.chart.frame
+    period, chart, y = 2.0 * np.pi / course.base[0], course.scene.chart.frame, course.full().y
     periods = 1 if until is None else int(np.ceil(until / period))
     start = rest(stand).state
     if until is None:
-        C = chart.C @ Rotation.from_rotvec(course.y[0, 3:6]).as_matrix()
+        C = chart.C @ Rotation.from_rotvec(y[0, 3:6]).as_matrix()
         q = tuple(Rotation.from_matrix(C).as_quat(scalar_first=True).tolist())
-        position = tuple((chart.O1 + chart.C @ course.y[0, :3]).tolist())
-        start = replace(start, position=position, angles=None, quaternion=q, V=tuple(course.y[0, 6:].tolist()))
+        position = tuple((chart.O1 + chart.C @ y[0, :3]).tolist())
+        start = replace(start, position=position, angles=None, quaternion=q, V=tuple(y[0, 6:].tolist()))
     hold = WrenchTable(np.zeros(1), course.hold[None])
-    regime = replace(steady_regime(stand, course.turning.speeds), wrenches={stand.carrier.name: hold})
-    step = 0.02 / max(map(abs, course.turning.speeds))
+    regime = replace(steady_regime(stand, course.speeds.tolist()), wrenches={stand.carrier.name: hold})
+    step = 0.02 / max(map(abs, course.speeds.tolist()))
     run = simulate(Case(stand, regime, start, periods * period, period / 8, step), "c")
     last = np.column_stack([run[name][-9:] for name in ("x [m]", "y [m]", "z [m]", "qx", "qy", "qz", "qw")])
     x = (last[:, :3] - chart.O1) @ chart.C
     r = Rotation.from_matrix(chart.C.T @ Rotation.from_quat(last[:, 3:]).as_matrix()).as_rotvec()
-    spectrum = np.fft.rfft(course.y[:, :6], axis=0) / len(course.y)
+    spectrum = np.fft.rfft(y[:, :6], axis=0) / len(y)
     k = np.arange(len(spectrum))
     waves = np.exp(2j * np.pi * np.outer(np.arange(9) / 8, k))
     expected = np.real(waves @ (spectrum * np.where(k == 0, 1.0, 2.0)[:, None]))
-    off, size = np.abs(np.hstack([x, r]) - expected), np.ptp(course.y[:, :6], axis=0)
+    off, size = np.abs(np.hstack([x, r]) - expected), np.ptp(y[:, :6], axis=0)
     return float(max(off[:, a].max() / size[a].max() for a in (slice(0, 3), slice(3, 6))))
 
 
 def response_row(course: Course) -> tuple[Any, ...]:
     """A steady response against the generated C, from rest for long, or begun on the course for a period."""
     stand = load(path(course.stand))
-    steady = periodic_response(stand, [x * RPM for x in course.rpm])
+    motion = steady(stand, [x * RPM for x in course.rpm])
     how = "one period from the course" if course.seconds is None else f"{course.seconds:g} s from rest"
-    off = distance_from_course(stand, steady, course.seconds)
-    return course.stand, course.words, len(steady.y), how, off, ACCEPTED_RESPONSE
+    off = distance_from_course(stand, motion, course.seconds)
+    return course.stand, course.words, motion.torus.M, how, off, ACCEPTED_RESPONSE
 
 
 def linear_models(options: Namespace) -> Iterator[tuple[Any, ...]]:

@@ -43,8 +43,8 @@ from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, st
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
 from mahovik.use.vibration.band import rms
-from mahovik.use.vibration.periodic import periodic_response
-from mahovik.use.vibration.speeds import common_period, read_speeds
+from mahovik.use.vibration.speeds import read_speeds
+from mahovik.use.vibration.steady import steady
 from mahovik.use.vibration.view import REACTION, find_view
 
 Values = tuple[dict[str, Array], list[str]]
@@ -415,27 +415,23 @@ def _at_states(states: Sequence[tuple[Array, Array]], block: Block, needs: set[s
 
 
 def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> Callable[[Stand], Mapping[str, float]]:
-    """Numbers of the periodic steady state of a stand at constant speeds, as `vibration` has it.
-
-    Raises UsageError: speeds without a common period, or a sweep.
-    """
+    """Numbers of the steady motion of a stand at constant speeds, as `vibration` has it. Raises UsageError: a sweep."""
     texts = (f"{name}={x}" if isinstance(x, str) else f"{name}={x!r} rad/s" for name, x in over.speeds.items())
     plan = read_speeds(stand, list(texts))
     if plan.sweep is not None:
         raise UsageError("speeds: a range of speeds, expected one speed of each flywheel")
-    common_period(plan.speeds(0.0))
     phases = by_flywheel("phases", over.phases, stand)
 
     def numbers_of(variant: Stand) -> Mapping[str, float]:
-        motion, numbers = periodic_response(variant, plan.speeds(0.0), phases), {}
+        motion, numbers = steady(variant, plan.speeds(0.0), phases), {}
         for q in quantities:
             view = find_view(variant, REACTION if q.at == HOLD else q.at, q.what)
             chosen = [AXES.index(q.axis)] if q.axis else [0, 1, 2]
             if q.statistic == "peak":
-                numbers[q.name] = np.linalg.norm(motion.values(view)[:, chosen], axis=1).max()
+                numbers[q.name] = np.linalg.norm(view.full(motion.full())[:, chosen], axis=1).max()
             else:
-                lines = rms(motion.harmonics(view)[:, chosen], motion.frequencies, q.band)
-                numbers[q.name] = np.linalg.norm(lines)
+                frequency, a = motion.harmonics(view)
+                numbers[q.name] = np.linalg.norm(rms(a[:, chosen], frequency, q.band))
         return {name: float(number) for name, number in numbers.items()}
 
     return numbers_of

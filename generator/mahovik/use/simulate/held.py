@@ -32,9 +32,6 @@ from mahovik.proof.reference.screw import cross
 from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
 from mahovik.use.numeric.se3 import left_jacobian
 
-_STEPS = 50
-"""Most steps to the nearest pose that a hold allows."""
-
 
 def rates(hold: Hold, V: Sequence[float] | Array) -> tuple[float, ...]:
     """u (m) of V = S u (6); of another V the nearest."""
@@ -87,9 +84,9 @@ def allowed_start(stand: Stand, state: State) -> State:
         return state
     off = _off_freedoms(stand, hold, state)
     if np.abs(off).max() > ALLOWED * max(1.0, float(np.abs(state.position).max())):
-        off = _off_nearest(stand, hold, state)
+        k = int(np.argmax(np.abs(off)))
         raise UsageError(
-            f"start: the pose is off the nearest allowed one by {_size(off):.3g} {_unit(off)}{_way(off)}, "
+            f"start: the pose is off the home pose by {abs(off[k]):.3g} {'m' if k < 3 else 'rad'} along {worst(off)}, "
             f"which [hold] blocks; expected what {freedoms(hold)} reach, or no position"
         )
     return state
@@ -104,37 +101,6 @@ def _off_freedoms(stand: Stand, hold: Hold, state: State) -> Array:
     """Part (6; m, rad) of the twist from the home pose to that of the state which no freedom gives."""
     twist, S = displacement(home(stand), carrier_rotation(stand, state), state), twists(hold)
     return np.asarray(twist - S @ np.linalg.lstsq(S, twist, rcond=None)[0]) if S.shape[1] else twist
-
-
-def _off_nearest(stand: Stand, hold: Hold, state: State) -> Array:
-    """The twist (6; m, rad) to the pose of a state from the one nearest to it that the freedoms reach.
-
-    Near: the twist has no part along the freedoms. It is found in steps along them, from the home pose.
-    """
-    S, near, C = twists(hold), home(stand), carrier_rotation(stand, state)
-    off = displacement(near, C, state)
-    for _ in range(_STEPS if S.shape[1] else 0):
-        step = S @ np.linalg.lstsq(S, off, rcond=None)[0]
-        near = move(near, carrier_rotation(stand, near), step)
-        off = displacement(near, C, state)
-        if np.abs(step).max() < ALLOWED:
-            break
-    return off
-
-
-def _size(off: Array) -> float:
-    """Length of its shift, or of its turn, whichever has the largest component (m, rad)."""
-    return float(np.linalg.norm(off.reshape(2, 3)[int(np.argmax(np.abs(off))) // 3]))
-
-
-def _way(off: Array) -> str:
-    """The direction of its largest component, which may be the only one, in words."""
-    alone = float(np.abs(off).max()) > 0.9999 * _size(off)
-    return f"{'' if alone else ', most'} along {worst(off)}"
-
-
-def _unit(off: Array) -> str:
-    return "m" if int(np.argmax(np.abs(off))) < 3 else "rad"
 
 
 @dataclass(frozen=True)

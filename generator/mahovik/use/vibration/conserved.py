@@ -12,16 +12,15 @@ where spin holds the carrier. x needs no division.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import NamedTuple
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.use.numeric.residual import Drive
 from mahovik.use.numeric.se3 import Array, Complex, motor_cross, rotation_vector_rate, skew
-from mahovik.use.vibration.scene import Scene
-from mahovik.use.vibration.torus import Linearised, Torus, Whole
+from mahovik.use.vibration.scene import LARGEST, Scene
+from mahovik.use.vibration.torus import Linearised, Solved, Torus, Whole, newton
 
 EXACT = 1e-12
 """Relative size of a wrench that is rounding."""
@@ -29,15 +28,8 @@ EXACT = 1e-12
 TRIED = 8
 """Random states at which momentum must be conserved."""
 
-STEPS = 20
-SETTLED = 1e-11
-"""Relative size of a last step of Newton's method."""
-
 ROUNDING = 1e-16
 """Part of the largest angular velocity of flywheels and carrier, by inertia, that is rounding."""
-
-LARGEST = 2.0
-"""rad: limit near the edge of the chart."""
 
 
 def conserves(scene: Scene) -> bool:
@@ -58,11 +50,12 @@ def conserves(scene: Scene) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Conserved:
-    """The equations at the nodes of a torus.
+    """The equations at the nodes of a torus: r' by r, with L constant numbers.
 
     inertia   (M, 3, 3): inverse, of the whole about its mass centre on axes of E1
     spinning  (M, 3): angular velocity of the carrier by the flywheels' momentum alone
     centre    (M, 3): c
+    free, size  see `Equations`: nothing restores an attitude
     """
 
     torus: Torus
@@ -70,6 +63,8 @@ class Conserved:
     inertia: Array
     spinning: Array
     centre: Array
+    free: Array = field(default_factory=lambda: np.eye(3))
+    size: Array = field(default_factory=lambda: np.ones(3))
 
     @staticmethod
     def of(torus: Torus, drive: Drive) -> Conserved:
@@ -87,10 +82,17 @@ class Conserved:
         result[slow] = mean
         return result
 
-    def rate(self, r: Array, L: Array) -> tuple[Array, Array]:
-        """r' (M, 3) and omega (M, 3)."""
-        omega = (self.driven.mobility @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0]
-        return (rotation_vector_rate(r) @ omega[:, :, None])[:, :, 0], omega
+    def is_lost(self, r: Array) -> bool:
+        """See `Equations`."""
+        return bool(np.abs(r).max() > LARGEST)
+
+    def omega(self, r: Array, L: Array) -> Array:
+        """omega (M, 3)."""
+        return np.asarray((self.driven.mobility @ self.carrier_momentum(r, L)[:, :, None])[:, 3:, 0])
+
+    def rate(self, r: Array, L: Array) -> Array:
+        """r' (M, 3)."""
+        return np.asarray((rotation_vector_rate(r) @ self.omega(r, L)[:, :, None])[:, :, 0])
 
     def carrier_momentum(self, r: Array, L: Array) -> Array:
         """K V (M, 6) = (0, C^T L) - h, without the rounding of the large numbers that cancel: C^T L = L + small."""
@@ -105,7 +107,7 @@ class Conserved:
     def slopes(self, r: Array, L: Array) -> tuple[Array, Array]:
         """Derivatives (M, 3, 3) of r' by r, except for terms of third order in r, and by L."""
         back = Rotation.from_rotvec(-r)
-        B, omega = rotation_vector_rate(r), self.rate(r, L)[1]
+        B, omega = rotation_vector_rate(r), self.omega(r, L)
         turned = B @ self.inertia @ skew(back.apply(L)) @ np.linalg.inv(B)
         chart = -skew(omega) / 2 - (skew(np.cross(r, omega)) + skew(r) @ skew(omega)) / 12
         return turned + chart, B @ self.inertia @ back.as_matrix()
@@ -123,7 +125,7 @@ class Conserved:
         """Pose (n, 6) that r, L and x, of a smaller torus, leave out of this one: to first order in what is left."""
         padded = self.torus.pad(r)
         values, momentum = self.torus.values(padded), self.torus.values(self.torus.pad(L))
-        left = self.torus.coefficients(self.rate(values, momentum)[0]) - 1j * w[:, None] * padded
+        left = self.torus.coefficients(self.rate(values, momentum)) - 1j * w[:, None] * padded
         inverse = near.inverse(w, slow)
         if inverse is None:
             return np.full((len(w), 6), np.nan, dtype=np.complex128)
@@ -135,31 +137,12 @@ class Conserved:
         return np.concatenate([dx, dr], axis=1)
 
 
-class AttitudeMotion(NamedTuple):
-    """Attitude r (n, 3), angular momentum L (n, 3), and the last linear equations."""
+def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> Solved | None:
+    """Attitude r and angular momentum L (n, 3 each) at frequencies w (n; rad/s), constant at `slow`; None: not found.
 
-    r: Complex
-    L: Complex
-    near: Linearised
-
-
-def solve(equations: Conserved, w: Array, slow: Whole, start: Complex) -> AttitudeMotion | None:
-    """The motion at frequencies w (n; rad/s), constant at `slow`, from a guess of r (n, 3). None: not found."""
-    torus = equations.torus
-    r, L, ones = start.copy(), equations.rest(slow), np.ones(3)
+    start   (n, 3): a guess of r
+    """
     fast = np.delete(np.abs(w), slow)
-    floor = np.full(len(w), ROUNDING * float(np.abs(equations.spinning).max(initial=0.0)))
-    floor /= np.where(np.isin(np.arange(len(w)), slow), fast.min(initial=1.0), np.abs(w) + 1e-300)
-    for _ in range(STEPS):
-        at, momentum = torus.values(r), torus.values(L)
-        if not np.all(np.isfinite(at)) or np.abs(at).max() > LARGEST:
-            return None
-        J, push = equations.slopes(at, momentum)
-        near = Linearised(torus, J, push, np.eye(3), w, slow, ones)
-        step = near.solve(torus.coefficients(equations.rate(at, momentum)[0]) - 1j * w[:, None] * r, r)
-        if step is None:
-            return None
-        r, L = r + step[0], L + step[1]
-        if np.all(np.abs(step[0]).max(axis=1) <= SETTLED * np.abs(r).max() + floor):
-            return AttitudeMotion(r, L, near)
-    return None
+    least = np.full(len(w), ROUNDING * float(np.abs(equations.spinning).max(initial=0.0)))
+    least /= np.where(np.isin(np.arange(len(w)), slow), fast.min(initial=1.0), np.abs(w) + 1e-300)
+    return newton(equations, equations.torus, w, slow, (start, equations.rest(slow)), least, np.zeros(3))

@@ -28,6 +28,9 @@ FREE = 1e-8
 LEAST = 1e-9
 """1/s2: a smaller stiffness counts as zero."""
 
+LARGEST = 2.0
+"""rad: a turn near the edge of the chart, beyond which no motion is sought."""
+
 
 @dataclass(frozen=True, eq=False)
 class Scene:

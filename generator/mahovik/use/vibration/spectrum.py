@@ -1,8 +1,4 @@
-"""Lines of the whole equations (8) at one set of speeds and phases, by one base frequency or by as many as turn.
-
-Speeds in small whole ratios have a common period, and the motion is found with its harmonics (`periodic`). Otherwise it
-is found on the torus of the wheels' phases (`balance`). Each takes the place of the other where that finds no motion.
-"""
+"""Lines of the whole equations (8) at one set of speeds and phases, with what internal and structural modes add."""
 
 from __future__ import annotations
 
@@ -10,20 +6,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mahovik.errors import CheckError, UsageError
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.balance import SLOW, Balance, balance
 from mahovik.use.vibration.chain import Chain
 from mahovik.use.vibration.lines import COMBINATION, SAME, UNBALANCE, LineName, Spectrum
-from mahovik.use.vibration.periodic import harmonics, periodic_response
 from mahovik.use.vibration.scene import Scene
-from mahovik.use.vibration.speeds import Turning, common_period
-from mahovik.use.vibration.torus import Torus, Whole
-from mahovik.use.vibration.torus_motion import full_motion, rounding_rates, rounding_wrench
+from mahovik.use.vibration.steady import SLOW, Steady, rounding_rates, rounding_wrench, steady
+from mahovik.use.vibration.torus import Whole
 from mahovik.use.vibration.view import LoadView, Observable, View
-
-FEW_TURNS = 40
-"""Most turns of the fastest flywheel in a common period at which its harmonics are fewer than those of a torus."""
 
 LOAD_ROUNDING = 1e-13
 """Part of a constant load, as of a weight, below which a line is rounding."""
@@ -33,80 +22,37 @@ WRENCH_ROUNDING = 1e-13
 
 
 def spectrum(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array) -> Spectrum:
-    """Lines at speeds (N, rad/s) for phases (N, rad) at t = 0, with what the chain adds: internal and structural modes.
-
-    Raises CheckError: no steady motion is found.
-    """
-    try:
-        turning = common_period(speeds)
-    except UsageError:
-        return _on_torus(scene, chain, speeds, phases)
-    if max(map(abs, turning.turns), default=0) <= FEW_TURNS:
-        return _with_period(scene, chain, turning, phases)
-    try:
-        return _on_torus(scene, chain, speeds, phases)
-    except CheckError:
-        return _with_period(scene, chain, turning, phases)
-
-
-def _with_period(scene: Scene, chain: Chain, turning: Turning, phases: Array) -> Spectrum:
-    """Lines at the harmonics of the base frequency. Raises CheckError."""
-    periodic, speeds = periodic_response(scene, turning.speeds, phases.tolist()), np.array(turning.speeds)
-    motion = periodic.motion
-    a = harmonics(chain.seen.full(motion))
-    w = np.asarray(turning.base * np.arange(len(a)), dtype=np.float64)
-    kept = np.arange(len(a)) > 0
+    """Lines at speeds (N, rad/s) for phases (N, rad) at t = 0. Raises CheckError: no steady motion is found."""
+    motion = steady(scene, speeds, phases.tolist())
+    torus, w, full = motion.torus, motion.frequencies, motion.full()
+    a = torus.coefficients(chain.seen.full(full))
+    rounding = _rounding(scene, chain.seen, motion.speeds, w, a[0].real.copy())
+    moving, back = np.abs(w) > SLOW * float(np.abs(motion.speeds).max(initial=0.0)), w[:, None] < 0.0
+    a = np.where(back, a.conj(), a)
     if chain.one_way:
-        a[kept] += _driven(chain, speeds, w[kept], harmonics(motion.mount_wrenches())[kept])
-    kept &= ~(np.abs(a).max(axis=1) <= _rounding(scene, chain.seen, speeds, w, a[0].real))
-    names = _harmonic_names([s.name for s in scene.stand.flywheels], turning, np.flatnonzero(kept))
-    method = f"{len(a) - 1} harmonics of the common period"
-    return Spectrum(
-        names, w[kept] / (2.0 * np.pi), a[kept], np.zeros(3), 0.0, method, periodic.hold, not periodic.stable
-    )
-
-
-def _harmonic_names(wheels: Sequence[str], turning: Turning, kept: Whole) -> tuple[LineName, ...]:
-    """Names of harmonics of the base: the lowest whole order of a wheel, else the order of the fastest."""
-    turns = np.abs(turning.turns)
-    harmonic_names = []
-    for k in kept.tolist():
-        orders = {s: k // n for s, n in enumerate(turns.tolist()) if n and k % n == 0}
-        order = min(orders.values(), default=k / max(turns.max(initial=1), 1))
-        those = [s for s in orders if orders[s] == order] or [int(turns.argmax())]
-        harmonic_names.append(LineName(", ".join(wheels[s] for s in those), float(order)))
-    return tuple(harmonic_names)
-
-
-def _on_torus(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array) -> Spectrum:
-    """Lines at the combinations of the wheels' frequencies. Raises CheckError."""
-    result = balance(scene, speeds, phases.tolist())
-    torus, w = result.torus, result.frequencies
-    motion = full_motion(result, torus, result.c, result.h)
-    a = torus.coefficients(chain.seen.full(motion))
-    constant = a[0].real.copy()
-    if chain.one_way:
-        back = w[:, None, None] < 0.0
-        mounts = torus.coefficients(motion.mount_wrenches())
-        moving = np.abs(w) > SLOW * float(np.abs(result.speeds).max(initial=0.0))
-        driven = _driven(chain, result.speeds, np.abs(w[moving]), np.where(back, mounts.conj(), mounts)[moving])
-        a[moving] += np.where(back[moving, 0], driven.conj(), driven)
-    a = a * np.exp(1j * (torus.k @ phases[list(result.turning)]))[:, None]
-    a = np.where(w[:, None] < 0.0, a.conj(), a)
+        mounts = torus.coefficients(full.mount_wrenches())
+        mounts = np.where(back[..., None], mounts.conj(), mounts)[moving]
+        a[moving] += _driven(chain, motion.speeds, np.abs(w[moving]), mounts)
+    left = np.zeros(3)
+    if len(motion.base) > 1:
+        left = left_out_of(motion, chain.seen)
+        left = np.where(left <= rounding[moving].sum(), 0.0, left)
+    kept = moving & ~(np.abs(a).max(axis=1) <= rounding)
     w = np.abs(w)
-    names = [s.name for s in scene.stand.flywheels]
-    kept = w > SLOW * float(np.abs(result.speeds).max(initial=0.0))
-    rounding = _rounding(scene, chain.seen, result.speeds, w, constant)
-    left = left_out_of(result, chain.seen)
-    left = np.where(left <= rounding[kept].sum(), 0.0, left)
-    kept &= ~(np.abs(a).max(axis=1) <= rounding)
     order = np.flatnonzero(kept)[np.argsort(w[kept], kind="stable")]
     first = np.flatnonzero(np.concatenate([[True], np.diff(w[order]) > SAME * w[order][1:]])[: len(order)])
     groups = np.split(order, first[1:]) if len(order) else []
-    labels = tuple(_name(torus.k[group], [names[s] for s in result.turning]) for group in groups)
-    sums = np.array([a[group].sum(axis=0) for group in groups], dtype=np.complex128).reshape(-1, 3)
-    method = f"harmonic balance of order {result.order}{f' ({result.short})' if result.short else ''}"
-    return Spectrum(labels, w[order][first] / (2.0 * np.pi), sums, left, result.left_out, method, result.hold, False)
+    names = [s.name for s in scene.stand.flywheels]
+    return Spectrum(
+        tuple(_name(motion, torus.k[group], names) for group in groups),
+        w[order][first] / (2.0 * np.pi),
+        np.array([a[group].sum(axis=0) for group in groups], dtype=np.complex128).reshape(-1, 3),
+        left,
+        motion.left_out,
+        motion.method,
+        motion.hold,
+        motion.unstable,
+    )
 
 
 def _driven(chain: Chain, speeds: Array, omega: Array, mounts: Complex) -> Complex:
@@ -115,10 +61,19 @@ def _driven(chain: Chain, speeds: Array, omega: Array, mounts: Complex) -> Compl
     return np.asarray(chain.driven_amplitudes(speeds[None], omega[None], np.where(rounding, 0.0, mounts)[None])[0])
 
 
-def _name(k: Whole, wheels: Sequence[str]) -> LineName:
-    """Name of lines k (g, count) of one frequency: that of the lowest order; of several wheels' all of them."""
+def _name(motion: Steady, k: Whole, wheels: Sequence[str]) -> LineName:
+    """Name of lines k (g, r) of one frequency: that of the lowest order; of several wheels' all of them.
+
+    A harmonic of a common period that is no whole order of a wheel is an order of the fastest.
+    """
+    if len(motion.base) == 1:
+        turns, n = np.abs(motion.turns[:, 0]).tolist(), abs(int(k[0, 0]))
+        orders = {s: n // turn for s, turn in enumerate(turns) if turn and n % turn == 0}
+        order = min(orders.values(), default=n / max(turns))
+        single = [s for s in orders if orders[s] == order] or [turns.index(max(turns))]
+        return LineName(", ".join(wheels[s] for s in single), float(order))
     size = np.abs(k).sum(axis=1)
-    lowest = k[size == size.min()].tolist()
+    lowest = (k[size == size.min()] @ motion.turns.T).tolist()
     single = [next(s for s, n in enumerate(row) if n) for row in lowest if np.count_nonzero(row) == 1]
     if single:
         return LineName(", ".join(wheels[s] for s in sorted(single)), float(size.min()), UNBALANCE)
@@ -131,22 +86,20 @@ def _name(k: Whole, wheels: Sequence[str]) -> LineName:
     return LineName(words, float(size.min()), COMBINATION)
 
 
-def left_out_of(balance: Balance, seen: Observable) -> Array:
-    """Part of the quantity (3) that a balance leaves out at any phases: sum of the amplitudes of its lines.
+def left_out_of(motion: Steady, seen: Observable) -> Array:
+    """Part of the quantity (3) that a motion leaves out at any phases: sum of the amplitudes of its lines.
 
-    The lines are those of `Balance.missing`, of the rigid stand and to first order; NaN where they are not known. Those
+    The lines are those of `Steady.missing`, of the rigid stand and to first order; NaN where they are not known. Those
     of a load are what the missing motion and the higher orders add to it.
     """
-    if balance.missing is None or balance.missing_c is None:
+    missing = motion.missing
+    if missing is None:
         return np.full(3, np.nan)
-    moving = balance.missing_w != 0.0
+    moving, larger = missing.w != 0.0, missing.torus
     if isinstance(seen, View):
-        lines = seen.by_pose(balance.missing[moving], np.abs(balance.missing_w[moving]))
-        return np.asarray(np.abs(lines).sum(axis=0))
-    kept, larger = balance.torus, Torus.of(balance.torus.count, balance.missing_order)
-    near = larger.pad(kept.coefficients(seen.full(full_motion(balance, kept, balance.c, balance.h))))
-    moved = larger.pad(balance.c) + balance.missing_c
-    whole = seen.full(full_motion(balance, larger, moved, larger.pad(balance.h)))
+        return np.asarray(np.abs(seen.by_pose(missing.pose[moving], np.abs(missing.w[moving]))).sum(axis=0))
+    near = larger.pad(motion.torus.coefficients(seen.full(motion.full())))
+    whole = seen.full(motion.full(larger, larger.pad(motion.c) + missing.c))
     return np.asarray(np.abs(larger.coefficients(whole) - near)[moving].sum(axis=0))
 
 

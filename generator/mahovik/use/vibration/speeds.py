@@ -33,22 +33,13 @@ class Turning:
     turns: tuple[int, ...]
 
     @property
-    def period(self) -> float:
-        """Period, s; infinite if all are at rest."""
-        return 2.0 * math.pi / self.base if self.base else math.inf
-
-    @property
     def speeds(self) -> tuple[float, ...]:
         """Speeds, rad/s."""
         return tuple(self.base * n for n in self.turns)
 
 
-def common_period(speeds: Sequence[float]) -> Turning:
-    """The shortest common period of speeds (rad/s) within MOST_TURNS of the fastest. Raises UsageError: there is none.
-
-    Speeds without one make no periodic motion. The carrier's motion is not the sum of responses to single flywheels,
-    so there is no substitute.
-    """
+def common_period(speeds: Sequence[float]) -> Turning | None:
+    """The shortest common period of speeds (rad/s) within MOST_TURNS of the fastest; None: there is none."""
     fastest = max((abs(x) for x in speeds), default=0.0)
     if fastest == 0.0:
         return Turning(0.0, (0,) * len(speeds))
@@ -56,11 +47,7 @@ def common_period(speeds: Sequence[float]) -> Turning:
     whole = math.lcm(*(ratio.denominator for ratio in ratios))
     off = max(abs(float(ratio) - x / fastest) for ratio, x in zip(ratios, speeds, strict=True))
     if off > EXACT or whole > MOST_TURNS:
-        values = ", ".join(f"{x:.9g}" for x in speeds)
-        raise UsageError(
-            f"speeds {values} rad/s: no common period within {MOST_TURNS} turns of the fastest, so there is no "
-            "periodic steady state; give speeds in whole ratios"
-        )
+        return None
     turns = [int(ratio * whole) for ratio in ratios]
     shared = math.gcd(*turns)
     return Turning(fastest * shared / whole, tuple(n // shared for n in turns))

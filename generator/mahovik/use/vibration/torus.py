@@ -1,5 +1,8 @@
 """Functions of several phases at once: trigonometric polynomials on a torus, sampled at the nodes of a lattice rule.
 
+Equations y' = rate(y) of such functions are solved by Newton's method; its linear equations by GMRES, preconditioned by
+their mean over all phases.
+
 A motion with speeds in no whole ratio is y(t) = sum_k y_k exp(i k . theta(t)), theta_s = phi_s' t + phi_s(0), k whole
 numbers, one per flywheel that turns. A rank-1 lattice samples it at theta_j = 2 pi j z / M, j = 0 .. M - 1: there
 k . theta_j is the harmonic k . z mod M of one periodic function, so that one FFT finds all coefficients. Source: L.
@@ -12,6 +15,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from math import comb
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +41,18 @@ RESTART, ROUNDS = 40, 5
 
 TRIES = 200
 """Generators tried per number of nodes."""
+
+STEPS = 20
+"""Most steps of Newton's method."""
+
+SETTLED = 1e-11
+"""Relative size of a last step."""
+
+SMALL = 0.01
+"""Part of a settled step that its linear equations may be off: more accuracy changes nothing."""
+
+SAME = 0.1
+"""The linear equations serve for further steps as long as each step is at most this part of the one before."""
 
 
 def odd_length(least: int) -> int:
@@ -82,10 +98,9 @@ class Torus:
         """Number of phases."""
         return int(self.k.shape[1])
 
-    @property
-    def nodes(self) -> Array:
-        """Phases (M, count; rad) of the nodes."""
-        return np.asarray(2.0 * np.pi * (np.outer(np.arange(self.M), self.z) % self.M) / self.M)
+    def angles(self, turns: Whole) -> Array:
+        """Angles (M, N; rad) at the nodes that turn by whole numbers of times (N, count) with the phases."""
+        return np.asarray(2.0 * np.pi * (np.outer(np.arange(self.M), turns @ self.z) % self.M) / self.M)
 
     def _places(self) -> tuple[Whole, Flags]:
         """Harmonic in 0 .. M // 2 of every k, and whether it is that of -k."""
@@ -117,10 +132,6 @@ class Torus:
         """Values (m, ...) at phases theta (m, count; rad)."""
         wave = np.exp(1j * (theta @ self.k.T))
         return np.asarray(np.tensordot(wave, c, axes=1).real)
-
-    def frequencies(self, speeds: Array) -> Array:
-        """k . speeds (n; rad/s), of either sign."""
-        return np.asarray(self.k @ speeds)
 
 
 def indices(count: int, order: int) -> Whole:
@@ -275,3 +286,68 @@ class Linearised:
         except np.linalg.LinAlgError:
             return None
         return result if np.all(np.isfinite(result)) else None
+
+
+class Equations(Protocol):
+    """y' = rate(y, h): y a state (m), h numbers (f) that are constant on the torus, where a direction is free.
+
+    free   (f, m): displacement along these directions from a state
+    size   (m): natural sizes of the numbers of a state
+    """
+
+    @property
+    def free(self) -> Array:
+        """See above."""
+
+    @property
+    def size(self) -> Array:
+        """See above."""
+
+    def rate(self, y: Array, h: Array) -> Array:
+        """(M, m) at the nodes."""
+
+    def slopes(self, y: Array, h: Array) -> tuple[Array, Array]:
+        """Derivatives (M, m, m) by y and (M, m, f) by h."""
+
+    def is_lost(self, y: Array) -> bool:
+        """Whether states are beyond what the coordinates reach."""
+
+
+class Solved(NamedTuple):
+    """States c (n, m), constant numbers h (n, f) on a torus, and the last linear equations."""
+
+    c: Complex
+    h: Complex
+    linear: Linearised
+
+
+def newton(
+    equations: Equations, torus: Torus, w: Array, slow: Whole, start: tuple[Complex, Complex],
+    least: Array, rounding: Array,
+) -> Solved | None:  # fmt: skip
+    """The solution at frequencies w (n; rad/s), constant at `slow`, from a guess of c and h. None: there is none near.
+
+    least      (n): size of a step, in units of `size`, that is rounding; rounding (m): likewise of a rate
+    """
+    (c, h), size, linear, before = start, equations.size, None, np.inf
+    for _ in range(STEPS):
+        y, at = torus.values(c), torus.values(h)
+        if not np.all(np.isfinite(y)) or equations.is_lost(y):
+            return None
+        left = torus.coefficients(equations.rate(y, at)) - 1j * w[:, None] * c
+        if linear is not None and np.all(np.abs(left) <= rounding):
+            return Solved(c, h, linear)
+        if linear is None:
+            linear = Linearised(torus, *equations.slopes(y, at), equations.free, w, slow, size)
+        enough = SMALL * float((SETTLED * np.abs(c / size).max(initial=0.0) + least).min())
+        step = linear.solve(left, c, enough)
+        if step is None:
+            return None
+        c, h = c + step[0], h + step[1]
+        change = np.abs(step[0] / size).max(axis=1, initial=0.0)
+        if np.all(change <= SETTLED * np.abs(c / size).max(initial=0.0) + least):
+            return Solved(c, h, linear)
+        if change.max() > SAME * before:  # the linear equations of an earlier step help little here
+            linear = None
+        before = change.max()
+    return None
