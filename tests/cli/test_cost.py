@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import pytest
 
 from cli.run import DEMO3, refused, run
+from mahovik.core.emit.delivered import deliver
 from mahovik.core.emit.delivery import delivery as delivered
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
@@ -18,7 +19,6 @@ from mahovik.core.toolchain.board import require
 from mahovik.core.toolchain.targets import Target
 from mahovik.proof import cost as measuring
 from mahovik.proof.cost import USUAL, Costs, FunctionCost, TargetCost
-from mahovik.proof.verify import delivery
 from mahovik.stands import path
 
 FUNCTIONS = (FunctionCost("forward", 1000, 500, 490, 3000, ()), FunctionCost("inverse", 9000, 0, 0, 4000, ()))
@@ -64,7 +64,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         return SimpleNamespace(files=generated_files(stand.name, real))
 
     monkeypatch.setattr(measuring, "generate_all", made)
-    delivery.deliver(tmp_path / "out", load(DEMO3), generated_files("demo3", "double"))
+    deliver(tmp_path / "out", load(DEMO3), generated_files("demo3", "double"))
     return tmp_path / "out"
 
 

@@ -11,8 +11,8 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.contract.functions import DEFAULT
+from mahovik.core.emit.delivered import PROVENANCE
 from mahovik.core.stand import identities, load
-from mahovik.proof.verify.delivery import PROVENANCE
 
 
 @pytest.fixture(scope="module")

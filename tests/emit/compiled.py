@@ -89,7 +89,7 @@ class Compiled:
 
     def table(self) -> dict[str, Any]:
         """The compiled default table as plain data."""
-        table: dict[str, Any] = self.library.value(self.program.function("forward"), "table")
+        table: dict[str, Any] = self.library.read(self.default)
         return table
 
     def _arguments_of(self, function: str, inputs: Mapping[str, Any], table: Any) -> dict[str, Any]:

@@ -13,11 +13,11 @@ from cli.run import refused
 from cli.run import run as cli
 from emit.stands import generated, stand, write
 from mahovik.contract.functions import CHOSEN, FUNCTIONS
+from mahovik.core.emit.delivered import delivered_options
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.errors import UsageError
 from mahovik.proof.cost import require_place
-from mahovik.proof.verify.delivery import delivered_options
 from mahovik.stands import path
 from toolchain.tools import compile_c, require, run
 

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from fuzz.mangle import spoiled_bytes, spoiled_json
 from fuzz.reading import READERS, fuzzed, read_or_refuse
+from mahovik.core.emit.delivered import deliver, differences
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.stand import load
-from mahovik.proof.verify.delivery import deliver, differences
 from mahovik.stands import path
 
 DEMO3 = load(path("demo3"))

@@ -21,9 +21,10 @@ from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
 from mahovik.errors import CheckError, ToolchainError, UsageError
+from mahovik.out.commands.verify import report_result
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
-from mahovik.proof.verify.check import Check, Report, as_json, as_junit, conclusion, difference, worst_lines
+from mahovik.proof.verify.check import Check, Report, as_junit, conclusion, difference, worst_lines
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.files import check_batch
 from mahovik.proof.verify.harness import judge, verify_c
@@ -191,7 +192,7 @@ def test_bits_that_differ_from_the_interpreter_are_caught(monkeypatch: pytest.Mo
 
 def test_reports_as_json_and_junit() -> None:
     report = verify_c(DEMO, count=4)
-    table = json.loads(as_json(report), parse_constant=pytest.fail)
+    table = json.loads(report_result(report).to_json(), parse_constant=pytest.fail)
     assert table["passed"] is True
     assert table["stand"] == "demo3"
     assert [row["quantity"] for row in table["rows"]] == [row.quantity for row in report.rows]
@@ -202,7 +203,8 @@ def test_reports_as_json_and_junit() -> None:
     bad = Check("forward", "V_dot", 1e-12)
     bad.note(math.inf, "random 1", "\x00\x1b & <missing>")
     broken = replace(report, rows=(bad,))
-    assert json.loads(as_json(broken), parse_constant=pytest.fail)["rows"][0]["value"] is None
+    (row,) = json.loads(report_result(broken).to_json(), parse_constant=pytest.fail)["rows"]
+    assert row["value"] is None
     (case,) = ET.fromstring(as_junit(broken)).iter("failure")
     assert "; ?? & <missing>" in str(case.get("message"))
     assert conclusion(broken) == "FAILED: forward V_dot"

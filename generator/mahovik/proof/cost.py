@@ -11,6 +11,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from mahovik.core.emit.delivered import COST_PAGE, delivered_options, is_cost_page, manifest_of
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.recorder import recorder_files
@@ -27,7 +28,6 @@ from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.core.toolchain.workload import NATIVE, instructions_of_host, read, workload
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify import selftest
-from mahovik.proof.verify.delivery import COST_PAGE, delivered_options, is_cost_page, manifest_of
 
 STATES = 4
 """Number of states; the most expensive one is reported."""

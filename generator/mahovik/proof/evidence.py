@@ -28,6 +28,7 @@ from markupsafe import Markup
 import mahovik
 from mahovik import __version__
 from mahovik.contract.functions import ROWS
+from mahovik.core.emit.delivered import deliver, provenance
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers
 from mahovik.core.emit.generate import describe_bodies, generate_all
@@ -41,7 +42,6 @@ from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.static_checks import ANALYSER, CPPCHECK, DEVIATIONS, STANDING_FINDINGS, WARNINGS, version
 from mahovik.errors import UsageError
 from mahovik.nearest import names_in, suggestion
-from mahovik.proof.verify.delivery import deliver, provenance
 from mahovik.proof.verify.selftest import parse_targets
 from mahovik.writing import write, write_folder
 

@@ -10,20 +10,21 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import cffi
+import numpy as np
 
-from mahovik.core.emit.names import member
+from mahovik.core.emit.names import MACROS, member
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.toolchain import store
 from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, preprocess, run_compiler
-from mahovik.errors import ToolchainError
+from mahovik.errors import StateError, ToolchainError
 
 _SIZE_CHECK = re.compile(r"typedef char \w+\[\(sizeof[^;]*;")
 """Arrays that have a size only where two headers fit: a matter of the compiler, which has seen them."""
 
-_PATTERN = b"\xa5"
-"""What results hold before a call that must not write them; no number that a stand has is made of it."""
+_PLAIN = {member(name): name for name in MACROS}
+"""Names of members that have another name in C."""
 
 
 FLAGS = (*BITS, "-O2")
@@ -134,7 +135,9 @@ class Library:
         return self._ffi
 
     def function(self, name: str) -> Any:
-        """A public function by its name without prefix, to be called with data of `ffi`."""
+        """A public function by its name without prefix, to be called with data of `ffi`. StateError: there is none."""
+        if not self.has(name):
+            raise StateError(f"{name} is not in the C: export it again")
         return getattr(self._library, f"{self._prefix}_{name}")
 
     def default(self, name: str) -> Any:
@@ -144,86 +147,83 @@ class Library:
         except AttributeError as error:
             raise ToolchainError(f"the C has no constant {self._prefix}_{name}") from error
 
-    def value(self, function: Function, name: str) -> Any:
-        """A constant struct as plain data, by the type of the argument of that name."""
-        argument = next(a for a in function.arguments if a.name == name)
-        return self._plain(self.default("default")[0], argument.type, argument.shape)
+    def hold(self, function: str, inputs: Mapping[str, Any]) -> dict[str, Any]:
+        """Data of C of all arguments of a function in their order, as its header declares them.
+
+        Inputs are numbers, lists or arrays, structs as mappings, None for a null pointer; data of C stays as it is.
+        """
+        kinds = self._ffi.typeof(self.function(function)).args
+        return {name: self._stored(kind, value) for kind, (name, value) in zip(kinds, inputs.items(), strict=True)}
+
+    def _stored(self, kind: Any, value: Any) -> Any:
+        if isinstance(value, self._ffi.CData):
+            return value
+        if kind.kind == "primitive":
+            return np.asarray(value).item()
+        if value is None:
+            return self._ffi.NULL
+        return self._ffi.new(self._ffi.getctype(kind.item, "*" if isinstance(value, Mapping) else "[]"), _of_c(value))
+
+    def read(self, value: Any) -> Any:
+        """Data of C as plain data: numbers, lists, structs as dicts; what a pointer points to."""
+        if not isinstance(value, self._ffi.CData) or value == self._ffi.NULL:
+            return value
+        kind = self._ffi.typeof(value)
+        if kind.kind == "pointer":
+            return self.read(value[0])
+        if kind.kind == "struct":
+            return {_PLAIN.get(name, name): self.read(getattr(value, name)) for name, _ in kind.fields}
+        if kind.item.kind == "primitive":
+            return self._ffi.unpack(value, len(value))
+        return [self.read(element) for element in value]
 
     def run(
-        self, function: Function, inputs: Mapping[str, Any], fill: float | None = None, plain: bool = True
+        self, function: Function, inputs: Mapping[str, Any], fill: float | None = None
     ) -> tuple[int, dict[str, Any]]:
         """Calls a public function with inputs by argument name; returns its status and its outputs as plain data.
 
-        Inputs are numbers, lists, dicts, or addresses from `default`. With `fill`, outputs hold that number
-        beforehand, so that a caller can see whether they were written; without `plain` they are not read.
+        With `fill`, outputs hold that number beforehand, so that a caller can see whether they were written.
         """
-        storage = {a.name: self._storage(a, inputs.get(a.name), fill) for a in function.arguments}
-        call = getattr(self._library, f"{self._prefix}_{function.name}")
-        status = call(*storage.values())
-        outputs = {}
-        for a in function.arguments:
-            if a.direction != "in" and plain and storage[a.name]:
-                stored = storage[a.name]
-                outputs[a.name] = self._plain(stored if a.shape else stored[0], a.type, a.shape)
-        return int(status), outputs
+        held = self.hold_all(function, inputs, fill)
+        status = self.function(function.name)(*held.values())
+        written = (a.name for a in function.arguments if a.direction != "in")
+        return int(status), {name: self.read(held[name]) for name in written if held[name]}
 
-    def probe(self, function: Function, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        """Calls a public function; returns its status, and whether every byte of its results is as it was.
+    def hold_all(self, function: Function, inputs: Mapping[str, Any], fill: float | None = None) -> dict[str, Any]:
+        """Data of C of all arguments of a function: of `inputs`, and memory of what is not given, zero or `fill`."""
+        return self.hold(function.name, {a.name: self._memory(a, inputs.get(a.name), fill) for a in function.arguments})
 
-        Of results whose address is given (null, for example) nothing is said.
-        """
-        storage = {}
-        before = {}
-        for a in function.arguments:
-            if isinstance(inputs.get(a.name), self._ffi.CData):
-                storage[a.name] = inputs[a.name]
-                continue
-            if a.direction != "out":
-                storage[a.name] = self._storage(a, inputs.get(a.name), None)
-            else:
-                count = int(a.shape[0]) if a.shape else 1
-                storage[a.name] = self._ffi.new(f"{self._c_type(a.type)}[{count}]")
-                held = self._ffi.buffer(storage[a.name])
-                held[:] = _PATTERN * len(held)
-            if a.direction != "in" and storage[a.name]:
-                before[a.name] = bytes(self._ffi.buffer(storage[a.name]))
-        status = getattr(self._library, f"{self._prefix}_{function.name}")(*storage.values())
-        return int(status), all(bytes(self._ffi.buffer(storage[name])) == held for name, held in before.items())
-
-    def _storage(self, a: Argument, value: Any, fill: float | None) -> Any:
-        if isinstance(value, self._ffi.CData):
+    def _memory(self, a: Argument, value: Any, fill: float | None) -> Any:
+        """What an argument is given: its value; where there is none, none or memory."""
+        if value is not None or a.optional == "missing":
             return value
-        if value is None and a.optional == "missing":
-            return self._ffi.NULL
         if not a.shape and not a.variable.pointer:
-            return 0 if value is None else value
-        kind = self._c_type(a.type)
-        if value is None and fill:  # else it is zero
-            value = _by_member(uniform_data(a.type, a.shape, fill))
-        if a.shape:
-            return self._ffi.new(f"{kind}[{int(a.shape[0])}]", value)
-        return self._ffi.new(f"{kind} *", value)
+            return 0
+        count = f"[{int(a.shape[0])}]" if a.shape else "*"
+        return self._ffi.new(
+            f"{self._c_type(a.type)} {count}", _of_c(uniform_data(a.type, a.shape, fill)) if fill else None
+        )
+
+    def probe(self, function: str, held: Mapping[str, Any]) -> tuple[int, bool]:
+        """Calls a function with data of C; returns its status, and whether all that it points to is as it was."""
+        pointed = [self._ffi.buffer(x) for x in held.values() if isinstance(x, self._ffi.CData) and x != self._ffi.NULL]
+        before = [bytes(memory) for memory in pointed]
+        status = int(self.function(function)(*held.values()))
+        return status, before == [bytes(memory) for memory in pointed]
 
     def _c_type(self, type_: Kind | Struct) -> str:
         if isinstance(type_, Struct):
             return f"{self._prefix}_{type_.name}"
         return {Kind.REAL: f"{self._prefix}_real", Kind.INT: "int"}[type_]
 
-    def _plain(self, stored: Any, type_: Kind | Struct, shape: tuple[Any, ...]) -> Any:
-        if len(shape) == 1 and isinstance(type_, Kind):
-            return self._ffi.unpack(stored, int(shape[0]))
-        if shape:
-            return [self._plain(stored[i], type_, shape[1:]) for i in range(int(shape[0]))]
-        if isinstance(type_, Struct):
-            return {f.name: self._plain(getattr(stored, member(f.name)), f.type, f.shape) for f in type_.fields}
-        return stored
 
-
-def _by_member(value: Any) -> Any:
-    """Plain data with the names that members of structs have in C."""
-    if isinstance(value, dict):
-        return {member(name): _by_member(content) for name, content in value.items()}
-    return [_by_member(content) for content in value] if isinstance(value, list) else value
+def _of_c(value: Any) -> Any:
+    """Plain data, also of arrays, with the names that members of structs have in C."""
+    if isinstance(value, Mapping):
+        return {member(name): _of_c(content) for name, content in value.items()}
+    if isinstance(value, list):
+        return [_of_c(content) for content in value] if value and isinstance(value[0], Mapping | list) else value
+    return value.tolist() if isinstance(value, np.ndarray | np.generic) else value
 
 
 def uniform_data(type_: Kind | Struct, shape: tuple[Any, ...], number: float) -> Any:

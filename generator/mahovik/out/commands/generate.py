@@ -99,6 +99,7 @@ def generate(
         UsageError: options that contradict one another, files of others in the folder.
         CheckError: a programme that exceeds its bounds, a loop without margin, a folder that differs.
     """
+    from mahovik.core.emit.delivered import Options, delivered_options, stand_in, with_prefix
     from mahovik.out.api.stands import Stand
     from mahovik.out.export.folder import (
         Contents,
@@ -109,7 +110,6 @@ def generate(
         refuse_unknown,
         usual_real,
     )
-    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in, with_prefix
 
     machine = Stand.of(stand)
     only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
@@ -227,8 +227,8 @@ def _loop_options(attitude: Any) -> Any:
 
 
 def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
+    from mahovik.core.emit.delivered import deliver, provenance
     from mahovik.core.stand.content import content
-    from mahovik.proof.verify.delivery import deliver, provenance
 
     made_by = provenance(content(Path(source)) if isinstance(source, str | Path) else None)
     paths: list[Path] = []

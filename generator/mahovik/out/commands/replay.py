@@ -129,9 +129,9 @@ def _result(
 def _stand(start: Start, source: Any, log: Path) -> tuple[Stand, str]:
     """The stand of a log, and its file. Raises StandError, UsageError."""
     from mahovik import stands
+    from mahovik.core.emit.delivered import under_name
     from mahovik.core.stand.identity import identities
     from mahovik.out.api.stands import Stand
-    from mahovik.proof.verify.delivery import under_name
 
     if source is not None:
         stand = Stand.of(source)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -154,8 +153,8 @@ def _c(
     progress: Progressing,
 ) -> Report:  # fmt: skip
     """The report on the C, of a folder or a fresh copy. Raises CheckError, ToolchainError, UsageError."""
+    from mahovik.core.emit.delivered import Options, delivered_options, stand_in
     from mahovik.out.api.stands import Stand
-    from mahovik.proof.verify.delivery import Options, delivered_options, stand_in
 
     document: Mapping[str, Any] = Stand.of(machine).to_dict()
     if isinstance(stand, str | Path):
@@ -262,8 +261,8 @@ def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
 
 def _cost(stand: Stand, folder: Path | None, targets: str | None, real: str | None, progress: Progressing) -> Result:
     """What calls cost on processors; written into a folder of the stand's C."""
+    from mahovik.core.emit.delivered import COST_PAGE, Options, delivered_options, stand_in
     from mahovik.proof import cost
-    from mahovik.proof.verify.delivery import COST_PAGE, Options, delivered_options, stand_in
 
     options = Options()
     if folder is not None:
@@ -307,10 +306,9 @@ def report_result(
     by          head of the column of what is judged; more, words: further entries and sentences
     everything  the text has every check too
     """
-    from mahovik.proof.verify.check import as_json, as_junit, conclusion, worst_lines
+    from mahovik.proof.verify.check import as_junit, conclusion, summary, worst_lines
 
-    about = json.loads(as_json(report))
-    about.pop("rows")
+    about = summary(report)
     named = {row.judged for row in report.rows if row.judged}
     by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
     if junit is not None:

@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from mahovik.core.emit.delivered import differences
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.export.target import exportable
-from mahovik.proof.verify.delivery import differences
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from mahovik.contract.functions import ALL, CHOSEN
+from mahovik.core.emit.delivered import declared_functions, delivered_options
 from mahovik.core.emit.generate import PRECISIONS, Generated, generate_all
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import read_header
@@ -19,7 +20,6 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.verify.backends import ProgramBackend, public_names, with_all_inputs
-from mahovik.proof.verify.delivery import declared_functions, delivered_options
 
 
 class InterpreterBackend(ProgramBackend):
@@ -144,10 +144,7 @@ class CBackend(ProgramBackend):
 
     def table(self) -> Any:
         """The compiled default table as plain data."""
-        takers = (
-            f for f in self.complete.program.functions if f.public and any(a.name == "table" for a in f.arguments)
-        )
-        return self.library.value(next(takers), "table")
+        return self.library.read(self.library.default("default"))
 
 
 def _part(folder: Path, stand: Stand, program: Program) -> tuple[str, ...]:

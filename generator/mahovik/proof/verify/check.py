@@ -1,8 +1,7 @@
-"""Checks, each one quantity of what is judged against a limit, and the report that they make, as JSON and JUnit XML."""
+"""Checks, each one quantity of what is judged against a limit, and the report that they make, also as JUnit XML."""
 
 from __future__ import annotations
 
-import json
 import math
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
@@ -155,7 +154,10 @@ def _share(value: float, limit: float) -> float:
 
 
 def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> tuple[float, str]:
-    """Largest |result - expected| / scale over the components, and a reason if the values cannot be compared."""
+    """Largest |result - expected| / scale over the components, and a reason if the values cannot be compared.
+
+    `expected` may be balls of Arb, which hold the exact numbers: the largest that it may be.
+    """
     if result is None:
         return math.inf, "missing"
     if isinstance(expected, dict):
@@ -167,7 +169,7 @@ def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> 
         numbers = np.array(result, dtype=np.float64)
     except (ValueError, TypeError, OverflowError):
         return math.inf, "no array of numbers"
-    wanted = np.asarray(expected, dtype=np.float64)
+    wanted = np.asarray(expected)
     if not numbers.size and not wanted.size:
         return 0.0, ""  # an empty list in JSON has no second length
     if numbers.shape != wanted.shape:
@@ -175,7 +177,10 @@ def difference(result: Any, expected: Any, scale: Any, floor: float = FLOOR) -> 
     if not np.isfinite(numbers).all():
         return math.inf, "not finite"
     with np.errstate(over="ignore"):
-        relative = np.abs(numbers - wanted) / np.maximum(scale, floor)
+        off = np.asarray(np.abs(wanted - numbers))
+        if off.dtype == object:
+            off = np.reshape([float(ball.upper()) for ball in off.flat], off.shape)
+        relative = off / np.maximum(scale, floor)
     return float(relative.max()), ""
 
 
@@ -220,10 +225,6 @@ class Report:
 TEXT = "text = as generated"
 """Quantity of the row on the text of a folder; its words say where that differs, and who has written it."""
 
-REPORT_KEYS = ("stand", "structure", "physics", "judged", "left_out", "seed", "states", "tolerance", "passed")
-ROW_KEYS = ("judged", "quantity", "states", "skipped", "value", "limit", "second", "state", "verdict", "words")
-"""What the JSON of a report holds, besides its conclusion and rows, and what it holds of each row."""
-
 OTHER_TEXT = "its text is not what this version generates"
 """Reason of a row that C of a folder is not compared in, because another version or a hand has written it."""
 
@@ -259,19 +260,10 @@ def conclusion(report: Report) -> str:
     return verdict + (f"; text differs from this version's, {differs}" if differs else "")
 
 
-def as_json(report: Report, more: Mapping[str, Any] | None = None) -> str:
-    """The table as JSON; the keys of `more` are added.
-
-    A difference that is not a finite number (missing, refused) is null.
-    """
-    rows = [{key: _finite(getattr(row, key)) for key in ROW_KEYS} for row in report.rows]
-    about = {key: getattr(report, key) for key in REPORT_KEYS}
-    result = {**about, "conclusion": conclusion(report), "rows": rows, **(more or {})}
-    return json.dumps(result, indent=1, allow_nan=False)
-
-
-def _finite(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+def summary(report: Report) -> dict[str, Any]:
+    """What the JSON of a report says besides its rows."""
+    keys = ("stand", "structure", "physics", "judged", "left_out", "seed", "states", "tolerance", "passed")
+    return {key: getattr(report, key) for key in keys} | {"conclusion": conclusion(report)}
 
 
 def as_junit(report: Report) -> str:

@@ -18,7 +18,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import ROUNDINGS, Equation, Measured, Scales, bits_of
+from mahovik.proof.verify.scales import ROUNDINGS, Equation, Laws, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
 LARGEST = {precision.name: float(precision.largest) for precision in (DOUBLE, FLOAT)}
@@ -67,7 +67,7 @@ class Rows:
     where they are many. UNREACHABLE is then judged by the residual of the answer, which is compared itself.
 
     limits  of the contract, by kind
-    scales  the reference with its scales; None where the judge measures scales by itself
+    scales  the reference with its scales, or laws with theirs; None where the judge measures scales by itself
     judged  name of the function or want
     kind    of all checks that have no other
     second  the second derivation, compared as well where it has the want. Where it refuses the want at every state, the
@@ -76,14 +76,25 @@ class Rows:
     """
 
     def __init__(
-        self, limits: Limits, scales: Scales | None, judged: str, kind: str = "value",
+        self, limits: Limits, scales: Scales | Laws | None, judged: str, kind: str = "value",
         second: CasadiBackend | None = None, by: str = "C",
     ) -> None:  # fmt: skip
         self.limits, self.function = limits, judged
-        self._scales, self._kind, self._second, self._by = scales, kind, second, by
+        self._measures, self._kind, self._second, self._by = scales, kind, second, by
         self._checks: dict[str, Check] = {}
         self._one_sided: list[tuple[Check, float, Request, str]] = []
         self._second_answers, self._by_residual = False, 0
+
+    @property
+    def _scales(self) -> Scales:
+        """The reference with its scales."""
+        assert isinstance(self._measures, Scales)
+        return self._measures
+
+    @property
+    def _kind_of_values(self) -> str:
+        """Kind of the checks of what equations or laws give."""
+        return "law" if self._kind == "law" else "value"
 
     def checks(self) -> list[Check]:
         """All checks, in the order in which their quantities came."""
@@ -117,17 +128,17 @@ class Rows:
         self.check(quantity, "exact").demand(right, state, words)
 
     def compare(
-        self, name: str, state: State, equation: Equation, answer: Mapping[str, Any], suffix: str = "",
+        self, name: str, state: Any, equation: Any, answer: Mapping[str, Any], suffix: str = "",
         least_squares: bool = False, weak: Sequence[str] = (),
     ) -> None:  # fmt: skip
-        """Compare results with the answer of an equation, each of its quantities, with measured scales.
+        """Compare results with the answer of an equation at a state, or a law's of inputs, with measured scales.
 
         A state where the reference has no answer is left out. `weak`: quantities of which a solver regularises a part,
         of the kind `optimality`.
         """
-        assert self._scales is not None
+        assert self._measures is not None
         try:
-            measured = self._scales.measure(state, equation, least_squares)
+            measured = self._measures.measure(state, equation, least_squares)
         except (StateError, np.linalg.LinAlgError) as error:
             self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
             return
@@ -136,7 +147,6 @@ class Rows:
 
     def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
         """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
-        assert self._scales is not None
         measured = self._scales.measure(state, sides, least_squares=True)
         for key, (left, right) in measured.values.items():
             scale = np.full(left.shape, np.max(measured.scales[key], initial=0.0) + floor)
@@ -150,7 +160,6 @@ class Rows:
         `answer`: None where the state was refused, for the reason in `words`. A reaction of accelerations that are out
         of range is not compared: its function does not take them.
         """
-        assert self._scales is not None
         measured = self._scales.want(request.state, self.function)
         if measured is None:
             return
@@ -183,7 +192,6 @@ class Rows:
 
         Beyond the largest number of the element type phi_ddot is LIMITED to it.
         """
-        assert self._scales is not None
         due, bits = self._scales.reach(state, measured, answer.get("residual")), bits_of(measured.values["status"])
         if due is not None and due != ("UNREACHABLE" in bits):
             self._by_residual += 1
@@ -201,7 +209,7 @@ class Rows:
         for quantity, value in measured.values.items():
             if quantity in left_out:
                 continue
-            kind, of_weak = ("optimality", ", of weak directions") if quantity in weak else ("value", "")
+            kind, of_weak = ("optimality", ", of weak directions") if quantity in weak else (self._kind_of_values, "")
             check, scale = self.check(f"{quantity}{of_weak}{suffix}", kind), measured.scales[quantity]
             if answer is None:
                 check.note_scale(quantity, value, scale)
@@ -217,9 +225,9 @@ class Rows:
                 check.skip(f"rounding decides {', '.join(sorted(bits))}", name)
                 continue
             check.note_scale(quantity, value, scale)
-            if quantity in ("q", "orientation") and self._scales is not None and self._scales.stand.hold is not None:
+            if quantity in ("q", "orientation") and self._kind != "law" and self._scales.stand.hold is not None:
                 result = _half_turns_as(quantity, value, result, max(HALF_TURN, self.limits.value))
-            yield check, quantity, result, *difference(result, value, scale, check.floor)
+            yield check, quantity, result, *difference(result, measured.exact.get(quantity, value), scale, check.floor)
 
     def _note(self, check: Check, differences: tuple[float, float, float], request: Request, reason: str) -> None:
         """Count a state by its differences: judged and reference, second and reference, judged and second."""
@@ -242,7 +250,7 @@ class Rows:
 
         It differentiates energies: at the highest speeds terms cancel there that the equations do not have.
         """
-        assert self._second is not None and self._scales is not None
+        assert self._second is not None
         noise, center = 0.0, self._second.evaluate(state, (self.function,))[quantity]
         for _ in range(NEIGHBOURS):
             with suppress(StateError):

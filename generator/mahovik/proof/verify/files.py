@@ -13,6 +13,7 @@ from pathlib import Path
 
 from mahovik import __version__
 from mahovik.core.emit.batch import batch_files
+from mahovik.core.emit.delivered import declared_functions, read_manifest
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import digest, spans
@@ -22,7 +23,6 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
 from mahovik.proof.second.reading import Table, UnknownUnitError, differences
 from mahovik.proof.verify.check import TEXT, Check
-from mahovik.proof.verify.delivery import declared_functions, read_manifest
 
 ACCEPTED = 1e-12
 """Relative difference of two readings of a file that rounding may make; seen are 4e-16."""

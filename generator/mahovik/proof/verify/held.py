@@ -10,7 +10,7 @@ from typing import cast
 
 import numpy as np
 
-from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, numbered_freedoms, twists, words
+from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twists, words
 from mahovik.core.stand.model import Hold, Sequence, Stand, Vec3
 from mahovik.core.stand.state import Quaternion, State
 from mahovik.proof import reference
@@ -144,8 +144,8 @@ SAME = 1e-12
 def depends_on(stand: Stand, wants: Collection[str], key: str) -> bool:
     """Whether an answer differs between two values of a key of a state, beyond rounding; of V also those of u.
 
-    `position`, `quaternion` of a held carrier whose freedoms have coordinates: between poses that the hold allows. What
-    turns changes the attitude, what slides the position.
+    Of a held carrier the attitude differs only where something turns, the position where something slides: otherwise
+    they follow from the rest of the pose.
     """
     for want in wants:
         first, second = (reference.evaluate(stand, state, (want,)) for state in _states(stand, key))
@@ -161,13 +161,8 @@ def _states(stand: Stand, key: str) -> tuple[State, State]:
     from mahovik.core.stand.random import random_state
 
     first, second = (with_quaternion(stand, random_state(stand, np.random.default_rng(seed))) for seed in (1, 2))
-    hold = stand.hold
-    if key not in MOVES or hold is None or (hold.freedoms and not has_coordinates(hold)):
-        return first, replace(first, **{name: getattr(second, name) for name in KEYS.get(key, (key,))})
-    first, second = onto_hold(stand, first), onto_hold(stand, second)
-    if not any(freedom.kind == MOVES[key] for freedom in hold.freedoms):
-        return first, first
-    at, then = coordinates_at(stand, first), coordinates_at(stand, second)
-    moves = [hold.freedoms[k].kind == MOVES[key] for k in numbered_freedoms(hold)]
-    turned = then.orientation if key == "quaternion" else at.orientation
-    return first, at_coordinates(stand, first, np.where(moves, then.q, at.q), turned)
+    freedoms = () if stand.hold is None else stand.hold.freedoms
+    kinds = {freedom.kind for freedom in freedoms}
+    if stand.hold is not None and key in MOVES and not kinds & {MOVES[key], "twist"}:
+        return first, first  # it follows from the rest of the pose
+    return first, replace(first, **{name: getattr(second, name) for name in KEYS.get(key, (key,))})

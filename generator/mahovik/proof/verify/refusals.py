@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import numpy as np
@@ -39,6 +38,9 @@ Numbers = Mapping[str, tuple[float, ...]]
 """Values by argument or member."""
 
 NOTHING: Numbers = {}
+
+UNWRITTEN = 165.65625
+"""What results hold before a call that must not write them, of integers its whole part: no number that a stand has."""
 
 BEYOND = 1 + 1e-6
 """Times its bound: a value out of range."""
@@ -191,17 +193,12 @@ def _coordinates(program: Program) -> dict[str, Any]:
 
 def raw_call(backend: CBackend) -> Call:
     """Calls a function of the C with inputs that may be wrong: its status, and whether its results are untouched."""
-    library, program = backend.library, backend.program
-
-    @cache
-    def table() -> Any:
-        """The default table as plain data, of which each call has a copy to write to."""
-        return library.value(program.function("prepare"), "table")
+    library, program, table = backend.library, backend.program, backend.table()
 
     def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
         arguments = {key: library.ffi.NULL if value is NULL else value for key, value in inputs.items()}
         if name == "prepare" and inputs["table"] is not NULL:
-            arguments["table"] = table()
-        return library.probe(program.function(name), arguments)
+            arguments["table"] = table  # of which each call has a copy to write to
+        return library.probe(name, library.hold_all(program.function(name), arguments, UNWRITTEN))
 
     return call

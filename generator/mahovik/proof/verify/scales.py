@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -49,12 +49,14 @@ class Measured:
 
     undecided  a word of the answer (rank, an active set), or whether there is one, changes among the neighbours
     in_doubt   bits of its status that change among the neighbours
+    exact      balls that hold the exact numbers, where they are known; what is judged is compared with these
     """
 
     values: Values
     scales: Mapping[str, Any]
     undecided: bool = False
     in_doubt: frozenset[str] = frozenset()
+    exact: Mapping[str, Any] = field(default_factory=dict)
 
 
 class Scales:
@@ -267,6 +269,25 @@ class Scales:
             I = at.I + L @ (of_I * rng.uniform(-0.4, 0.4, X.shape)) * Theta
             F = at.F + L @ (of_F * rng.uniform(-0.4, 0.4, 6))
             yield replace(at, K=L @ (np.eye(6) + (R + R.T) / 2.0) @ L.T, I=I, F=F)
+
+
+class Laws:
+    """Laws in the place of the equations of a reference, at inputs by name in the place of states."""
+
+    def __init__(self, real: str, rng: np.random.Generator) -> None:
+        self._size, self._rng = PERTURBATION[real], rng
+
+    def measure(self, inputs: Mapping[str, Any], law: Callable[..., Values], least_squares: bool = False) -> Measured:
+        """What a law gives of inputs; a scale is the number itself, or its largest change over that of every input."""
+        values = law(**inputs)
+        nearby = [law(**changed(dict(inputs), self._size, self._rng)) for _ in range(PERTURBATIONS)]
+        scales = {
+            name: None if is_word(value) else
+            np.max([np.abs(value), *(np.abs(near[name] - value) / self._size for near in nearby)], axis=0)
+            for name, value in values.items()
+        }  # fmt: skip
+        in_doubt = {bit for near in nearby for bit in bits_of(near["status"]) ^ bits_of(values["status"])}
+        return Measured(values, scales, any(words_of(near) != words_of(values) for near in nearby), frozenset(in_doubt))
 
 
 def changed(data: Any, size: float, rng: np.random.Generator) -> Any:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from mahovik import __version__
+from mahovik.core.emit.delivered import under_name
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.golden import CASES, tested_functions
@@ -25,7 +26,6 @@ from mahovik.core.toolchain.targets import TARGETS, Target
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.check import Check, Report, report
-from mahovik.proof.verify.delivery import under_name
 
 REALS = ("double", "float")
 

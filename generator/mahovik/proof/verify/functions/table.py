@@ -31,8 +31,7 @@ from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.functions import integration, optimality, value
-from mahovik.proof.verify.programme import functions as programmes
-from mahovik.proof.verify.programme.compiled import load_part
+from mahovik.proof.verify.programme import compiled as programmes
 from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
 from mahovik.proof.verify.servo import functions as servos
 from mahovik.proof.verify.servo.tables import table_checks
@@ -134,7 +133,9 @@ def verify_compiled(stand: Stand, case: ProgrammeCase, folder: Path, name: str =
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
-    rows = tuple(function_checks(programmes.CompiledProgramme(case, load_part(stand, folder, "programme", name))))
+    rows = tuple(
+        function_checks(programmes.CompiledProgramme(case, programmes.load_part(stand, folder, "programme", name)))
+    )
     for row in rows:
         row.quantity = f"C {row.judged} {row.quantity}" if row.judged else f"C {row.quantity}"
     return rows
@@ -168,7 +169,7 @@ def verify_servo(
         for item in (stand_check(stand, programme), motion_check(motion, programme)):
             if item.failed:
                 raise UsageError(f"{item.words}: give the programme that the servos follow")
-    made = load_part(stand, folder, "servo", name)
+    made = programmes.load_part(stand, folder, "servo", name)
     case = servos.ServoCase(stand, servo, made, seed, count, motion, programme)
     rows = (*table_checks(case), *function_checks(case))
     return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

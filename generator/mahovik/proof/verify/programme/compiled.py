@@ -1,4 +1,7 @@
-"""C of a programme or servo in a folder, beside the stand's own: compiled, called with NumPy data, judged by a law."""
+"""C of a programme or servos in a folder, beside the stand's own: compiled, called with NumPy data, judged.
+
+Functions of servos by their laws; tables of a programme by its file and (12), its clock by exact fractions.
+"""
 
 from __future__ import annotations
 
@@ -6,21 +9,27 @@ import json
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path as FilePath
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from mahovik.contract.limits import PERTURBATION, PERTURBATIONS
+from mahovik.contract.limits import LIMITS, Limits
 from mahovik.contract.status import status_words
+from mahovik.core.motion.functions import Angles
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.programme.mechanics import largest
 from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, demand_refusals, wrong_within
-from mahovik.proof.verify.scales import changed, is_word
+
+if TYPE_CHECKING:
+    from mahovik.proof.verify.programme.verification import ProgrammeCase
 
 UNCHECKED = frozenset(("gains", "design", "clock", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
@@ -52,50 +61,13 @@ class Part:
     def call(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, dict[str, Any]]:
         """Status of a function, and all its arguments after the call, members of a state by their own names.
 
-        `inputs`: all arguments in their order: arrays, structs as mappings, numbers, None for a null pointer.
+        `inputs`: all arguments in their order: arrays, structs as mappings, numbers, None for a null pointer. Raises
+        StateError where the C lacks the function.
         """
-        held = self.hold(function, inputs)
-        status = int(self.library.function(function)(*held))
-        result = {name: self.read(value) for name, value in zip(inputs, held, strict=True)}
+        held = self.library.hold(function, inputs)
+        status = int(self.library.function(function)(*held.values()))
+        result = {name: self.library.read(memory) for name, memory in held.items()}
         return status, result | result.pop("state", {})
-
-    def probe(self, function: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
-        """Status of a function, and whether all that its arguments point to is as it was."""
-        ffi, held = self.library.ffi, self.hold(function, inputs)
-        pointed = [x for x in held if isinstance(x, ffi.CData) and x != ffi.NULL]
-        before = [bytes(ffi.buffer(x)) for x in pointed]
-        status = int(self.library.function(function)(*held))
-        return status, before == [bytes(ffi.buffer(x)) for x in pointed]
-
-    def hold(self, function: str, inputs: Mapping[str, Any]) -> list[Any]:
-        """Inputs as data of C. Raises StateError where the C lacks the function."""
-        if not self.library.has(function):
-            raise StateError(f"{function} is not in the C: export it again")
-        ffi = self.library.ffi
-        kinds = ffi.typeof(self.library.function(function)).args
-
-        def converted(kind: Any, value: Any) -> Any:
-            if kind.kind == "primitive":
-                return np.asarray(value).item()
-            if value is None or value is NULL:
-                return ffi.NULL
-            if kind.item.kind == "struct":
-                return ffi.new(ffi.getctype(kind.item, "*"), {k: np.asarray(x).tolist() for k, x in value.items()})
-            return ffi.new(ffi.getctype(kind.item, "[]"), np.asarray(value).tolist())
-
-        return [converted(kind, value) for kind, value in zip(kinds, inputs.values(), strict=True)]
-
-    def read(self, value: Any) -> Any:
-        """Data of C as arrays, structs as dicts, numbers."""
-        ffi = self.library.ffi
-        if not isinstance(value, ffi.CData) or value == ffi.NULL:
-            return value
-        kind = ffi.typeof(value)
-        if kind.kind == "pointer":
-            return self.read(value[0])
-        if kind.kind == "struct":
-            return {name: self.read(getattr(value, name)) for name, _ in kind.fields}
-        return np.array([self.read(x) for x in value])
 
 
 def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"], name: str) -> Part:
@@ -126,29 +98,19 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     return Part(Library(source, stand.name, programme), real, limit)
 
 
-def compare_with_law(
-    part: Part, rows: Rows, drawn: Iterable[Mapping[str, Any]], law: Callable[..., Mapping[str, Any]],
-    rng: np.random.Generator,
-) -> None:  # fmt: skip
-    """What a function writes against its law, from drawn inputs, a check for each quantity.
+def judge_law(
+    part: Part, rows: Rows, drawn: Iterable[Mapping[str, Any]], law: Callable[..., Values], beyond: Numbers = NOTHING
+) -> None:
+    """What a function writes against its law, from drawn inputs, a check for each quantity; and what it must refuse.
 
-    A scale is the number itself, or its largest change over the relative change of every input. Of words, and what
-    counts, those are left out that differ where they change so near.
+    `beyond`: values just out of range besides.
     """
-    size = PERTURBATION[part.real]
-    for number, inputs in enumerate(drawn):
+    samples = list(drawn)
+    for number, inputs in enumerate(samples):
         status, results = part.call(rows.function, inputs)
-        results["status"] = status_words(status)
-        nearby = [law(**changed(dict(inputs), size, rng)) for _ in range(PERTURBATIONS)]
-        for name, value in law(**inputs).items():
-            neighbours = [other[name] for other in nearby]
-            if is_word(value) and results[name] != value and results[name] in neighbours:
-                rows.check(name, "exact").skip("rounding decides it", f"sample {number}")
-            elif is_word(value):
-                rows.demand(name, results[name] == value, f"sample {number}", f"{results[name]}, expected {value}")
-            else:
-                scale = np.max([np.abs(value), *(np.abs(other - value) / size for other in neighbours)], axis=0)
-                rows.check(name).compare(results[name], value, scale, f"sample {number}")
+        rows.compare(f"sample {number}", inputs, law, {**results, "status": status_words(status)})
+    good = {"state": {}} if rows.function.endswith("_reset") else samples[0]  # a reset reads nothing
+    judge_refusals(part, rows, good, beyond)
 
 
 def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numbers = NOTHING) -> None:
@@ -160,9 +122,128 @@ def judge_refusals(part: Part, rows: Rows, good: Mapping[str, Any], beyond: Numb
     wrong = [WrongValue((name,), NULL, "BAD_ARGUMENT") for name in pointers]
     for name, value in good.items():
         wrong += wrong_within(value, (name,), part.real, UNCHECKED, beyond)
-    demand_refusals(rows.check("bad inputs refused", "exact"), rows.function, good, wrong, part.probe)
+
+    def call(name: str, inputs: Mapping[str, Any]) -> tuple[int, bool]:
+        arguments = {key: None if value is NULL else value for key, value in inputs.items()}
+        return part.library.probe(name, part.library.hold(name, arguments))
+
+    demand_refusals(rows.check("bad inputs refused", "exact"), rows.function, good, wrong, call)
+
+
+# Functions of programmes.
 
 
 def spread_phases(count: int) -> Array:
     """Rising phases in [0, 1), spread by the golden ratio, so that they fall everywhere between nodes."""
     return np.sort((np.arange(1.0, count + 1.0) * (np.sqrt(5.0) - 1.0) / 2.0) % 1.0)
+
+
+PHASES = 400
+"""Phases at which a table is compared."""
+
+TORQUE = 10.0
+"""Factor on the limit of the file for drive torques: their parts are larger than their sum."""
+
+TABLES = ("at", "runup_at", "rundown_at")
+"""Functions that give angles of the flywheels by the time."""
+
+CLOCK = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
+CLOCK_FUNCTIONS: dict[str, dict[str, Any]] = {
+    "start": {"ticks": 400, "periods": 1, "clock": {}},
+    "advance": {"clock": CLOCK},
+    "phase": {"clock": CLOCK, "phase": np.full(1, np.nan)},
+}
+"""Good arguments of the functions of the clock."""
+
+CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
+"""Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
+
+
+@dataclass(frozen=True, eq=False)
+class CompiledProgramme:
+    """A programme and its C: where the judges of its functions start."""
+
+    case: ProgrammeCase
+    made: Part
+    states: int = PHASES
+
+    @property
+    def limits(self) -> Limits:
+        """Accepted differences of the element type of the C."""
+        return LIMITS[self.made.real]
+
+    @property
+    def tables(self) -> dict[str, tuple[Callable[[Array], Angles], float]]:
+        """phi, phi', phi'' by time, and the duration (s), by the function that gives them."""
+        programme = self.case.programme
+        ways = {"runup_at": programme.runup, "rundown_at": programme.rundown}
+        result = {function: (table.at, table.duration) for function, table in ways.items() if table is not None}
+        return {"at": (programme.at, programme.span), **result}
+
+    @property
+    def public(self) -> list[str]:
+        """Functions that the C must have, and those that it has."""
+        return self.made.functions((*self.tables, *CLOCK_FUNCTIONS))
+
+    def inputs(self, function: str, phase: float = 0.25) -> dict[str, Any]:
+        """Arguments of the function of a table; of four outputs the last are drive torques."""
+        if function not in self.tables or not self.made.library.has(function):
+            raise StateError(f"{function} is in one of programme and C alone: export it again")
+        count = len(self.made.library.ffi.typeof(self.made.library.function(function)).args) - 1
+        none = np.full(len(self.case.stand.flywheels), np.nan)
+        return {"phase": phase} | dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau")[:count], none)
+
+
+def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
+    """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
+    case, made, function = compiled.case, compiled.made, rows.function
+    judge_refusals(made, rows, compiled.inputs(function))
+    at, span = compiled.tables[function]
+    phases = made.round(spread_phases(PHASES))
+    t, exact = phases * span, at(phases * span)
+    answers = [made.call(function, compiled.inputs(function, phase)) for phase in phases]
+    if (status := min(status for status, _ in answers)) < 0:
+        rows.add(Check.of(function, np.inf, made.limit, f"the C answers with status {status}"))
+        return
+    columns = {name: np.array([answer[name] for _, answer in answers]) for name in answers[0][1]}
+    angles = Angles(columns["phi"], columns["phi_dot"], columns["phi_ddot"])
+    turned, speed = angles.phi - exact.phi, largest(exact.phi_dot) or 1.0
+    turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
+    value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
+    words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
+    rows.add(Check.of(function, value, made.limit, words))
+    if function == "at":
+        shares = case.scale.wrench_share(case.equations(t, angles)[0])
+        i = int(np.argmax(shares))
+        words = f"of (12) with the C's angles, at {PHASES} times; largest at t = {t[i]:.6g} s"
+        rows.add(Check.of("residual", shares[i], case.limit.residual + made.limit, words))
+        if "tau" in columns:
+            tau = case.equations(t)[1]
+            peak = largest(tau) or 1.0
+            words = f"drive torques, share of the largest, {peak:.3g} N m"
+            rows.add(Check.of("torque", largest(columns["tau"] - tau) / peak, TORQUE * made.limit, words))
+
+
+def judge_clock(compiled: CompiledProgramme, rows: Rows) -> None:
+    """Phase and laps of clocks, which all three functions make together: with the first of them."""
+    made, periodic = compiled.made, compiled.case.programme.periodic
+    judge_refusals(made, rows, CLOCK_FUNCTIONS[rows.function])
+    if rows.function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
+        wrong = sum(_clock_errors(made, ticks, periods if periodic else 1) for ticks, periods in CLOCKS)
+        words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
+        rows.add(Check.of("clock", wrong, 0, words))
+
+
+def _clock_errors(made: Part, ticks: int, periods: int) -> int:
+    """Ticks, of two rounds, at which phase or laps are not those of exact fractions."""
+    start, clock_phase, advance = (made.library.function(name) for name in ("start", "phase", "advance"))
+    held = made.library.hold("start", {"ticks": ticks, "periods": periods, "clock": {}})
+    clock, phase = made.library.hold("phase", {"clock": held["clock"], "phase": np.zeros(1)}).values()
+    unit = Fraction(1, 2**24 if made.real == "float" else 2**52)
+    wrong = int(start(*held.values()) != 0)
+    for tick in range(2 * ticks):
+        wrong += int(clock_phase(clock, phase) != 0)
+        laps, part = divmod(Fraction(tick * periods, ticks), 1)
+        wrong += int(not 0 <= part - Fraction(float(phase[0])) < unit or clock.laps != laps)
+        wrong += int(advance(clock) != 0)
+    return wrong

@@ -21,7 +21,9 @@ from mahovik.proof.reference.bodies import bodies_of
 from mahovik.proof.reference.pieces import spin_inertia
 from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.held import turns_of
-from mahovik.proof.verify.programme.compiled import Part, compare_with_law, judge_refusals
+from mahovik.proof.verify.programme.compiled import Part
+from mahovik.proof.verify.programme.compiled import judge_law as judge
+from mahovik.proof.verify.scales import Laws
 from mahovik.proof.verify.servo import law
 
 INVALID_READINGS = (math.nan, math.inf, -math.inf, 1e300)
@@ -46,6 +48,11 @@ class ServoCase:
         return LIMITS[self.made.real]
 
     @property
+    def scales(self) -> Laws:
+        """The laws with their scales."""
+        return Laws(self.made.real, np.random.default_rng((self.seed, 2)))
+
+    @property
     def wheels(self) -> int:
         """Number of flywheels."""
         return len(self.stand.flywheels)
@@ -67,8 +74,8 @@ class ServoCase:
 
     def default(self, name: str) -> dict[str, Any]:
         """Members of a table of the C, `servo_default` or `trim_default`."""
-        result: dict[str, Any] = self.made.read(self.made.library.default(name))
-        return result
+        table = self.made.library.read(self.made.library.default(name))
+        return {member: np.array(x) if isinstance(x, list) else x for member, x in table.items()}
 
 
 def judge_law(case: ServoCase, rows: Rows) -> None:
@@ -77,11 +84,8 @@ def judge_law(case: ServoCase, rows: Rows) -> None:
     if rows.function == "trim_coordinates":
         trim, sequence = case.servo.trim, turns_of(case.stand.angles)
         right = partial(law.trim_coordinates, sequence, () if trim is None else trim.coordinates)
-    drawn = [*draw(case, np.random.default_rng((case.seed, 1)))]
-    compare_with_law(case.made, rows, drawn, right, np.random.default_rng((case.seed, 2)))
-    good = {"state": {}} if right is law.reset else drawn[0]  # a reset reads nothing
     beyond = {"sample": (WHOLE_ROUND + case.wheels,), "phase": (1.0,), "attitude": (1.01, 3.0)}
-    judge_refusals(case.made, rows, good, beyond)
+    judge(case.made, rows, draw(case, np.random.default_rng((case.seed, 1))), right, beyond)
 
 
 def servo_resets(case: ServoCase, rng: np.random.Generator) -> Iterator[dict[str, Any]]:

@@ -13,7 +13,7 @@ the matrix takes back a part, the gain, at least cost: see `least_cost_matrix`.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -180,7 +180,7 @@ def trim_matrix(stand: Stand, motion: RequiredMotion, programme: Programme, trim
     highest = max([trim.harmonics + PROTECTED, *motion.harmonics, *(2 * abs(n) for n in programme.winding)])
     M, radian = 4 * highest + 25, motion.span / (2.0 * math.pi)
     t = motion.span * np.arange(M) / M
-    effect = responses(slopes(stand, motion, programme, t, range(5), lambda _: STEP, radian), trim.harmonics)
+    effect = responses(slopes(stand, motion, programme, t, radian), trim.harmonics)
     units = _units(stand)[list(trim.coordinates)]
     measured = np.moveaxis(effect[:, list(trim.coordinates)], 1, 0) / units[:, None, None]
     T, columns = 2 * trim.harmonics + 1, effect.shape[-1]
@@ -241,33 +241,23 @@ def responses(of: Sequence[Array], harmonics: int) -> Array:
     return law.coefficients(d.reshape(M, m, -1), phase, highest)
 
 
-def _slope(function: Callable[..., Array], arguments: Sequence[Array], number: int, step: Array | float) -> Array:
-    """Derivatives (K, n) of a function (K) by its argument of this number (n), by central differences of `step`."""
-    columns = []
-    for way in np.eye(len(arguments[number])) * step:
-        ends = [
-            function(*arguments[:number], arguments[number] + aside, *arguments[number + 1 :]) for aside in (way, -way)
-        ]
-        columns.append((ends[0] - ends[1]) / (2 * np.abs(way).max()))
-    return np.array(columns).T
+def slopes(stand: Stand, motion: RequiredMotion, programme: Programme, t: Array, radian: float) -> list[Array]:
+    """Derivatives (M, m, n) of q'' by q, q', phi, phi', phi'' at times t (M, s) along the required motion, in turn.
 
-
-def slopes(
-    stand: Stand, motion: RequiredMotion, programme: Programme, t: Array, numbers: Sequence[int],
-    step: Callable[[Array], Array | float], unit: float = 1.0,
-) -> list[Array]:  # fmt: skip
-    """Derivatives (M, m, n) of q'' by those of q, q', phi, phi', phi'' with these numbers, at times t (M, s) along the
-    required motion. `unit` (s): of time in them; `step`: of a difference, by what is changed.
+    A `radian` of the period (s) is the unit of time; central differences.
     """
-    powers = (0, 1, 0, 1, 2)
-
-    def acceleration(*scaled: Array) -> Array:
-        return unit**2 * free_acceleration(stand, *(x / unit**n for x, n in zip(scaled, powers, strict=True)))
-
     course, rows = motion.at(t, programme.bias), []
     for values in zip(course.q, course.q_dot, *programme.at(t), strict=True):
-        scaled = [x * unit**n for x, n in zip(values, powers, strict=True)]
-        rows.append([_slope(acceleration, scaled, k, step(scaled[k])) for k in numbers])
+
+        def moved(k: int, way: Array, values: tuple[Array, ...] = values) -> Array:
+            arguments = [value + way if i == k else value for i, value in enumerate(values)]
+            return free_acceleration(stand, *arguments)
+
+        columns = []
+        for k, power in enumerate((0, 1, 0, 1, 2)):
+            steps = STEP / radian**power * np.eye(len(values[k]))
+            columns.append(radian**2 * np.array([moved(k, x) - moved(k, -x) for x in steps]).T / (2 * STEP))
+        rows.append(columns)
     return [np.array(column) for column in zip(*rows, strict=True)]
 
 
