@@ -39,14 +39,16 @@ def written(folder: Path, tool: str) -> list[str]:
 
 @lru_cache
 def motion() -> tuple[NDArray[np.float64], ...]:
-    """Position, quaternion, V, phi, phi_dot at each sample, by the model."""
+    """Position, quaternion, V, phi, phi_dot, mass centre in E1 and its velocity at each sample, by the model."""
     model = mahovik.build(mahovik.Stand.of(with_wrench(load(stands.path("demo3")))))
     x, rows = model.states(1), []
     for k in range(SAMPLES + 1):
         if k:
             for _ in range(round(SAMPLE / DT)):
                 x = model.step(x, DT, [TAU], wrench={"carrier": [WRENCH]})
-        rows.append([x.position[0], x.attitude[0], x.V[0], x.phi[0], x.phi_dot[0]])
+        whole = model.momentum(x)
+        state = [x.position[0], x.attitude[0], x.V[0], x.phi[0], x.phi_dot[0]]
+        rows.append([*state, whole.center_of_mass[0], whole.center_of_mass_velocity[0]])
     return tuple(np.array(column) for column in zip(*rows, strict=True))
 
 
@@ -63,7 +65,7 @@ def simulink(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_block_of_simulink_moves_as_the_model_does(simulink: Path) -> None:
     rows = np.array([line.split() for line in run(simulink, SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
-    expected = np.hstack(motion())
+    expected = np.hstack(motion()[:5])
     expected[:, 13:16] += 2 * np.pi * np.round((rows[:, 13:16] - expected[:, 13:16]) / (2 * np.pi))  # turns counted
     assert rows == pytest.approx(expected, rel=1e-12, abs=1e-14)
 
@@ -84,11 +86,13 @@ def test_the_module_of_basilisk_moves_as_the_model_does(tmp_path: Path) -> None:
     main = ["g++", "-std=c++17", *STRICT, *names, str(HEADERS / "run_basilisk.cpp"), *objects]
     subprocess.run([*main, "-o", tmp_path / "run"], check=True)
     rows = np.array([line.split() for line in run(tmp_path / "run", SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
-    position, attitude, V, phi, phi_dot = motion()
+    position, attitude, V, phi, phi_dot, center, velocity = motion()
     C = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])
     assert rows[:, :3] == pytest.approx(position, rel=1e-12, abs=1e-15)
     assert rows[:, 3:6] == pytest.approx(C.apply(V[:, :3]), rel=1e-12, abs=1e-15)
     assert rows[:, 6:9] == pytest.approx(C.as_mrp(), rel=1e-12, abs=1e-15)
     assert rows[:, 9:12] == pytest.approx(V[:, 3:], rel=1e-12, abs=1e-15)
-    assert rows[:, 13::2] == pytest.approx(phi_dot, rel=1e-12)
-    assert np.cos(rows[:, 12::2] - phi) == pytest.approx(1.0, abs=1e-12)
+    assert rows[:, 12:15] == pytest.approx(position + C.apply(center), rel=1e-12, abs=1e-15)
+    assert rows[:, 15:18] == pytest.approx(velocity, rel=1e-12, abs=1e-15)
+    assert rows[:, 19::2] == pytest.approx(phi_dot, rel=1e-12)
+    assert np.cos(rows[:, 18::2] - phi) == pytest.approx(1.0, abs=1e-12)

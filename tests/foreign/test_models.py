@@ -80,8 +80,7 @@ def test_an_mjcf(options: dict[str, Any]) -> None:
     ]
     for words in (
         'actuator "m2": a law of control',
-        "8 geoms",
-        "1 sensor",
+        "equations: 2 geoms, 1 sensor",
         "no contacts: 7 geoms",
         "move of the world: table",
     ):

@@ -26,7 +26,8 @@ int main(int count, char **words)
         module.UpdateState(static_cast<uint64_t>(k * sample * 1e9 + 0.5));
         const SCStatesMsgPayload &state = module.scStateOutMsg.payload;
         const RWSpeedMsgPayload &speeds = module.rwSpeedOutMsg.payload;
-        for (const double *from : { state.r_BN_N, state.v_BN_N, state.sigma_BN, state.omega_BN_B }) {
+        for (const double *from :
+             { state.r_BN_N, state.v_BN_N, state.sigma_BN, state.omega_BN_B, state.r_CN_N, state.v_CN_N }) {
             for (int i = 0; i < 3; ++i) { std::printf("%.17g ", from[i]); }
         }
         for (int s = 0; s < wheels; ++s) { std::printf("%.17g %.17g ", speeds.wheelThetas[s], speeds.wheelSpeeds[s]); }

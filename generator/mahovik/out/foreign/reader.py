@@ -74,20 +74,18 @@ class Reader:
             body.name = body.name or f"body{i}"
             for joint in body.joints:
                 joint.name = joint.name or f"of {body.name}"
-        lists = {"geom": spec.geoms, "sensor": spec.sensors, "camera": spec.cameras, "light": spec.lights}
-        words = [
-            f"{len(n)} {noun}{'' if len(n) == 1 else 's'}" for noun, n in (lists | {"key": spec.keys}).items() if n
-        ]
-        if words:
-            self.notes.append(f"left out, without effect on the equations: {', '.join(words)}")
-        touching = [g for g in spec.geoms if g.parent.name != "world" and (g.contype or g.conaffinity)]
-        if touching:
-            self.notes.append(f"a stand has no contacts: {len(touching)} geoms that could touch something do not here")
         always = spec.compiler.inertiafromgeom == self.mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
         unused = [
             g for g in spec.geoms
             if g.parent.name == "world" or (g.parent.explicitinertial and not always) or _is_massless(g)
         ]  # fmt: skip
+        lists = {"geom": unused, "sensor": spec.sensors, "camera": spec.cameras, "light": spec.lights, "key": spec.keys}
+        words = [f"{len(n)} {noun}{'' if len(n) == 1 else 's'}" for noun, n in lists.items() if n]
+        if words:
+            self.notes.append(f"left out, without effect on the equations: {', '.join(words)}")
+        touching = [g for g in spec.geoms if g.parent.name != "world" and (g.contype or g.conaffinity)]
+        if touching:
+            self.notes.append(f"a stand has no contacts: {len(touching)} geoms that could touch something do not here")
         for element in (*spec.sensors, *spec.keys, *spec.pairs, *spec.excludes, *spec.skins, *unused):
             spec.delete(element)
         for geom in spec.geoms:

@@ -300,10 +300,9 @@ class _Maker:
         hold, signs = _hold_of([way[1:] for way in ways], home)
         names = ", ".join(show(joint.name) for joint in root.joints)
         if not is_closed(hold):
-            self._problems.add(
-                f"joints {names}",
-                "together no directions fixed in the carrier: expected one, slides, a plane, hinges through a point",
-            )
+            words = "together no directions fixed in the carrier"
+            expected = "expected one, slides, a plane, three hinges through a point"
+            self._problems.add(f"joints {names}", f"{words}: {expected}")
             return None, {}, None, ()
         is_free = len(ways) == 6
         sayable = [
@@ -341,8 +340,10 @@ class _Maker:
                 "range": joint.range and not stopped,
                 "effort": joint.effort,
             }
-            if unsaid := ", ".join(key for key, is_left in left_out.items() if is_left):
-                self._notes.append(f"{where}: {unsaid} left out: no law of a hold says it")
+            unsaid = ", ".join(key for key, is_left in left_out.items() if is_left)
+            note = f"{where}: {unsaid} left out: no law of a hold says it"
+            if unsaid and note not in self._notes:  # a ball has three freedoms
+                self._notes.append(note)
         tables: dict[str, Any] = {}
         if tensors["stiffness"].any() or tensors["damping"].any():
             matrices = {key: _diagonal_or_rows(tensors[key]) for key in ("stiffness", "damping") if tensors[key].any()}
