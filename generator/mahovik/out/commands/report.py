@@ -91,7 +91,7 @@ def report(
         sections: tuple[Callable[[], Part | None], ...] = (
             lambda: bodies_part(machine, checked), lambda: modes_part(machine), lambda: vibration_part(machine, points),
             lambda: limits_part(checked), lambda: requirements_part(machine, points[0], limits),
-            lambda: verification_part(machine), lambda: cost_part(machine),
+            lambda: verification_part(machine, source), lambda: cost_part(machine),
         )  # fmt: skip
         for done, section in enumerate(sections, start=1):
             part = section()
@@ -241,9 +241,8 @@ def limits_part(checked: Result) -> Part | None:
     return Part("Limits and reach", tables=(shown,), summary=summary)
 
 
-def verification_part(stand: Stand) -> Part:
-    """The C by the reference and the second derivation, now, at few states."""
-    file = f"{stand.name}.toml"
+def verification_part(stand: Stand, file: str) -> Part:
+    """The C by the reference and the second derivation, now, at few states; `file` of the stand is what to judge."""
     try:
         result = verify(stand, states=STATES)
     except MahovikError as error:
