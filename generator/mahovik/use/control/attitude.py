@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -157,12 +157,11 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
         samples["dump"] = round(1.1 * time / period) + samples["settle"]
     half = SLEW / 2
     most = max(float(np.abs(speeds).max()), PREFERRED_SHARE * _no_load(motors)) * 2
-    design = AttitudeDesign(
+    return AttitudeDesign(
         task, dumps, settings, tuple(float(v) for v in speeds),
         (math.cos(half), *(math.sin(half) * float(a) for a in along)), options.momentum, options.failure,
-        max(1, math.ceil(period * most / TURN)), samples, (),
+        max(1, math.ceil(period * most / TURN)), samples, _lines(stand, task, options, settings),
     )  # fmt: skip
-    return _describe(stand, design)
 
 
 def attitude_task(stand: Stand, name: str | None) -> Task:
@@ -270,17 +269,16 @@ def _check_speeds(stand: Stand, preferred: Array, for_unit: Array, momentum: flo
         )
 
 
-def _describe(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
-    """The design with its lines."""
-    s = made.settings
+def _lines(stand: Stand, task: Task, options: LoopOptions, settings: Mapping[str, Any]) -> tuple[str, ...]:
+    """What was computed, a line each."""
+    rate, acceleration = (math.degrees(settings[key]) for key in ("slew_rate", "slew_acceleration"))
     lines = [
-        f"attitude loop: task {made.task.name}, {1 / _number(s['period']):g} Hz; bandwidth "
-        f"{_number(s['bandwidth']) / (2 * math.pi):.4g} Hz, damping {_number(s['damping']):g}",
-        f"attitude loop: slews of at most {math.degrees(_number(s['slew_rate'])):.3g} deg/s and "
-        f"{math.degrees(_number(s['slew_acceleration'])):.3g} deg/s2",
+        f"attitude loop: task {task.name}, {options.rate:g} Hz; bandwidth "
+        f"{options.bandwidth:.4g} Hz, damping {options.damping:g}",
+        f"attitude loop: slews of at most {rate:.3g} deg/s and {acceleration:.3g} deg/s2",
     ]
-    if made.dumps:
-        lines.append(f"attitude loop: momentum is dumped by at most {_number(s['dump_torque']):.3g} N m")
+    if "dump_torque" in settings:
+        lines.append(f"attitude loop: momentum is dumped by at most {settings['dump_torque']:.3g} N m")
     else:
         lines.append(f'attitude loop: the carrier of "{stand.name}" has no wrench_input: momentum is not dumped')
     free = [w.name for w in stand.flywheels if (w.motor or UNLIMITED).peak is None]
@@ -288,9 +286,4 @@ def _describe(stand: Stand, made: AttitudeDesign) -> AttitudeDesign:
         lines.append(
             f"attitude loop: no torque of {', '.join(free)} is bounded: the stand file gives none of the motor"
         )
-    return AttitudeDesign(**{**vars(made), "lines": tuple(lines)})
-
-
-def _number(value: float | tuple[float, ...]) -> float:
-    assert not isinstance(value, tuple)
-    return value
+    return tuple(lines)
