@@ -6,13 +6,11 @@ import inspect
 import json
 import re
 import typing
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import is_dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import MISSING, is_dataclass
 from functools import cache, partial
 from pathlib import Path
 from typing import Annotated, Any
-
-from pydantic.fields import FieldInfo
 
 from mahovik.contract.evaluation import text_lines
 from mahovik.contract.functions import ALL, CHOSEN, JUDGES, ROWS, task_of
@@ -31,7 +29,7 @@ from mahovik.core.program.types import NamedCount, Shape, Struct
 from mahovik.core.stand import load
 from mahovik.core.stand.datasheet import UnbalanceTable
 from mahovik.core.stand.declare import Declared, Tables
-from mahovik.core.stand.fields import Mat3, Mat6, QuantityValidator, Table, Vec3
+from mahovik.core.stand.fields import Mat3, Mat6, Vec3
 from mahovik.core.stand.law import BodyLaw, Bounds, FreedomItem, HeldLaw
 from mahovik.core.stand.laws import body_laws, body_table, carrier_laws
 from mahovik.core.stand.model import (
@@ -46,7 +44,7 @@ from mahovik.core.stand.model import (
     StreamProfile,
     Task,
 )
-from mahovik.core.stand.numbers import quantity_and_table
+from mahovik.core.stand.tables import Key, QuantityValidator, Table, declared_keys
 from mahovik.core.stand.units import Dimension
 from mahovik.out.campaign.file import CampaignTable
 from mahovik.out.campaign.quantities import QuantityTable
@@ -95,15 +93,11 @@ def key_rows(keys: type[Table], data: type, known: type[Table] | None = None) ->
         getattr(data, "keys", data), keys, data
     )
     first = ("schema_", "name", "freedom", "mount", "position", "wrench", "of")
-    for name, info in sorted(keys.model_fields.items(), key=lambda item: (*first, item[0]).index(item[0])):
-        before = known.model_fields.get(name) if known else None
-        if before is None or (before.is_required(), before.default) != (info.is_required(), info.default):
-            key = info.alias or name
-            reader = next(validators(info.annotation, *info.metadata), None)
-            default = (
-                "required" if info.is_required() else default_words(info.get_default(call_default_factory=True), reader)
-            )
-            yield f"`{key}`", value_words(data, name, info, reader), default, meanings[key]
+    likewise = {key.key: key.default for key in declared_keys(known)} if known else {}
+    for key in sorted(declared_keys(keys), key=lambda key: (*first, key.name).index(key.name)):
+        if key.key not in likewise or likewise[key.key] != key.default:
+            default = "required" if key.default is MISSING else default_words(key.default, key.validator)
+            yield f"`{key.key}`", value_words(data, key), default, meanings[key.key]
 
 
 def law_words(law: type) -> str:
@@ -128,15 +122,15 @@ SHAPES: tuple[tuple[Any, str], ...] = (
 """Words for types of keys."""
 
 
-def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidator | None) -> str:
+def value_words(data: type, key: Key) -> str:
     """What a key takes: shape, unit and bounds, or its words."""
-    if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(name)):
-        units = dict.fromkeys(dimension.si for kind in ("slide", "turn") if (dimension := data.dimension(name, kind)))
+    if issubclass(data, FreedomItem) and (bounds := data.marked(Bounds).get(key.name)):
+        units = dict.fromkeys(of.si for kind in ("slide", "turn") if (of := data.dimension(key.name, kind)))
         return ", ".join([" or ".join(units), *bound_words(bounds)])
-    kind, inner = typed(info.annotation), quantity_and_table(info.annotation)[1]
+    kind, reader = typed(key.annotation), key.validator
     origin = typing.get_origin(kind)
-    if inner is not None or origin in (dict, Mapping) or is_dataclass(kind):
-        return "tables" if origin is list else "table"
+    if key.table is not None or origin in (dict, Mapping) or is_dataclass(kind):
+        return "tables" if origin in (list, Sequence) else "table"
     if origin is typing.Literal:
         return ", ".join(f'`"{word}"`' for word in typing.get_args(kind))
     plain = next((words for shape_type, words in SHAPES if shape_type == kind), "list" if origin else "number")
@@ -148,14 +142,6 @@ def value_words(data: type, name: str, info: FieldInfo, reader: QuantityValidato
     unit = reader.dimension.si if isinstance(reader.dimension, Dimension) else ""
     parts = ["" if shape == "number" and unit else shape, unit, *bound_words(reader)]
     return ", ".join(part for part in parts if part)
-
-
-def validators(*annotations: Any) -> Iterator[QuantityValidator]:
-    """The validators in annotations."""
-    for annotation in annotations:
-        if isinstance(annotation, QuantityValidator):
-            yield annotation
-        yield from validators(*(typing.get_args(annotation)))
 
 
 def typed(annotation: Any) -> Any:
@@ -186,7 +172,7 @@ def default_words(value: Any, reader: QuantityValidator | None) -> str:
     """A default as the file would have it."""
     if reader is not None and reader.words:
         return next((f'`"{word}"`' for word, meant in reader.words if meant == value), "none")
-    if value is None or value in ((), [], {}, "") or is_dataclass(value):
+    if value is None or value in ((), {}, "") or is_dataclass(value):
         return "none"
     if isinstance(value, bool | str):
         return f"`{json.dumps(value)}`"

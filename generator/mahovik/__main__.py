@@ -20,7 +20,6 @@ def run() -> None:
     """
     for name in ONE_THREAD:
         os.environ.setdefault(name, "1")
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")  # none is needed, and to look for them takes time
     gc.set_threshold(ALLOCATIONS)
     try:
         from mahovik.out.command_line import main

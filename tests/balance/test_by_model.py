@@ -104,7 +104,7 @@ REFUSED: tuple[tuple[dict[str, Any], type[Exception], str], ...] = (
     ({"w1": {"positions": []}}, UsageError, "expected different positions"),
     ({"w1": {"pieces": {"holes": 3, "amounts": ["1 g"]}}}, BalanceError, "radii: missing"),
     ({"w1": {"pieces": {"holes": 3, "amounts": ["1 m"], "radii": [0.1]}}}, BalanceError, "amounts"),
-    ({"w1": {"pieces": {"holes": 0, "amounts": [1], "radii": [0.1]}}}, BalanceError, "greater than or equal to 1"),
+    ({"w1": {"pieces": {"holes": 0, "amounts": [1], "radii": [0.1]}}}, BalanceError, "holes: 0: expected 1 to 2000"),
     ({"w1": {"pieces": [None, None]}}, BalanceError, "a list of 2, but the number of planes is 1"),
 )
 

@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import BENCH8
 
-SLOW = ("sympy", "casadi", "scipy", "pint", "jinja2", "cffi", "numpy", "pydantic", "rich")
+SLOW = ("sympy", "casadi", "scipy", "pint", "jinja2", "cffi", "numpy", "rich")
 """Slowest to import first."""
 
 CODE = f"""
@@ -25,7 +25,7 @@ print(json.dumps([name for name in {SLOW!r} if name in sys.modules]), file=sys.s
 """
 
 NOTHING: set[str] = set()
-NUMBERS = {"numpy", "pydantic"}
+NUMBERS = {"numpy"}
 CASES = {
     ("--help",): NOTHING,
     ("--version",): NOTHING,

@@ -22,7 +22,7 @@ from mahovik.core.motion.motion_file import (
 from mahovik.core.motion.programme import ProgrammeTable
 from mahovik.core.motion.required import Objective, Slew
 from mahovik.core.stand import load
-from mahovik.core.stand.problems import keys_of
+from mahovik.core.stand.tables import keys_of
 from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.file import load_campaign
 from mahovik.out.campaign.quantities import SIGNALS, STATISTICS

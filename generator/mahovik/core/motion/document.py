@@ -1,8 +1,6 @@
 """Documents in JSON and TOML: read strictly, every digit kept; each problem is one line with file and key.
 
-A table is a pydantic model or a dataclass (`Data`) whose fields carry their validators: what is read is then what the
-program works with. All values are in SI. A field that depends on the stand finds the number of its flywheels in the
-context of the validation, as `flywheels`.
+A key that depends on the stand finds the number of its flywheels in the context, as `flywheels`.
 """
 
 from __future__ import annotations
@@ -15,12 +13,12 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
-from pydantic import BeforeValidator, ConfigDict, PlainValidator, ValidationInfo
 
 from mahovik.core.stand import toml
 from mahovik.core.stand.content import content, kind_of, wrong_kind
 from mahovik.core.stand.echoes import echo, list_item
-from mahovik.core.stand.fields import integer, refuse, require_bounds, text, validator, vector
+from mahovik.core.stand.fields import integer, require_bounds, text, validator, vector
+from mahovik.core.stand.tables import Context, QuantityValidator
 from mahovik.core.stand.units import PLAIN, SPEED, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import FileError
 from mahovik.nearest import suggestion
@@ -29,12 +27,6 @@ FREQUENCY = Dimension("a frequency", "Hz")
 _LONGEST = 10**9
 
 T = TypeVar("T")
-
-
-class Data:
-    """Base of dataclasses that are tables of a file as well: a key that is no field is an error."""
-
-    __pydantic_config__ = ConfigDict(extra="forbid")
 
 
 # -- files -----------------------------------------------------------------------------------------------------------
@@ -100,25 +92,15 @@ def document_of(text: str, source: str, error: type[FileError], *kinds: str, is_
 # -- fields ----------------------------------------------------------------------------------------------------------
 
 
-def context_validator(read: Callable[[Any, dict[str, Any]], Any]) -> PlainValidator:
-    """A validator that reads a raw value and the context of the validation by `read`, which raises QuantityError."""
-
-    def validate(raw: Any, info: ValidationInfo) -> Any:
-        try:
-            return read(raw, info.context or {})
-        except QuantityError as error:
-            raise refuse(str(error)) from None
-
-    return PlainValidator(validate)
-
-
-def per_flywheel(dimension: Dimension, check: Callable[[float, Any], object] = lambda value, raw: None) -> Any:
+def per_flywheel(
+    dimension: Dimension, check: Callable[[float, Any], object] = lambda value, raw: None
+) -> QuantityValidator:
     """A validator of one number for all flywheels, or a list with one for each.
 
     `check` takes a number in SI and as it stands in the file, and raises QuantityError.
     """
 
-    def read(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
+    def read(raw: Any, context: Context) -> tuple[float, ...]:
         N = context["flywheels"]
         if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
             values = vector(raw, (N,), dimension)
@@ -131,10 +113,10 @@ def per_flywheel(dimension: Dimension, check: Callable[[float, Any], object] = l
         check(value := number(raw, dimension), raw)
         return (value,) * int(N)
 
-    return context_validator(read)
+    return QuantityValidator(read)
 
 
-def bound_per_flywheel(dimension: Dimension, zero: bool = False) -> Any:
+def bound_per_flywheel(dimension: Dimension, zero: bool = False) -> QuantityValidator:
     """A validator of a magnitude that is not exceeded, for all flywheels or for each; `zero`: it may be zero."""
 
     def check(value: float, raw: Any) -> None:
@@ -145,25 +127,25 @@ def bound_per_flywheel(dimension: Dimension, zero: bool = False) -> Any:
     return per_flywheel(dimension, check)
 
 
-def numbers_of_flywheels(axes: int) -> PlainValidator:
+def numbers_of_flywheels(axes: int) -> QuantityValidator:
     """A validator of an array (N) of plain numbers, or with two axes (M, N)."""
 
-    def read(raw: Any, context: dict[str, Any]) -> Any:
+    def read(raw: Any, context: Context) -> Any:
         lengths = (context["flywheels"],)
         if axes == 1:
             return np.array(vector(raw, lengths, PLAIN), dtype=np.float64)
         numbers = rows(raw, lambda row: vector(row, lengths, PLAIN))
         return np.array(numbers, dtype=np.float64).reshape(len(numbers), *lengths)
 
-    return context_validator(read)
+    return QuantityValidator(read)
 
 
-def six_numbers() -> PlainValidator:
+def six_numbers() -> QuantityValidator:
     """A validator of an array (M, 6) of plain numbers."""
     return validator(lambda raw: np.array(rows(raw, lambda row: vector(row, (6,), PLAIN))).reshape(-1, 6))
 
 
-def times() -> PlainValidator:
+def times() -> QuantityValidator:
     """A validator of an array (M) of times, s."""
     return validator(lambda raw: np.array(vector(raw, (len(any_list(raw)),), TIME)))
 
@@ -175,7 +157,7 @@ def short_integer(raw: Any) -> int:
     return int(raw)
 
 
-def whole_number(least: int, most: int) -> PlainValidator:
+def whole_number(least: int, most: int) -> QuantityValidator:
     """A validator of a whole number within bounds."""
 
     def read(raw: Any) -> int:
@@ -187,7 +169,7 @@ def whole_number(least: int, most: int) -> PlainValidator:
     return validator(read, least=least, most=most)
 
 
-def choice(*names: str) -> PlainValidator:
+def choice(*names: str) -> QuantityValidator:
     """A validator of one of some names."""
 
     def read(raw: Any) -> str:
@@ -240,13 +222,3 @@ def rows(raw: Any, read: Callable[[Any], T]) -> tuple[T, ...]:
             element = str(error)
             raise QuantityError(f"[{i}]{'' if element.startswith('[') else ': '}{element}") from None
     return tuple(values)
-
-
-def _not_null(raw: Any) -> Any:
-    if raw is None:
-        raise refuse("expected a value, found null")
-    return raw
-
-
-NOT_NULL = BeforeValidator(_not_null)
-"""A table that may be left out, but not null."""

@@ -9,8 +9,9 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.document import Data, numbers_of_flywheels, six_numbers, times
+from mahovik.core.motion.document import numbers_of_flywheels, six_numbers, times
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Data
 
 Array = NDArray[np.float64]
 

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
 
 from mahovik.contract.quantities import BOUNDS
-from mahovik.core.motion.document import FREQUENCY, Data, choice
+from mahovik.core.motion.document import FREQUENCY, choice
 from mahovik.core.motion.functions import Array, Motion
-from mahovik.core.stand.fields import refuse, scalar, validator
+from mahovik.core.stand.fields import scalar, validator
 from mahovik.core.stand.motor import Curve, Motor, Number, drive, friction, on_curve, slip, steepest, steepness, tanh
+from mahovik.core.stand.tables import Alias, Data, Default, TableError
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number
 
 MAX_SPEED, MAX_ACCELERATION, MAX_WRENCH, MAX_PHASE = (
@@ -81,9 +81,9 @@ class Constant(SpeedLaw):
 class Ramp(SpeedLaw):
     """`ramp`: speed `low` until `start`, then evenly to `high` in `duration`, then `high`."""
 
-    low: Annotated[float, scalar(SPEED), Field(0.0, alias="from")]
-    high: Annotated[float, scalar(SPEED), Field(alias="to")]
-    start: Annotated[float, scalar(TIME, least=0.0), Field(0.0)]
+    low: Annotated[float, scalar(SPEED), Alias("from"), Default(0.0)]
+    high: Annotated[float, scalar(SPEED), Alias("to")]
+    start: Annotated[float, scalar(TIME, least=0.0), Default(0.0)]
     duration: Annotated[float, scalar(TIME, above=0.0)]
 
     @property
@@ -124,14 +124,14 @@ def _sweep_speed(raw: Any) -> float:
 class Sweep(Ramp):
     """`sweep`: a ramp; with the scale "log" `low` (high/low)^(t/duration), both of one sign and not zero."""
 
-    low: Annotated[float, validator(_sweep_speed), Field(alias="from")]
-    high: Annotated[float, validator(_sweep_speed), Field(alias="to")]
+    low: Annotated[float, validator(_sweep_speed), Alias("from")]
+    high: Annotated[float, validator(_sweep_speed), Alias("to")]
     scale: Annotated[Literal["linear", "log"], choice("linear", "log")] = "linear"
 
     def __post_init__(self) -> None:
-        """Refuses a log sweep through zero by pydantic's error."""
+        """Refuses a log sweep through zero."""
         if self.scale == "log" and self.low * self.high <= 0.0:
-            raise refuse("a log sweep goes between two speeds of one sign, neither of them zero")
+            raise TableError("a log sweep goes between two speeds of one sign, neither of them zero")
 
     @property
     def _growth(self) -> float:
@@ -155,7 +155,7 @@ class Sweep(Ramp):
 class Harmonic(SpeedLaw):
     """`harmonic`: phi' = mean + amplitude sin(2 pi frequency t + phase)."""
 
-    mean: Annotated[float, scalar(SPEED), Field(0.0)]
+    mean: Annotated[float, scalar(SPEED), Default(0.0)]
     amplitude: Annotated[float, scalar(SPEED)]
     frequency: Annotated[float, scalar(FREQUENCY, above=0.0)]
     phase: Annotated[float, scalar(ANGLE)] = 0.0
@@ -254,7 +254,7 @@ class RunUp(TorqueLaw):
     band   0: 1 % of the speed, and at least 0.1 rad/s
     """
 
-    value: Annotated[float, scalar(TORQUE, above=0.0), Field(alias="torque")]
+    value: Annotated[float, scalar(TORQUE, above=0.0), Alias("torque")]
     to: Annotated[float, scalar(SPEED)]
     band: Annotated[float, scalar(SPEED, least=0.0)] = 0.0
 

@@ -10,24 +10,20 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field
 
 from mahovik.core.motion.document import (
-    NOT_NULL,
-    Data,
     bound_per_flywheel,
     choice,
-    context_validator,
     document_of,
     per_flywheel,
     rows,
     short_integer,
     text_of,
     times,
-)  # fmt: skip
+)
 from mahovik.core.motion.functions import Array, Harmonics, SampledCourse, quintic_spline
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import (
@@ -45,10 +41,11 @@ from mahovik.core.motion.required import (
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
-from mahovik.core.stand.fields import Length3, Table, Text, direction, require_bounds, scalar, validator, vec3, vector
+from mahovik.core.stand.fields import Length3, Text, direction, require_bounds, scalar, validator, vector, vector3
 from mahovik.core.stand.masses import turn
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import NOTHING, Context, Data, QuantityValidator, Table
 from mahovik.core.stand.task import check_tasks
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TIME, Dimension, QuantityError, factor, number, show
 from mahovik.errors import MotionError
@@ -68,7 +65,7 @@ NO_SLEW = (
 # -- rows ------------------------------------------------------------------------------------------------------------
 
 
-def _row(raw: Any, context: dict[str, Any], more: str = "") -> tuple[float, ...]:
+def _row(raw: Any, context: Context, more: str = "") -> tuple[float, ...]:
     """A row in SI. Raises QuantityError."""
     coordinates, units = context["coordinates"], context["units"]
     if not isinstance(raw, list) or len(raw) != coordinates.count:
@@ -83,16 +80,21 @@ def _row(raw: Any, context: dict[str, Any], more: str = "") -> tuple[float, ...]
     return tuple(values)
 
 
-def _magnitudes(raw: Any, context: dict[str, Any]) -> tuple[float, ...]:
+def _poses(raw: Any, context: Context) -> tuple[tuple[float, ...], ...]:
+    """Rows in SI. Raises QuantityError."""
+    return rows(raw, lambda row: _row(row, context))
+
+
+def _magnitudes(raw: Any, context: Context) -> tuple[float, ...]:
     """A row of bounds, each with a unit of its own or in SI. Raises QuantityError."""
-    values = _row(raw, context | {"units": {}}, " (m, rad)")
+    values = _row(raw, {**context, "units": {}}, " (m, rad)")
     for i, value in enumerate(values):
         if value < 0.0:
             raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
     return values
 
 
-def _flags(raw: Any, context: dict[str, Any]) -> tuple[bool, ...]:
+def _flags(raw: Any, context: Context) -> tuple[bool, ...]:
     """A row of true and false. Raises QuantityError."""
     coordinates = context["coordinates"]
     if not isinstance(raw, list) or len(raw) != coordinates.count or not all(isinstance(item, bool) for item in raw):
@@ -133,7 +135,7 @@ def _type(raw: Any) -> str:
     return str(raw)
 
 
-def _winding(raw: Any, context: dict[str, Any]) -> Any:
+def _winding(raw: Any, context: Context) -> Any:
     N = context["flywheels"]
     if isinstance(raw, str):
         if raw not in WINDINGS:
@@ -161,7 +163,7 @@ def _path_lists(raw: Any) -> tuple[tuple[str, ...], ...]:
     return tuple(map(tuple, lists))
 
 
-Row = Annotated[tuple[float, ...] | None, context_validator(_row)]
+Row = Annotated[tuple[float, ...] | None, QuantityValidator(_row)]
 Span = Annotated[float | None, validator(_span, TIME, least=1e-6, most=1e6)]
 
 
@@ -185,10 +187,7 @@ class SamplesTable(Table):
     """`samples`."""
 
     t: Annotated[Any, times()]
-    q: Annotated[
-        tuple[tuple[float, ...], ...],
-        context_validator(lambda raw, context: rows(raw, lambda row: _row(row, context))),
-    ]
+    q: Annotated[tuple[tuple[float, ...], ...], QuantityValidator(_poses)]
 
 
 @dataclass(frozen=True)
@@ -212,9 +211,9 @@ class BoundsTable(FlywheelBounds):
 
     speed_min: Annotated[Each, bound_per_flywheel(SPEED, zero=True)] = None
     angle: Annotated[Each, bound_per_flywheel(ANGLE)] = None
-    bias: Annotated[Each, context_validator(_magnitudes)] = None
-    deviation: Annotated[DeviationTable | None, NOT_NULL] = None
-    start: Annotated[StartTable | None, NOT_NULL] = None
+    bias: Annotated[Each, QuantityValidator(_magnitudes)] = None
+    deviation: DeviationTable | None = None
+    start: StartTable | None = None
 
     def bounds(self) -> Bounds:
         """The bounds as data."""
@@ -258,15 +257,17 @@ class MotionTable(Table):
     duration: Span = None
     units: UnitsTable = UnitsTable()
     mean: Row = None
-    free_mean: Annotated[tuple[bool, ...] | None, context_validator(_flags)] = None
-    harmonics: Annotated[list[HarmonicTable] | None, NOT_NULL] = None
-    samples: Annotated[SamplesTable | None, NOT_NULL] = None
-    winding: Annotated[Winding, context_validator(_winding)] = "any"
+    free_mean: Annotated[tuple[bool, ...] | None, QuantityValidator(_flags)] = None
+    harmonics: list[HarmonicTable] | None = None
+    samples: SamplesTable | None = None
+    winding: Annotated[Winding, QuantityValidator(_winding)] = "any"
     runup: Annotated[float | None, scalar(TIME, above=0.0)] = None
     bounds: BoundsTable = BoundsTable()
     objective: Objective = Objective()
-    free: Annotated[Mapping[str, Any], validator(_intervals)] = Field(default_factory=dict)
+    free: Annotated[Mapping[str, Any], validator(_intervals)] = NOTHING
     same: Annotated[tuple[tuple[str, ...], ...], validator(_path_lists)] = ()
+
+    instead: ClassVar[Mapping[str, str]] = {"frequency": "a motion has `period` = 1 / frequency, in seconds"}
 
 
 _ONLY = {
@@ -366,7 +367,7 @@ def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
     if (deviation := table.bounds.deviation) is not None:
         if table.runup is None:
             problems.add("bounds", "deviation", "needs `runup`: it bounds the carrier on the way there and back")
-        if not deviation.model_fields_set:
+        if not deviation.present:
             problems.add("bounds", "deviation", "expected linear, angular, or both")
     missing = [
         f'"{s.name}"'
@@ -525,7 +526,7 @@ def _quaternion(raw: Any) -> tuple[float, ...]:
 class Attitude(Data):
     """An attitude by angles or by a quaternion."""
 
-    angles: Annotated[Vec3 | None, validator(lambda raw: vec3(raw, ANGLE), ANGLE)] = None
+    angles: Annotated[Vec3 | None, vector3(ANGLE)] = None
     quaternion: Annotated[tuple[float, ...] | None, validator(_quaternion)] = None
 
     def matrix(self, stand: Stand, problems: Problems, key: str) -> Array:
@@ -580,7 +581,7 @@ class SlewTable(Table):
 
     name: Text = ""
     note: Text = ""
-    type: Literal["slew"]
+    type: Annotated[str, choice("slew")]
     task: Text | None = None
     rows: Any = None
     start: SlewStart = SlewStart()

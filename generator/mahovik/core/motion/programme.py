@@ -14,26 +14,16 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field
 
-from mahovik.core.motion.document import (
-    NOT_NULL,
-    Data,
-    any_list,
-    choice,
-    context_validator,
-    document_of,
-    rows,
-    short_integer,
-    text_of,
-)  # fmt: skip
+from mahovik.core.motion.document import any_list, choice, document_of, rows, short_integer, text_of
 from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse, Samples
 from mahovik.core.stand.content import TABLE
 from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Table, Text, scalar, validator, vector
+from mahovik.core.stand.fields import Text, scalar, validator, vector
 from mahovik.core.stand.masses import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import NOTHING, Context, Data, QuantityValidator, Table, keys_of
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.errors import ProgrammeError
 from mahovik.writing import write
@@ -129,7 +119,7 @@ def _names(raw: Any) -> tuple[str, ...]:
     return tuple(raw)
 
 
-def _turns(raw: Any, context: dict[str, Any]) -> tuple[int, ...]:
+def _turns(raw: Any, context: Context) -> tuple[int, ...]:
     N = context["flywheels"]
     if isinstance(raw, list) and len(raw) != N:
         raise QuantityError(f"expected {N} whole numbers, one per flywheel, found {len(raw)}")
@@ -193,14 +183,14 @@ class ProgrammeTable(Table):
     duration: Annotated[float | None, _DURATION] = None
     bias: Annotated[tuple[float, ...], validator(_bias)]
     coordinates: Annotated[tuple[str, ...], validator(_names)] = ()
-    winding: Annotated[tuple[int, ...] | None, context_validator(_turns)] = None
-    fourier: Annotated[Fourier | None, NOT_NULL] = None
-    samples: Annotated[Samples | None, NOT_NULL] = None
-    runup: Annotated[RunUpTable | None, NOT_NULL] = None
-    rundown: Annotated[RunUpTable | None, NOT_NULL] = None
-    carrier: Annotated[PlannedCourse | None, NOT_NULL] = None
+    winding: Annotated[tuple[int, ...] | None, QuantityValidator(_turns)] = None
+    fourier: Fourier | None = None
+    samples: Samples | None = None
+    runup: RunUpTable | None = None
+    rundown: RunUpTable | None = None
+    carrier: PlannedCourse | None = None
     unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "resisted"
-    report: Annotated[dict[str, Any], validator(_report)] = Field(default_factory=dict)
+    report: Annotated[Mapping[str, Any], validator(_report)] = NOTHING
 
 
 def load_programme(path: str | Path) -> Programme:

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Annotated, Any, cast
 
 import numpy as np
-from pydantic import Field
 
 from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.motion.functions import Array, Fourier, Motion
@@ -38,10 +37,11 @@ from mahovik.core.motion.laws import (
 from mahovik.core.motion.programme import Programme, read_programme
 from mahovik.core.stand.content import TEXT, kind_of
 from mahovik.core.stand.csv_table import Columns, TableError, read_columns
-from mahovik.core.stand.fields import Table, Text, scalar, validator
+from mahovik.core.stand.fields import Text, scalar, validator
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.motor import Curve, Motor, mirrored, read_curve
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import NOTHING, Table, keys_of
 from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
 from mahovik.errors import RegimeError
 from mahovik.nearest import suggestion
@@ -198,8 +198,8 @@ class RegimeTable(Table):
 
     name: Text = ""
     default: Any = None
-    flywheel: Annotated[dict[str, Any], _tables("flywheels")] = Field(default_factory=dict)
-    wrench: Annotated[dict[str, Any], _tables("bodies")] = Field(default_factory=dict)
+    flywheel: Annotated[Mapping[str, Any], _tables("flywheels")] = NOTHING
+    wrench: Annotated[Mapping[str, Any], _tables("bodies")] = NOTHING
 
 
 def _true(raw: Any) -> bool:
@@ -271,7 +271,7 @@ class DrivenTable(Table):
         return self.ramp or self.sweep or self.harmonic or self.run_up or Constant(self.speed or 0.0)
 
 
-LAWS = tuple(key for key in DrivenTable.model_fields if key not in ("phase", "initial_speed"))
+LAWS = tuple(key for key in keys_of(DrivenTable) if key not in ("phase", "initial_speed"))
 """Keys that name a law."""
 
 
@@ -291,7 +291,7 @@ def loads_regime(
         return _of_programme(text, stand, until, source)
     problems = Problems(source)
     tables = {key: document[key] for key in ("default", "flywheel", "wrench") if isinstance(document.get(key), dict)}
-    regime = problems.valid(RegimeTable, document) or RegimeTable.model_construct(**tables)
+    regime = problems.valid(RegimeTable, document) or RegimeTable(**tables)
     flywheels = _flywheels(regime, stand, problems, folder, until)
     wrenches = {}
     for body in _names_known(problems, "wrench", regime.wrench, [body.name for body in stand.bodies], "body"):

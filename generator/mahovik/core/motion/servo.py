@@ -10,27 +10,24 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field
-
 from mahovik.core.motion.document import (
-    Data,
     angular_speed,
     choice,
-    context_validator,
     document_of,
     per_flywheel,
     positions,
     text_of,
     whole_number,
-)  # fmt: skip
+)
 from mahovik.core.motion.laws import MAX_WRENCH
 from mahovik.core.stand.content import TEXT
 from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Flag, Text, refuse, require_bounds, scalar, validator
+from mahovik.core.stand.fields import Flag, Text, require_bounds, scalar, validator
 from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.motor import UNLIMITED
-from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Alias, Context, Data, Default, QuantityValidator, keys_of
 from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, QuantityError, show
 from mahovik.errors import ServoError
 
@@ -41,7 +38,7 @@ MOST_HARMONICS = 16
 """Most harmonics of a trim: its matrix has (2 harmonics + 1)^2 numbers for each coordinate and flywheel."""
 
 
-def _coordinates(raw: Any, context: dict[str, Any]) -> tuple[int, ...]:
+def _coordinates(raw: Any, context: Context) -> tuple[int, ...]:
     known = context["coordinates"]
     if not isinstance(raw, list) or not raw:
         raise QuantityError(f"expected names among {', '.join(known)}, found {show(raw)}")
@@ -53,12 +50,6 @@ def _limits(dimension: Dimension) -> Any:
     return per_flywheel(
         dimension, lambda value, raw: require_bounds(value, dimension.si, above=0.0, most=MAX_WRENCH, raw=raw)
     )
-
-
-def _table_or_false(raw: Any) -> Any:
-    if raw is not False and not isinstance(raw, dict):
-        raise refuse(f"expected a table with {', '.join(keys_of(Trim))}, or false, found {show(raw)}")
-    return None if raw is False else raw
 
 
 _CORNER = validator(lambda raw: None if raw is False else angular_speed(raw))
@@ -78,7 +69,7 @@ class Trim(Data):
 
     harmonics: Annotated[int, whole_number(1, MOST_HARMONICS)] = 1
     gain: Annotated[float, scalar(PLAIN, above=0.0, most=1.0)] = 0.5
-    coordinates: Annotated[tuple[int, ...], context_validator(_coordinates)] = ()
+    coordinates: Annotated[tuple[int, ...], QuantityValidator(_coordinates)] = ()
     settling: Annotated[int, whole_number(0, 10**6)] = 20
     averaging: Annotated[int, whole_number(1, 10**6)] = 1
     limit: Annotated[float, scalar(ANGLE, above=0.0)] = 0.5
@@ -102,9 +93,9 @@ class Servo(Data):
     trim           None: off
     """
 
-    name: Annotated[Text, Field("")]
-    period: Annotated[float, scalar(TIME, least=LEAST_PERIOD, most=MOST_PERIOD), Field(alias="sample_period")]
-    latency: Annotated[float, scalar(TIME, least=0.0), Field(0.0)]
+    name: Annotated[Text, Default("")]
+    period: Annotated[float, scalar(TIME, least=LEAST_PERIOD, most=MOST_PERIOD), Alias("sample_period")]
+    latency: Annotated[float, scalar(TIME, least=0.0), Default(0.0)]
     bandwidth: Annotated[float, validator(angular_speed)]
     damping_ratio: Annotated[float, scalar(PLAIN, above=0.0, most=5.0)] = 0.8
     integral: Annotated[float | None, _CORNER] = None
@@ -114,7 +105,7 @@ class Servo(Data):
     torque_limit: Annotated[tuple[float, ...], _limits(TORQUE)] = ()
     torque_rate: Annotated[tuple[float, ...], _limits(TORQUE_RATE)] = ()
     encoder: Annotated[Literal["ideal", "stand"], choice("ideal", "stand")] = "ideal"
-    trim: Annotated[Trim | None, BeforeValidator(_table_or_false)] = None
+    trim: Trim | None = None
 
 
 def load_servo(path: str | Path, stand: Stand) -> Servo:
@@ -128,6 +119,10 @@ def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:
     problems, N = Problems(source), len(stand.flywheels)
     known = FREE if stand.hold is None else tuple(freedom_names(stand.hold))
     document = document_of(text, source, ServoError, "servo", is_json=False)
+    if not isinstance(off := document.get("trim", {}), dict):
+        if off is not False:
+            problems.add("trim", f"expected a table with {', '.join(keys_of(Trim))}, or false, found {show(off)}")
+        del document["trim"]
     servo = problems.valid(Servo, document, flywheels=N, coordinates=known)
     if not N:
         problems.add(f'the stand "{stand.name}" has no flywheels: there is nothing to drive')

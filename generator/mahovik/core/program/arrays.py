@@ -32,6 +32,14 @@ class Member:
     meaning: str = ""
     members: tuple[Member, ...] = ()
 
+    @classmethod
+    def of_json(cls, raw: Mapping[str, Any]) -> Member:
+        """The member of its fields as JSON has them."""
+        members = tuple(map(cls.of_json, raw["members"]))
+        return cls(
+            raw["name"], raw["kind"], tuple(raw["shape"]), tuple(raw["axes"]), raw["unit"], raw["meaning"], members
+        )
+
     @property
     def size(self) -> int:
         """Numbers in it, or records."""
@@ -66,6 +74,15 @@ class ArrayFunction:
     purpose: str
     wide: bool
     arguments: tuple[ArgumentLayout, ...]
+
+    @classmethod
+    def of_json(cls, raw: Mapping[str, Any]) -> ArrayFunction:
+        """The function of its fields as JSON has them."""
+        arguments = tuple(
+            ArgumentLayout(a["name"], a["direction"], a["order"], tuple(map(Member.of_json, a["members"])))
+            for a in raw["arguments"]
+        )
+        return cls(raw["name"], raw["purpose"], raw["wide"], arguments)
 
 
 def members(struct: Struct) -> tuple[Member, ...]:

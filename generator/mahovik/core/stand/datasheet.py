@@ -7,15 +7,16 @@ Dynamic unbalance U_d at angle b: J12 = -U_d cos b, J13 = -U_d sin b, J23 = 0. A
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import polar
 from mahovik.core.stand.declare import Note
 from mahovik.core.stand.echoes import Moments, list_item
-from mahovik.core.stand.fields import Direction, Mat3, Table, Vec3, parallel, require_bounds, scalar, validator, vector
+from mahovik.core.stand.fields import Direction, Mat3, Vec3, parallel, require_bounds, scalar, validator, vector
+from mahovik.core.stand.tables import Table
 from mahovik.core.stand.units import QuantityError, number
 
 
@@ -39,6 +40,10 @@ class MountingAxes:
     zero: Vec3
 
 
+_GRADE = "static unbalance is mass times G over speed: G 2.5 at 3000 rpm of 2 kg is static = 2 * 2.5e-3 / 314.16 kg m"
+_WORKING = "a catalogue's working moment is twice the static one: unbalance = { static = half of it }"
+
+
 class UnbalanceTable(Table):
     """`unbalance` of a flywheel.
 
@@ -52,6 +57,8 @@ class UnbalanceTable(Table):
     static_at: Annotated[float, scalar(units.ANGLE)] = 0.0
     dynamic: Annotated[float, scalar(units.DYNAMIC_UNBALANCE, least=0.0)] = 0.0
     dynamic_at: Annotated[float, scalar(units.ANGLE)] = 0.0
+
+    instead: ClassVar[Mapping[str, str]] = {"grade": _GRADE, "working_moment": _WORKING}
 
 
 def _spin_angles(raw: Any) -> tuple[float, ...]:
@@ -94,6 +101,18 @@ class FlywheelForm(Table):
     ) = None
     unbalance: UnbalanceTable | None = None
 
+    instead: ClassVar[Mapping[str, str]] = {
+        "shape": "a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
+        "for a thin disc transverse_inertia = spin_inertia/2",
+        "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
+        "momentum": "it is spin_inertia times speed: 0.4 N m s at 6000 rpm is spin_inertia = 0.4 / 628.32 kg m^2",
+        "grade": f"{_GRADE}, in unbalance = {{ static = ... }}",
+        "working_moment": _WORKING,
+        "static_moment": "unbalance = { static = ... } has it",
+        "static_unbalance": "unbalance = { static = ... } has it",
+        "dynamic_unbalance": "unbalance = { dynamic = ... } has it",
+    }
+
     def mounting(self, note: Note, depends: Callable[[], str]) -> MountingAngles | MountingAxes | None:
         """The mounting; None where it is not known, which is noted. `depends`: what depends on the phase; "", nothing.
 
@@ -127,7 +146,7 @@ class FlywheelForm(Table):
                 return {}
             note("inertia", "required, but missing (or spin_inertia and transverse_inertia)")
             return None
-        mixed = [key for key in ("center_of_mass", "inertia", "inertia_about") if key in self.model_fields_set]
+        mixed = [key for key in ("center_of_mass", "inertia", "inertia_about") if key in self.present]
         if mixed:
             note(mixed[0], f"given together with {', '.join(sheet)}: expected one way or the other")
             return None

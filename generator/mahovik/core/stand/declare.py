@@ -11,15 +11,15 @@ from __future__ import annotations
 import math
 import typing
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import MISSING, dataclass, fields, replace
 from functools import cache
 from typing import Annotated, Any, ClassVar, Protocol, Self, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import create_model
 
-from mahovik.core.stand.fields import ZERO6, Mat6, QuantityValidator, Table, Vec3
+from mahovik.core.stand.fields import ZERO6, Mat6, Vec3
+from mahovik.core.stand.tables import Default, QuantityValidator, Table, declared_keys, make_table
 
 Array = NDArray[np.float64]
 
@@ -96,14 +96,6 @@ class Note(Protocol):
 
 
 # -- what is said of a field -----------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Default:
-    """The value of a key that the file leaves out; `written`: does a file that is written have it even so?"""
-
-    value: Any
-    written: bool = True
 
 
 @dataclass(frozen=True)
@@ -211,25 +203,25 @@ class Declared:
     @cache
     def table(cls) -> type[Table]:
         """The table of the file: its keys are the fields that a validator reads, or that are tables inside."""
-        keys: dict[str, Any] = {}
+        hints: dict[str, Any] = {}
         for name, said in cls.annotations().items():
             for mark in said:
                 if isinstance(mark, QuantityValidator):
-                    keys[name] = Annotated[said[0], mark]
+                    hints[name] = Annotated[said[0], mark]
                 elif isinstance(mark, Tables):
-                    keys[name] = list[mark.of.table()]  # type: ignore[misc]  # made here
+                    hints[name] = list[mark.of.table()]  # type: ignore[misc]  # made here
                 elif isinstance(mark, Inside):
-                    keys[name] = mark.of.table() | None
+                    hints[name] = mark.of.table()
         defaults = cls.marked(Default)
-        keys = {name: (key, defaults[name].value if name in defaults else ...) for name, key in keys.items()}
-        return create_model(f"{cls.__name__}Table", __base__=cls.keys, __doc__=cls.__doc__, **keys)
+        hints = {name: (hint, defaults[name].value if name in defaults else MISSING) for name, hint in hints.items()}
+        return make_table(cls, cls.keys, hints)
 
     @classmethod
     def of_table(cls, table: Table, **more: Any) -> Self:
         """The data of a valid table; a 6x6 of zeros, which tables have as None, with its zeros."""
         values: dict[str, Any] = {}
         lists, inside = cls.marked(Tables), cls.marked(Inside)
-        for name in cls.annotations().keys() & type(table).model_fields.keys():
+        for name in cls.annotations().keys() & {key.name for key in declared_keys(type(table))}:
             value = getattr(table, name)
             if name in lists:
                 value = tuple(map(lists[name].of.of_table, value))
@@ -243,11 +235,12 @@ class Declared:
     def as_keys(self) -> dict[str, Any]:
         """Its keys in a stand file, in SI."""
         readers, defaults = self.marked(QuantityValidator), self.marked(Default)
+        in_file = {key.name for key in declared_keys(self.table())}
         result: dict[str, Any] = {}
         for name in self.annotations():
             value = getattr(self, name)
             left_out = name in defaults and not defaults[name].written and value == defaults[name].value
-            if name in self.table().model_fields and value is not None and not left_out:
+            if name in in_file and value is not None and not left_out:
                 write = readers[name].write if name in readers else None
                 result[name] = _in_file(write(value) if write else value)
         return result

@@ -7,10 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from pydantic import model_validator
-
-from mahovik.core.stand.fields import Table, refuse, text
+from mahovik.core.stand.fields import text
 from mahovik.core.stand.model import TWIST_LETTERS
+from mahovik.core.stand.tables import Table, TableError
 from mahovik.core.stand.units import Dimension, QuantityError, number
 
 
@@ -59,16 +58,14 @@ class TermTable(Table):
 
     value: Any
 
-    @model_validator(mode="after")
-    def _value_in_si(self: Any) -> Any:
+    def check(self: Any) -> None:
+        """Reads the value. Raises TableError."""
         metres, radians, rates = (sum(column) for column in zip(*(f.powers for f in self.of), strict=True))
         force = "N m" if self.wrench >= 3 else "N"
         times = [f"^{power}" if power > 1 else "" for power in (rates, metres, radians)]
         unit = f"{force} s{times[0]}" if rates else force
         unit += (f"/m{times[1]}" if metres else "") + (f"/rad{times[2]}" if radians else "")
         try:
-            value = number(self.value, Dimension("a derivative", unit))
+            self.value = number(self.value, Dimension("a derivative", unit))
         except QuantityError as error:
-            raise refuse(str(error), "value") from None
-        object.__setattr__(self, "value", value)
-        return self
+            raise TableError(str(error), "value") from None

@@ -8,16 +8,13 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Annotated, Any, TypeVar, cast
-
-from pydantic import BaseModel, ConfigDict, PlainValidator
-from pydantic_core import PydanticCustomError
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import hypot
 from mahovik.core.stand.echoes import as_written, echo, list_item
+from mahovik.core.stand.tables import Blocks, QuantityValidator, Table
 from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, last_digit, number, show, split_value_unit
 
 T = TypeVar("T")
@@ -28,10 +25,6 @@ Mat6 = tuple[Vec6, Vec6, Vec6, Vec6, Vec6, Vec6]
 
 ZERO3: Vec3 = (0.0, 0.0, 0.0)
 ZERO6: Mat6 = ((0.0,) * 6,) * 6
-
-Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
-"""Dimensions of a 6x6 by its four 3x3 blocks: (force, moment) rows by (linear, angular) columns."""
-
 
 ADDED_MASS: Blocks = (
     (Dimension("an added mass", "kg"), Dimension("an added first moment", "kg m")),
@@ -236,41 +229,10 @@ def stand_name_problem(name: str) -> str | None:
 # -- what a key takes ------------------------------------------------------------------------------------------------
 
 
-def refuse(error: str, key: str = "") -> PydanticCustomError:
-    """The error that pydantic is to report, of `key` inside the table where one is named."""
-    return PydanticCustomError("stand", "{reason}", {"reason": error, "key": key})
-
-
-@dataclass(frozen=True)
-class QuantityValidator(PlainValidator):
-    """A validator that knows what it reads.
-
-    dimension  of its numbers, of a 6x6 by blocks; None where it reads none
-    least      smallest accepted number, above: one that is too small, most: the largest; SI, None: no bound
-    write      value of the file for one of the data, where it is another
-    words      texts that it accepts, each with what it means; empty where it reads none
-    shape      what it reads, in words, where its type does not say so
-    """
-
-    dimension: Dimension | Blocks | None = None
-    least: float | None = None
-    above: float | None = None
-    most: float | None = None
-    write: Callable[[Any], Any] | None = None
-    words: tuple[tuple[str, Any], ...] = ()
-    shape: str = ""
-
-
 def validator(read: Callable[[Any], T], dimension: Dimension | Blocks | None = None, **more: Any) -> QuantityValidator:
     """A validator that reads a raw value by `read`, which raises QuantityError; `more`: see QuantityValidator."""
 
-    def validate(raw: Any) -> T:
-        try:
-            return read(raw)
-        except QuantityError as error:
-            raise refuse(str(error)) from None
-
-    return QuantityValidator(validate, dimension=dimension, **more)
+    return QuantityValidator(lambda raw, context: read(raw), dimension, **more)
 
 
 def require_bounds(
@@ -379,12 +341,6 @@ _WEIGHT = BOUNDS["MAX_WEIGHT"].value
 Weight = Annotated[float, scalar(units.PLAIN, least=1.0 / _WEIGHT, most=_WEIGHT)]
 Inertia3 = Annotated[Mat3, validator(lambda raw: symmetric3(raw, units.INERTIA), units.INERTIA)]
 AddedMass = Annotated[Mat6 | None, matrix(ADDED_MASS, symmetric=True)]
-
-
-class Table(BaseModel):
-    """Base of all tables: a key that is no field is an error."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
 
 
 class Mounted(Table):

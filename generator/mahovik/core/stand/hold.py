@@ -12,8 +12,9 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.declare import Declared, Default, Note
-from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Table, Vec3, Vec6, validator, vector
+from mahovik.core.stand.declare import Declared, Note
+from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Vec3, Vec6, validator, vector
+from mahovik.core.stand.tables import Default, Table, keys_of
 from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.nearest import suggestion
 
@@ -118,10 +119,11 @@ class Hold(Declared):
     @classmethod
     def read(cls, table: Any, note: Note) -> Hold | None:
         """The hold of a valid table; None where that is not in order, which is noted."""
-        ways = {key: way for key in HoldForm.model_fields if (way := getattr(table, key)) is not None}
+        known = keys_of(HoldForm)
+        ways = {key: way for key in known if (way := getattr(table, key)) is not None}
         if len(ways) != 1:
             fault = f"{', '.join(ways)} given together" if ways else "it is not said how the carrier can move"
-            note(f'{fault}, expected one of {", ".join(HoldForm.model_fields)}, such as freedoms = ["yaw"]')
+            note(f'{fault}, expected one of {", ".join(known)}, such as freedoms = ["yaw"]')
             return None
         ((key, way),) = ways.items()
         kinds: dict[str, FreedomKind] = {"axis": "turn", "slide": "slide"}

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import MISSING, asdict, dataclass
 from functools import cache
 from typing import Any, ClassVar, Self, TypeVar
 
-from pydantic import create_model
-
-from mahovik.core.stand.declare import Declared, Default, Draw, Note, Size
-from mahovik.core.stand.fields import Table, Text, Vec3, require_bounds
+from mahovik.core.stand.declare import Declared, Draw, Note, Size
+from mahovik.core.stand.fields import Text, Vec3, require_bounds
 from mahovik.core.stand.hold import coordinate_problem, find_freedom, freedom_labels, freedom_names
 from mahovik.core.stand.model import Body, FreedomKind, Hold, Law, Stand
+from mahovik.core.stand.tables import Default, Table, make_table
 from mahovik.core.stand.units import Dimension, QuantityError, number
 
 
@@ -245,8 +244,8 @@ class FreedomItem(Declared):
     def table(cls) -> type[Table]:
         """The table of the file: the freedom, then the numbers, whose units are known with the hold."""
         defaults = {name: mark.value for name, mark in cls.marked(Default).items()}
-        keys: dict[str, Any] = {name: (Any, defaults.get(name, ...)) for name in cls.marked(Bounds)}
-        return create_model(f"{cls.__name__}Table", __base__=cls.keys, __doc__=cls.__doc__, **keys)
+        hints = {name: (Any, defaults.get(name, MISSING)) for name in cls.marked(Bounds)}
+        return make_table(cls, cls.keys, hints)
 
     @classmethod
     def dimension(cls, key: str, kind: FreedomKind) -> Dimension | None:

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
-
-from pydantic import create_model
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.fields import Table
 from mahovik.core.stand.hold import Hold
 from mahovik.core.stand.law import BodyLaw, CarrierLaw, HeldLaw
 from mahovik.core.stand.model import Body, Carrier, Flywheel, Header, Instrument, Point, StreamProfile
+from mahovik.core.stand.tables import Table, make_table
 
 
 @cache
@@ -44,8 +41,8 @@ def mounted_keys() -> tuple[str, ...]:
 @cache
 def body_table(body: type[Body]) -> type[Table]:
     """The table of a body with the keys of the laws."""
-    keys: dict[str, Any] = {law.key: (law.table() | None, None) for law in body_laws() if not law.mounted}
-    return create_model(f"{body.__name__}Table", __base__=body.table(), **keys)
+    hints = {law.key: (law.table(), None) for law in body_laws() if not law.mounted}
+    return make_table(body, body.table(), hints)
 
 
 @cache
@@ -73,5 +70,5 @@ def headers() -> list[type[Table]]:
 @cache
 def hold_table() -> type[Table]:
     """`[hold]` with the keys of the laws that act along its freedoms."""
-    keys: dict[str, Any] = {law.key: (list[law.item.table()], []) for law in held_laws()}  # type: ignore[misc]  # made here
-    return create_model("HoldTable", __base__=Hold.table(), **keys)
+    hints = {law.key: (list[law.item.table()], ()) for law in held_laws()}  # type: ignore[misc]  # made here
+    return make_table(Hold, Hold.table(), hints)

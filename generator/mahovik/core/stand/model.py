@@ -13,11 +13,9 @@ from dataclasses import dataclass, field, fields, replace
 from decimal import Decimal
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
-from pydantic import Field
-
 from mahovik.core.stand import units
 from mahovik.core.stand.datasheet import FlywheelForm, MountingAngles, MountingAxes
-from mahovik.core.stand.declare import Declared, Default, Inside, Note, Warns
+from mahovik.core.stand.declare import Declared, Inside, Note, Warns
 from mahovik.core.stand.echoes import Moments
 from mahovik.core.stand.fields import (
     ZERO3,
@@ -31,7 +29,6 @@ from mahovik.core.stand.fields import (
     Mat6,
     Name,
     StandName,
-    Table,
     Text,
     Vec3,
     Vec6,
@@ -46,6 +43,7 @@ from mahovik.core.stand.fields import (
 from mahovik.core.stand.hold import TWIST_LETTERS, Freedom, FreedomKind, Hold
 from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.profile import StreamProfile
+from mahovik.core.stand.tables import Alias, Default, Table
 from mahovik.core.stand.units import QuantityError, show
 from mahovik.nearest import suggestion
 
@@ -434,7 +432,7 @@ class _WithSchema(Table):
     schema  version of the format, 1
     """
 
-    schema_: Annotated[int, validator(_schema)] = Field(alias="schema")
+    schema_: Annotated[int, validator(_schema), Alias("schema")]
 
 
 @dataclass(frozen=True)

@@ -13,12 +13,12 @@ from typing import Annotated, Any, ClassVar, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import Declared, Default
-from mahovik.core.stand.fields import Table, numbers_of_row, refuse, scalar, validator
+from mahovik.core.stand.declare import Declared
+from mahovik.core.stand.fields import numbers_of_row, scalar, validator
+from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import QuantityError
 
 Number = TypeVar("Number", float, NDArray[np.float64])
@@ -87,14 +87,13 @@ def steepest(curve: Curve) -> float:
 class _OneLimit(Table):
     """Limits of a motor: by a curve, or by torque and speed."""
 
-    @model_validator(mode="after")
-    def _not_both(self: Any) -> Any:
+    def check(self: Any) -> None:
+        """Raises TableError where there are both."""
         beside = [key for key in ("torque", "speed") if getattr(self, key) is not None]
         if self.torque_speed and beside:
-            raise refuse(
+            raise TableError(
                 f"given beside {' and '.join(beside)}: expected the curve, or torque and speed", "torque_speed"
             )
-        return self
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ A path begins with the name of a body, a point or a law's part, or with a key of
 from __future__ import annotations
 
 import re
-import typing
 from collections.abc import Iterable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
@@ -22,12 +21,13 @@ from mahovik.core.stand import datasheet
 from mahovik.core.stand.columns import atan2, hypot
 from mahovik.core.stand.datasheet import FlywheelForm, UnbalanceTable
 from mahovik.core.stand.echoes import moments_of
-from mahovik.core.stand.fields import QuantityValidator, Table
+from mahovik.core.stand.fields import scalar
 from mahovik.core.stand.hold import find_freedom
 from mahovik.core.stand.laws import arrays, headers, held_laws, hold_table, tables
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Hold, Stand
-from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import QuantityValidator, Table, declared_keys, keys_of, read_table
 from mahovik.core.stand.units import PLAIN, Dimension, number, show
 from mahovik.errors import StandError, UsageError
 from mahovik.nearest import suggestion
@@ -262,19 +262,6 @@ def tables_in(document: Mapping[str, Any]) -> Iterator[tuple[type[Table], Mappin
                 yield table, item, (item["name"],) if "name" in item else (key, str(i)), (key, i)
 
 
-def quantity_and_table(*annotations: Any) -> tuple[QuantityValidator | None, type[Table] | None]:
-    """What reads the numbers of a field, and the table in its annotation; each None where there is none."""
-    for annotation in annotations:
-        if isinstance(annotation, QuantityValidator) and annotation.dimension is not None:
-            return annotation, None
-        if isinstance(annotation, type) and issubclass(annotation, Table):
-            return None, annotation
-        result = quantity_and_table(*typing.get_args(annotation))
-        if result != (None, None):
-            return result
-    return None, None
-
-
 def dimension_along(hold: Hold | None, table: type[Table], freedom: str | None, key: str) -> Dimension | None:
     """Dimension of a number of friction or a stop, which is that of its freedom; None of other numbers."""
     law = next((law for law in held_laws() if table is law.item.table()), None)
@@ -420,10 +407,10 @@ class StandNumbers:
         self, schema: type[Table], raw: Mapping[str, Any], steps: Steps, way: Way, taken: Iterable[str] = ()
     ) -> None:
         """The numbers of a table, but of keys that are `taken` as names."""
-        values: Any = schema.model_validate(raw)
+        values: Any = read_table(schema, raw)[0]
         by_sheet = issubclass(schema, FlywheelForm) and any(key in raw for key in _SHEET)
-        for name, info in schema.model_fields.items():
-            key = info.alias or name
+        for entry in declared_keys(schema):
+            key, quantity = entry.key, entry.validator
             at, below = (*steps, key), (*way, key)
             if key in taken:
                 continue
@@ -436,12 +423,11 @@ class StandNumbers:
             elif key == "unbalance":
                 self._add_table(UnbalanceTable, self._unbalance(steps[0], raw), at, below)
             else:
-                quantity, inner = quantity_and_table(info.annotation, *info.metadata)
-                value, freedom = getattr(values, name), getattr(values, "freedom", None)
-                along = dimension_along(self._stand.hold, schema, freedom, name) if value is not None else None
+                value, freedom = getattr(values, entry.name), getattr(values, "freedom", None)
+                along = dimension_along(self._stand.hold, schema, freedom, key) if value is not None else None
                 if along is not None:
-                    quantity, value = QuantityValidator(float, dimension=along), number(value, along)
-                self._add(quantity, inner, value, raw.get(key), at, below)
+                    quantity, value = scalar(along), number(value, along)
+                self._add(quantity, entry.table, value, raw.get(key), at, below)
 
     def _add(
         self, quantity: QuantityValidator | None, inner: type[Table] | None, value: Any, raw: Any, at: Steps, way: Way

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import model_validator
-
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import Declared, Default, Note
-from mahovik.core.stand.fields import Direction, Table, Vec3, refuse, validator, vec3, vector
+from mahovik.core.stand.declare import Declared, Note
+from mahovik.core.stand.fields import Direction, Vec3, validator, vec3, vector
+from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import QuantityError, show
 
 NEAREST_STATIONS = 1e-9
@@ -46,14 +45,12 @@ def _velocities(raw: Any) -> tuple[Vec3, ...]:
 
 
 class _OneVelocityADepth(Table):
-    @model_validator(mode="after")
-    def _one_velocity_a_depth(self: Any) -> Any:
-        """There is one velocity for each depth."""
+    def check(self: Any) -> None:
+        """Raises TableError unless there is one velocity for each depth."""
         if len(self.velocity) != len(self.depth):
-            raise refuse(
+            raise TableError(
                 f"expected {len(self.depth)} velocities, one for each `depth`, found {len(self.velocity)}", "velocity"
             )
-        return self
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from pydantic import ValidationError
-
 from mahovik.core.stand import physical
 from mahovik.core.stand.content import kind_of, readable, wrong_kind
 from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
 from mahovik.core.stand.echoes import Moments, moments_of
-from mahovik.core.stand.fields import ZERO3, Table
+from mahovik.core.stand.fields import ZERO3
 from mahovik.core.stand.law import BodyLaw, CarrierLaw
 from mahovik.core.stand.laws import (
     arrays,
@@ -40,7 +38,8 @@ from mahovik.core.stand.model import (
     StreamProfile,
     Task,
 )
-from mahovik.core.stand.problems import Problems, keys_of
+from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Table, keys_of, read_table
 from mahovik.core.stand.task import check_tasks, name_of_task_problem
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import show
@@ -223,19 +222,15 @@ def _valid(problems: Problems, where: str, table: type[Table], raw: Any) -> Any:
     It is read without its unreadable keys, so that unphysical values in the rest are reported as well, unless a bad key
     says, or may be meant to say, what the checks of a body take.
     """
-    try:
-        return table.model_validate(raw)
-    except ValidationError as error:
-        problems.add_schema_errors(where, table, error)
-        locations = [item["loc"] for item in error.errors(include_url=False)]
-    bad = {str(location[0]) for location in locations if location}
+    valid, faults = read_table(table, raw)
+    problems.add_all(where, faults)
+    if valid is not None or not isinstance(raw, dict):
+        return valid
     known = keys_of(table)
-    if not isinstance(raw, dict) or not all(locations) or {nearest(key, known) for key in bad} & _CHECKED:
+    bad = {str(way[0]) for way, *_ in faults if way} | raw.keys() - known
+    if not bad or {nearest(key, known) for key in bad} & _CHECKED:
         return None
-    try:
-        return table.model_validate({key: value for key, value in raw.items() if key not in bad})
-    except ValidationError:
-        return None
+    return read_table(table, {key: value for key, value in raw.items() if key not in bad})[0]
 
 
 def _table(problems: Problems, document: dict[str, Any], key: str) -> list[_Item]:

@@ -205,8 +205,8 @@ def _literal_factor(unit: str, dimension: Dimension) -> Fraction:
 
 def show(raw: Any) -> str:
     """A value of the file as a message shows it: short, as TOML writes it."""
-    if isinstance(raw, bool):
-        return "true" if raw else "false"
+    if raw is None or isinstance(raw, bool):
+        return {None: "null", True: "true", False: "false"}[raw]
     if isinstance(raw, str):
         return '"' + _short(raw).replace("\n", "\\n") + '"'
     if isinstance(raw, dict):

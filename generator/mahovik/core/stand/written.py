@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
 from itertools import chain
 from pathlib import Path
 from typing import Any
 
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
-from mahovik.core.stand.fields import ADDED_MASS, SHARE, Blocks, QuantityValidator, Table, asymmetries, vector
+from mahovik.core.stand.fields import ADDED_MASS, SHARE, asymmetries, vector
 from mahovik.core.stand.laws import headers
 from mahovik.core.stand.model import Hold
-from mahovik.core.stand.numbers import dimension_along, path_of, quantity_and_table, tables_in
+from mahovik.core.stand.numbers import dimension_along, path_of, tables_in
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Blocks, Table, declared_keys, keys_of, read_table
 from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
 
@@ -72,8 +72,8 @@ def _numbers(path: str | Path) -> Iterator[Quantity]:
     document = parse(Path(path).read_text(encoding="utf-8-sig"))
     for header in headers():
         yield from _of_table(document, header, "stand", None)
-    raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in Hold.table().model_fields}
-    hold = Hold.read(Hold.table().model_validate(raw_hold), Problems("hold").add) if raw_hold else None
+    raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in keys_of(Hold.table())}
+    hold = Hold.read(read_table(Hold.table(), raw_hold)[0], Problems("hold").add) if raw_hold else None
     for table, raw, steps, _ in tables_in(document):
         yield from _of_table(raw, table, path_of(steps), hold)
 
@@ -81,24 +81,21 @@ def _numbers(path: str | Path) -> Iterator[Quantity]:
 def _of_table(
     raw: Mapping[str, Any], table: type[Table], where: str, hold: Hold | None, path: str = ""
 ) -> Iterator[Quantity]:
+    known = {key.key: key for key in declared_keys(table)}
     for key, value in raw.items():
-        quantity, inner = _fields(table).get(key, (None, None))
+        if key not in known:  # of another table, beside the keys of a header
+            continue
+        quantity, inner = known[key].validator, known[key].table
         along = dimension_along(hold, table, raw.get("freedom"), key)
         if along is not None:
             yield along, value, where, path + key
-        elif quantity is not None:
+        elif quantity is not None and quantity.dimension is not None:
             yield quantity.dimension, value, where, path + key
         elif inner is not None and isinstance(value, dict):
             yield from _of_table(value, inner, where, hold, f"{path}{key}.")
         elif inner is not None and where == "hold":
             for k, item in enumerate(value):
                 yield from _of_table(item, inner, f"hold.{key}[{k}]", hold)
-
-
-@cache
-def _fields(table: type[Table]) -> dict[str, tuple[QuantityValidator | None, type[Table] | None]]:
-    """What the keys of a table are."""
-    return {key: quantity_and_table(field.annotation, *field.metadata) for key, field in table.model_fields.items()}
 
 
 def _of_matrix6(blocks: Blocks, raw: list[Any], where: str, key: str) -> Iterator[Written]:

@@ -11,14 +11,13 @@ import ctypes
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import TypeAdapter
 
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
@@ -64,10 +63,6 @@ Real = Literal["double", "float"]
 
 ELEMENT: Mapping[str, np.dtype[Any]] = {"double": np.dtype(np.float64), "float": np.dtype(np.float32)}
 """NumPy's name of each element type."""
-
-_FUNCTIONS: TypeAdapter[tuple[ArrayFunction, ...]] = TypeAdapter(tuple[ArrayFunction, ...])
-_RECORDS: TypeAdapter[dict[str, tuple[Member, ...]]] = TypeAdapter(dict[str, tuple[Member, ...]])
-"""Facts of a library, which the store keeps as JSON."""
 
 _REMEMBERED = 4
 _PROGRAMS: dict[tuple[Structure, str], tuple[Layout, Program]] = {}
@@ -195,7 +190,9 @@ def _load_or_compile(source: Source, kind: LibraryKind, load: Callable[[Path, Ma
     key = store.library_key(of, source.real, source.command, source.parallel, kind, only)
     kept = store.find(key)
     if kept is not None:
-        with contextlib.suppress(ToolchainError, KeyError, TypeError, ValueError):  # damaged: it is rebuilt
+        with contextlib.suppress(
+            ToolchainError, AttributeError, KeyError, TypeError, ValueError
+        ):  # damaged: it is rebuilt
             return load(*kept)
     # once loaded, the library needs its file no more
     with tempfile.TemporaryDirectory(prefix="mahovik-", ignore_cleanup_errors=True) as scratch:
@@ -215,14 +212,14 @@ def _kept_numbers(stand: Stand, real: str) -> dict[str, Any]:
 
 
 def _load(source: Source, library: Path, facts: Mapping[str, Any], numbers: Mapping[str, Any]) -> CompiledLibrary:
-    functions = _FUNCTIONS.validate_python(facts["functions"])
-    result = _RECORDS.validate_python(facts["tables"])
+    functions = [ArrayFunction.of_json(function) for function in facts["functions"]]
+    result = {name: tuple(map(Member.of_json, of)) for name, of in facts["tables"].items()}
     names = [f.name for f in functions]
     return CompiledLibrary(
         ArrayLibrary(library, source.stand.name, names, source.parallel, tables=False),
         {f.name: f for f in functions},
         {name: fill_record(of, ELEMENT[source.real], numbers[name]) for name, of in result.items()},
-        _RECORDS.validate_python(facts["parameters"]).get("parameters", ()),
+        tuple(map(Member.of_json, facts["parameters"])),
         result,
         source.command,
         numbers["options"] or {},
@@ -247,9 +244,9 @@ def _compile(source: Source, kind: LibraryKind, scratch: Path) -> tuple[Path, di
         yield array_files(stand, generated, kind)
 
     facts = {
-        "functions": _FUNCTIONS.dump_python(array_functions(generated, kind)),
-        "tables": _RECORDS.dump_python(tables(generated)),
-        "parameters": _RECORDS.dump_python({} if kind == "states" else {"parameters": parameters(generated)}),
+        "functions": list(map(asdict, array_functions(generated, kind))),
+        "tables": {name: list(map(asdict, of)) for name, of in tables(generated).items()},
+        "parameters": [] if kind == "states" else list(map(asdict, parameters(generated))),
         "inputs": list(generated.layout.inputs),
         "sensors": list(generated.layout.sensors),
     }

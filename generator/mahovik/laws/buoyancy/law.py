@@ -7,12 +7,13 @@ from typing import Annotated, Any, ClassVar, Self
 
 import numpy as np
 
-from mahovik.core.stand.declare import AS_VECTOR, TIMES, Default, Draw, Drawn, Size
+from mahovik.core.stand.declare import AS_VECTOR, TIMES, Draw, Drawn, Size
 from mahovik.core.stand.fields import ZERO3, Length3, Mass
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.masses import mass_properties, placed_bodies
 from mahovik.core.stand.model import Stand, Vec3
+from mahovik.core.stand.tables import Default
 
 LEVEL = 1e-9
 """m: heights that differ by less are one, rounded."""

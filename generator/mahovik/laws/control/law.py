@@ -10,13 +10,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import model_validator
-
-from mahovik.core.stand.declare import TIMES, Declared, Default, Draw, Tables
+from mahovik.core.stand.declare import TIMES, Declared, Draw, Tables
 from mahovik.core.stand.derivatives import TermTable, Velocity, texts, velocity, without_bars
-from mahovik.core.stand.fields import Table, letter, refuse, scalar, validator
+from mahovik.core.stand.fields import letter, scalar, validator
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
+from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import Dimension, QuantityError, show
 
 RACE = Dimension("a squared length per squared angle", "m^2/rad^2")
@@ -99,15 +98,13 @@ class ControlDerivative(Declared):
 class ControlTable(Table):
     """What the derivatives and the constant of the race tell together."""
 
-    @model_validator(mode="after")
-    def _race_is_used(self: Any) -> Any:
-        """The constant of the race stands where a term has a race, and there only."""
+    def check(self: Any) -> None:
+        """Raises TableError unless the constant of the race stands where a term has a race, and there only."""
         races = _races(self.terms)
         if races and self.race is None:
-            raise refuse("required where a term has PROPELLER.race, but missing", "race")
+            raise TableError("required where a term has PROPELLER.race, but missing", "race")
         if self.race is not None and not races:
-            raise refuse("given, but no term has PROPELLER.race: expected one, or no such key", "race")
-        return self
+            raise TableError("given, but no term has PROPELLER.race: expected one, or no such key", "race")
 
 
 @dataclass(frozen=True)

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import model_validator
-
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES_EACH, Default, Draw
-from mahovik.core.stand.fields import Flag, Table, integer, refuse, require_bounds, scalar, validator, vector
+from mahovik.core.stand.declare import TIMES_EACH, Draw
+from mahovik.core.stand.fields import Flag, integer, require_bounds, scalar, validator, vector
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import Dimension, QuantityError
 
 DENSITY = Dimension("a density", "kg/m^3")
@@ -55,19 +54,17 @@ Drags = Annotated[Numbers, validator(_drags, units.PLAIN, shape="number or numbe
 class Stations(Table):
     """What the lists of one body tell together."""
 
-    @model_validator(mode="after")
-    def _tables_fit(self: Any) -> Any:
-        """Stations rise, and every table has one number for each station."""
+    def check(self: Any) -> None:
+        """Raises TableError unless stations rise, and every table has one number for each station."""
         if any(b <= a for a, b in pairwise(self.x)):
-            raise refuse("expected stations that rise", "x")
+            raise TableError("expected stations that rise", "x")
         n = len(self.x)
         for key in ("height", "breadth", "drag_y", "drag_z"):
             values = getattr(self, key)
             if key.startswith("drag") and len(values) == 2 and values[0] == values[1]:
-                object.__setattr__(self, key, values[:1] * n)
+                setattr(self, key, values[:1] * n)
             elif len(values) != n:
-                raise refuse(f"expected {n} numbers, one for each station of `x`, found {len(values)}", key)
-        return self
+                raise TableError(f"expected {n} numbers, one for each station of `x`, found {len(values)}", key)
 
 
 @dataclass(frozen=True)

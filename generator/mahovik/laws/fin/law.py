@@ -7,26 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import model_validator
-
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import hypot
-from mahovik.core.stand.declare import TIMES, Declared, Default, Draw
-from mahovik.core.stand.fields import (
-    ZERO3,
-    Direction,
-    Flag,
-    Length3,
-    Mounted,
-    Name,
-    Table,
-    one_word,
-    parallel,
-    refuse,
-    scalar,
-)
+from mahovik.core.stand.declare import TIMES, Declared, Draw
+from mahovik.core.stand.fields import ZERO3, Direction, Flag, Length3, Mounted, Name, one_word, parallel, scalar
 from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand
+from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import Dimension
 
 Speed = Literal["along", "across", "whole"]
@@ -60,15 +47,14 @@ class FinTable(Mounted):
     aspect: Ratio = None
     efficiency: Ratio = None
 
-    @model_validator(mode="after")
-    def _whole(self: Any) -> Any:
+    def check(self: Any) -> None:
+        """Raises TableError where axes or coefficients are not whole."""
         if parallel(self.chord, self.span):
-            raise refuse("parallel to chord, expected another direction", "span")
+            raise TableError("parallel to chord, expected another direction", "span")
         if self.aspect is None and self.lift_slope is None:
-            raise refuse("required without `aspect`, but missing", "lift_slope")
+            raise TableError("required without `aspect`, but missing", "lift_slope")
         if self.efficiency is not None and (self.aspect is None or self.induced is not None):
-            raise refuse("goes with `aspect` and without `induced`", "efficiency")
-        return self
+            raise TableError("goes with `aspect` and without `induced`", "efficiency")
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES, Default, Errors, InC, Note
+from mahovik.core.stand.declare import TIMES, Errors, InC, Note
 from mahovik.core.stand.law import Bounds, FreedomItem, HeldLaw
 from mahovik.core.stand.model import FreedomKind, Hold, Stand
+from mahovik.core.stand.tables import Default
 from mahovik.core.stand.units import Dimension
 
 SMOOTHING = 1e-2

@@ -7,10 +7,11 @@ from dataclasses import asdict, dataclass
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import AS_VECTOR, TIMES, Declared, Default, Draw, InC, normal, uniform
+from mahovik.core.stand.declare import AS_VECTOR, TIMES, Declared, Draw, InC, normal, uniform
 from mahovik.core.stand.fields import Length3, scalar
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Stand, Vec3
+from mahovik.core.stand.tables import Default
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES_EACH, Declared, Default, Draw
-from mahovik.core.stand.fields import ZERO3, Direction, Flag, Length3, Mounted, Name, Table, scalar, validator, vec3
+from mahovik.core.stand.declare import TIMES_EACH, Declared, Draw
+from mahovik.core.stand.fields import ZERO3, Direction, Flag, Length3, Mounted, Name, scalar, validator, vec3
 from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.model import Body, Flywheel, Stand, Vec3
+from mahovik.core.stand.tables import Default, Table
 from mahovik.core.stand.units import Dimension, QuantityError
 
 DENSITY = Dimension("a density", "kg/m^3")

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Self
 
 from mahovik.core.stand import units
-from mahovik.core.stand.declare import TIMES, Default, InC, Note
-from mahovik.core.stand.fields import Table, one_word
+from mahovik.core.stand.declare import TIMES, InC, Note
+from mahovik.core.stand.fields import one_word
 from mahovik.core.stand.hold import freedom_labels
 from mahovik.core.stand.law import Bounds, FreedomItem, FreedomTable, HeldLaw
 from mahovik.core.stand.model import FreedomKind, Hold, Stand
+from mahovik.core.stand.tables import Default, Table
 from mahovik.core.stand.units import Dimension
 
 LARGEST_ANGLE = math.radians(170.0)

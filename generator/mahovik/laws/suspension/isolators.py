@@ -18,7 +18,7 @@ import numpy as np
 
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import by_sample, polar
-from mahovik.core.stand.declare import Declared, Default
+from mahovik.core.stand.declare import Declared
 from mahovik.core.stand.fields import (
     ZERO3,
     Angle3,
@@ -34,6 +34,7 @@ from mahovik.core.stand.fields import (
 from mahovik.core.stand.hold import TWIST_NAMES, twists
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.model import Sequence as AngleSequence
+from mahovik.core.stand.tables import Default
 from mahovik.core.stand.units import Dimension, QuantityError
 
 Rows = list[list[float]]

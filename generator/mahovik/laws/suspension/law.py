@@ -12,7 +12,6 @@ from mahovik.core.stand.declare import (
     BRAKES,
     PULLS_BACK,
     Declared,
-    Default,
     Draw,
     Drawn,
     Errors,
@@ -20,9 +19,10 @@ from mahovik.core.stand.declare import (
     Note,
     normal,
 )
-from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Blocks, Length3, matrix, validator
+from mahovik.core.stand.fields import LINEAR, ZERO3, Angle3, Length3, matrix, validator
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Mat6, Stand
+from mahovik.core.stand.tables import Blocks, Default
 from mahovik.core.stand.units import Dimension, QuantityError, show
 from mahovik.laws.suspension.isolators import Isolator, summed
 

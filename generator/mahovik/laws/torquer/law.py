@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Self
 
-from mahovik.core.stand.declare import AS_VECTOR, Declared, Default, Draw, InC
+from mahovik.core.stand.declare import AS_VECTOR, Declared, Draw, InC
 from mahovik.core.stand.fields import ZERO3, Name, Text, vector3
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.model import Instrument, Stand, Vec3
+from mahovik.core.stand.tables import Default
 from mahovik.core.stand.units import Dimension
 
 FIELD = Dimension("a magnetic field", "T")

@@ -5,22 +5,22 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field
 
 import mahovik
 from mahovik import stands
 from mahovik.core.motion.document import any_list, choice, document_of, text_of, whole_number
 from mahovik.core.stand.content import TEXT, is_file
-from mahovik.core.stand.fields import Table, Text, scalar, text, validator
+from mahovik.core.stand.fields import Text, scalar, text, validator
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Table, TableError
 from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
@@ -38,6 +38,10 @@ SHORTEST_CHUNK, LONGEST_CHUNK, CHUNKS = 16, 10_000, 64
 """Samples of a chunk, and chunks, where the file does not say: enough for many workers, and few files."""
 
 
+def _texts(raw: Any) -> tuple[str, ...]:
+    return tuple(text(item) for item in any_list(raw))
+
+
 class CorrelationTable(Table):
     """One `[[correlation]]`: numbers of which every two have this coefficient.
 
@@ -45,7 +49,7 @@ class CorrelationTable(Table):
     coefficient  of a Gaussian copula: each number keeps its distribution
     """
 
-    of: Annotated[tuple[str, ...], validator(lambda raw: tuple(text(item) for item in any_list(raw)))]
+    of: Annotated[tuple[str, ...], validator(_texts)]
     coefficient: Annotated[float, scalar(PLAIN, least=-1.0, most=1.0)]
 
 
@@ -71,9 +75,14 @@ class CampaignTable(Table):
     design: Annotated[str, choice(*DESIGNS)] = "random"
     chunk: Annotated[int | None, whole_number(1, MOST)] = None
     vary: dict[str, Any]
-    correlation: list[CorrelationTable] = Field(default_factory=list)
+    correlation: Sequence[CorrelationTable] = ()
     over: dict[str, Any]
-    quantity: Annotated[list[QuantityTable], Field(min_length=1)]
+    quantity: Sequence[QuantityTable]
+
+    def check(self) -> None:
+        """Raises TableError without quantities."""
+        if not self.quantity:
+            raise TableError("expected at least one", "quantity")
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,13 +16,15 @@ from mahovik.core.motion.document import whole_number
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand import units
 from mahovik.core.stand.content import readable
-from mahovik.core.stand.fields import Table, Text, scalar, validator
+from mahovik.core.stand.fields import Text, scalar, validator
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.state import State
-from mahovik.core.stand.units import TIME, QuantityError, show
+from mahovik.core.stand.tables import NOTHING, Table
+from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.core.toolchain.block import PER_BLOCK, Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import CheckError, MahovikError, StateError, UsageError
@@ -60,6 +62,11 @@ def _file_or_table(raw: Any) -> Any:
     return raw
 
 
+def _text_or_number(raw: Any) -> str | float:
+    return raw if isinstance(raw, str) else units.number(raw, PLAIN)
+
+
+TextOrNumber = Annotated[str | float, validator(_text_or_number)]
 FileOrTable = Annotated[Any, validator(_file_or_table)]
 Seconds = Annotated[float, scalar(TIME, above=0.0)]
 
@@ -83,8 +90,8 @@ class RegimeTable(_Timed):
 class SpeedsTable(Table):
     """`[over]` with constant speeds by flywheel."""
 
-    speeds: dict[str, str | float]
-    phases: dict[str, str | float] | None = None
+    speeds: Mapping[str, TextOrNumber]
+    phases: Mapping[str, TextOrNumber] = NOTHING
 
 
 class ProgrammeTable(_Timed):

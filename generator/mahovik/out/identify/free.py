@@ -9,17 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
-from pydantic import Field
 
 from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.stand.content import TABLE
-from mahovik.core.stand.fields import Table
+from mahovik.core.stand.fields import Text
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import NOTHING, Table, TableError
 from mahovik.core.stand.units import TIME, QuantityError, number
 from mahovik.errors import DataError, UsageError
 from mahovik.nearest import suggestion
@@ -43,8 +43,13 @@ _LENGTHS = ("position", "pivot", "center_of_mass", "ground", "carrier", "center"
 class FreeFile(Table):
     """Keys of FREE.toml: paths that are free, and known delays of sensors by their point, s or texts with a unit."""
 
-    free: Annotated[list[str], Field(min_length=1)]
-    delay: Annotated[dict[str, Any], Field(default_factory=dict)]
+    free: Sequence[Text]
+    delay: Mapping[str, Any] = NOTHING
+
+    def check(self) -> None:
+        """Raises TableError where nothing is free."""
+        if not self.free:
+            raise TableError("expected at least one", "free")
 
 
 class Free:

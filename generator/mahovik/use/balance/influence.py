@@ -29,13 +29,13 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from pydantic import StrictBool
 from scipy.optimize import linprog
 
 from mahovik.core.motion.document import parse, text_of
 from mahovik.core.stand.content import TEXT
-from mahovik.core.stand.fields import Table
+from mahovik.core.stand.fields import Flag
 from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Table
 from mahovik.core.stand.units import PLAIN, QuantityError
 from mahovik.errors import BalanceError, CheckError
 from mahovik.use.balance.pieces import Choice, read_choices
@@ -83,7 +83,7 @@ class InfluenceFile(Table):
     B: Any = None
     U: Any = None
     ALPHA: Any = None
-    keep_trial: StrictBool = False
+    keep_trial: Flag = False
     pieces: Any = None
 
 

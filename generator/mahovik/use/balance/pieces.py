@@ -14,20 +14,21 @@ from dataclasses import dataclass
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field, StrictBool, StrictInt
 from scipy.optimize import Bounds, LinearConstraint, milp
 
-from mahovik.core.stand.fields import Table
+from mahovik.core.motion.document import whole_number
+from mahovik.core.stand.fields import Flag, validator
 from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number
+from mahovik.core.stand.tables import Table, TableError
+from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show
 from mahovik.errors import CheckError
 from mahovik.use.numeric.se3 import Complex
 
-Count = Annotated[StrictInt, Field(ge=1)]
-
 MANY = 2000
 """Most combinations of position, amount and radius in a plane."""
+
+Count = Annotated[int, whole_number(1, MANY)]
 
 SIDES = 36
 """Tangents of a circle."""
@@ -67,6 +68,13 @@ class Choice:
     split: bool
 
 
+def _pair(raw: Any) -> Sequence[Any]:
+    """Two of anything. Raises QuantityError."""
+    if not isinstance(raw, list | tuple) or len(raw) != 2:
+        raise QuantityError(f"expected [from, to], found {show(raw)}")
+    return raw
+
+
 class PiecesTable(Table):
     """Keys of the pieces of a plane.
 
@@ -82,16 +90,22 @@ class PiecesTable(Table):
     split      `true`: amounts are any numbers up to the largest, as of two screws
     """
 
-    positions: list[Any] | None = None
-    holes: Annotated[Count, Field(le=MANY)] | None = None
+    positions: Sequence[Any] | None = None
+    holes: Count | None = None
     first: Any = 0
-    amounts: Annotated[list[Any], Field(min_length=1)]
-    radii: Annotated[list[Any], Field(min_length=1)] | None = None
-    forbidden: Annotated[list[tuple[Any, Any]], Field(default_factory=list)]
+    amounts: Sequence[Any]
+    radii: Sequence[Any] | None = None
+    forbidden: Sequence[Annotated[Sequence[Any], validator(_pair)]] = ()
     most: Count | None = None
     each: Count = 1
-    remove: StrictBool = False
-    split: StrictBool = False
+    remove: Flag = False
+    split: Flag = False
+
+    def check(self) -> None:
+        """Raises TableError where there is nothing to choose from."""
+        for key in ("amounts", "radii"):
+            if getattr(self, key) == []:
+                raise TableError("expected at least one", key)
 
 
 def read_choices(raw: Any, N: int, amount: Dimension, radius: Dimension) -> tuple[Choice | None, ...]:
