@@ -11,7 +11,8 @@ from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.laws.leg.law import Leg, Legs
 from mahovik.use.study.linear import linear_model
-from mahovik.use.vibration.campbell import NODES, average_matrices, campbell, mean_equations, natural_at
+from mahovik.use.vibration.campbell import campbell, natural_at
+from mahovik.use.vibration.plant import NODES, Plant, mean_slopes
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
 
@@ -31,16 +32,15 @@ def linear_frequencies(stand: Stand, speed: float) -> np.ndarray:
 @pytest.mark.parametrize("speed", [0.0, 200.0])
 def test_natural_frequencies_are_those_of_the_linear_model(name: str, speed: float) -> None:
     stand = load(stands.path(name))
-    natural = natural_at(Scene.of(stand), SpeedPlan.common(stand, (0.0, speed)), np.array([speed]))[0][0]
+    natural = natural_at(Plant.of(Scene.of(stand)), np.full((1, len(stand.flywheels)), speed))[0][0]
     assert natural[np.isfinite(natural)] == pytest.approx(linear_frequencies(stand, speed), rel=1e-6)
 
 
 def test_two_speeds_tell_all_where_no_damping_is_of_second_degree() -> None:
-    scene, speed = Scene.of(load(stands.path("bench8"))), np.array([0.0, 11.0, 120.0, 300.0])
-    plan = SpeedPlan.common(scene.stand, (0.0, 300.0))
-    assert np.allclose(
-        mean_equations(scene, plan, speed), average_matrices(scene, plan.rows(speed)), rtol=1e-9, atol=1e-9
-    )
+    plant, speeds = Plant.of(Scene.of(load(stands.path("bench8")))), np.outer([0.0, 11.0, 120.0, 300.0], np.ones(8))
+    carrier, free, _ = mean_slopes(plant.scene, speeds)
+    for slopes, damping in zip((carrier, free), plant.damping(speeds), strict=True):
+        assert np.allclose(slopes[1], damping, rtol=1e-9, atol=1e-9)
 
 
 def test_at_a_crossing_the_order_is_a_natural_frequency() -> None:
@@ -66,7 +66,7 @@ def test_a_free_stand_nutates() -> None:
     H = speed * mechanics.tables.Theta_ff @ mechanics.tables.axis
     cross = np.array([[0, -H[2], H[1]], [H[2], 0, -H[0]], [-H[1], H[0], 0]])
     expected = np.abs(np.linalg.eigvals(np.linalg.solve(J, cross)).imag).max() / (2 * np.pi)
-    natural = natural_at(scene, SpeedPlan.common(stand, (0.0, speed)), np.array([0.0, speed]))[0]
+    natural = natural_at(Plant.of(scene), np.outer([0.0, speed], np.ones(4)))[0]
     assert not np.isfinite(natural[0]).any() and np.isfinite(natural[1]).sum() == 1
     assert natural[1][-1] == pytest.approx(expected, rel=1e-4)
 
@@ -90,6 +90,6 @@ def test_frequencies_that_come_with_speed_are_no_crossings(ties: int) -> None:
     diagram = campbell(scene, SpeedPlan.common(scene.stand, (0.0, 100.0)), np.linspace(0.0, 100.0, 60))
     for crossing in diagram.crossings:
         near = crossing.speed * np.array([1.0 - 1e-4, 1.0, 1.0 + 1e-4])
-        natural = natural_at(scene, SpeedPlan.common(stand, (0.0, 100.0)), near)[0][:, crossing.mode - 1]
+        natural = natural_at(Plant.of(scene), np.outer(near, np.ones(8)))[0][:, crossing.mode - 1]
         assert natural == pytest.approx(crossing.frequency, rel=1e-2)
         assert crossing.order * crossing.speed / (2 * np.pi) == pytest.approx(crossing.frequency, rel=1e-5)

@@ -7,11 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from mahovik.use.numeric.se3 import Array
+from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.scene import Scene
 from mahovik.use.vibration.speeds import SpeedPlan
-
-NODES = 16
-"""Nodes per turn: the linear equations are averaged over it, and the harmonics of their inverse fall off fast."""
 
 GROWING = 1e-6
 """Part of the largest eigenvalue above which a real part counts as growth."""
@@ -67,9 +65,9 @@ class Campbell:
 
 def campbell(scene: Scene, plan: SpeedPlan, speed: Array) -> Campbell:
     """The diagram at values (S, rad/s) of the swept speed of a plan; the orders are those of its flywheel."""
-    natural, damping, growth = natural_at(scene, plan, speed)
-    orders = orders_of(scene)
-    met = [crossing for order in orders for crossing in crossings(scene, plan, speed, natural, 0.0, order)]
+    plant, orders = Plant.of(scene), orders_of(scene)
+    natural, damping, growth = natural_at(plant, plan.rows(speed))
+    met = [crossing for order in orders for crossing in crossings(plant, plan, speed, natural, 0.0, order)]
     return Campbell(speed, natural, damping, growth, orders, tuple(sorted(met, key=lambda crossing: crossing.speed)))
 
 
@@ -80,13 +78,13 @@ def orders_of(scene: Scene) -> tuple[int, ...]:
     return (1, 2) if twice else (1,)
 
 
-def natural_at(scene: Scene, plan: SpeedPlan, values: Array) -> tuple[Array, Array, Array]:
-    """Natural frequencies (S, m; Hz), damping ratios (S, m), growth (S, 1/s) at values (S, rad/s) of a swept speed."""
-    eigenvalues = np.linalg.eigvals(mean_equations(scene, plan, values))
+def natural_at(plant: Plant, speeds: Array) -> tuple[Array, Array, Array]:
+    """Natural frequencies (S, m; Hz), damping ratios (S, m), growth (S, 1/s) at speeds (S, N; rad/s)."""
+    eigenvalues = np.linalg.eigvals(plant.matrices(speeds))
     size = np.abs(eigenvalues).max(axis=1, initial=0.0, keepdims=True)
     swinging = eigenvalues.imag > np.maximum(1e-6 * size, 1e-6)
     # slow ones vary: they are padded at the front
-    order = np.argsort(np.where(swinging, np.abs(eigenvalues), -1.0), axis=1)[:, -scene.count :]
+    order = np.argsort(np.where(swinging, np.abs(eigenvalues), -1.0), axis=1)[:, -plant.scene.count :]
     kept = np.take_along_axis(swinging, order, axis=1)
     chosen = np.where(kept, np.take_along_axis(eigenvalues, order, axis=1), np.nan)
     natural = np.abs(chosen)
@@ -95,29 +93,7 @@ def natural_at(scene: Scene, plan: SpeedPlan, values: Array) -> tuple[Array, Arr
     return natural / (2.0 * np.pi), -chosen.real / natural, growth
 
 
-def mean_equations(scene: Scene, plan: SpeedPlan, values: Array) -> Array:
-    """A (S, 2 m, 2 m) of y' = A y about rest, y of `Scene`: mean over a turn, at values (S, rad/s) of a swept speed.
-
-    If no flywheel has a law that is not linear in its twist, A is linear in the speeds, and two values suffice.
-    """
-    low, high = (float(end) for end in plan.sweep or (0.0, 0.0))
-    if len(values) <= 2 or low == high or any(law.nonlinear for s in scene.stand.flywheels for law in s.laws):
-        return average_matrices(scene, plan.rows(values))
-    first, last = average_matrices(scene, plan.rows(np.array([low, high])))
-    return np.asarray(first + ((values - low) / (high - low))[:, None, None] * (last - first))
-
-
-def average_matrices(scene: Scene, speeds: Array) -> Array:
-    """A (S, 2 m, 2 m) at speeds (S, N; rad/s), the mean over NODES phases that all flywheels have together."""
-    S, N = speeds.shape
-    phi = np.tile(2.0 * np.pi * np.arange(NODES) / NODES, S)
-    drive = scene.drive(np.tile(phi[:, None], N), np.repeat(speeds, NODES, axis=0))
-    n = 2 * scene.count
-    J = scene.chart.jacobian(drive, np.zeros((S * NODES, n)))
-    return np.asarray(J.reshape(S, NODES, n, n).mean(axis=1))
-
-
-def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: float, k: float) -> list[Crossing]:
+def crossings(plant: Plant, plan: SpeedPlan, values: Array, natural: Array, c: float, k: float) -> list[Crossing]:
     """Where |c + k x| (rad/s), x the swept speed, meets natural frequencies (S, m; Hz): sign changes, then secants."""
 
     def line(x: Array) -> Array:
@@ -132,7 +108,7 @@ def crossings(scene: Scene, plan: SpeedPlan, values: Array, natural: Array, c: f
     rows = np.arange(len(i))
     for _ in range(SECANTS):
         x = low - at_low * (high - low) / (at_high - at_low)
-        frequency, damping, _ = natural_at(scene, plan, x)
+        frequency, damping, _ = natural_at(plant, plan.rows(x))
         at = frequency[rows, mode] - line(x)
         same = np.sign(at) == np.sign(at_low)
         low, at_low = np.where(same, x, low), np.where(same, at, at_low)

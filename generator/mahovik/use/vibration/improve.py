@@ -242,7 +242,7 @@ def avoided_bands(vibration: Vibration, avoid: str | Sequence[str]) -> list[Band
             continue
         single = [read_frequency("avoid", text)] if text != "modes" else []
         if text == "modes" and vibration.scene.count:
-            single = natural_at(vibration.scene, vibration.plan, vibration.value)[0][0].tolist()
+            single = natural_at(vibration.chain.plant, vibration.speeds)[0][0].tolist()
         bands += [(0.9 * f, 1.1 * f) for f in single if f > 0.0]
     return bands
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.campbell import crossings, natural_at
 from mahovik.use.vibration.lines import Sums
-from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.plant import Plant
 from mahovik.use.vibration.speeds import SpeedPlan
 
 GRID = 200
@@ -66,7 +66,7 @@ class Resonances(NamedTuple):
 
 
 def resonances(
-    scene: Scene,
+    plant: Plant,
     plan: SpeedPlan,
     steps: int,
     orders: Sequence[Iterable[float]],
@@ -78,11 +78,11 @@ def resonances(
     """
     low, high = sorted(plan.sweep or (0.0, 0.0))
     values = np.linspace(low, high, max(steps, GRID))
-    natural = natural_at(scene, plan, values)[0] if scene.count else np.zeros((len(values), 0))
+    natural = natural_at(plant, plan.rows(values))[0] if plant.scene.count else np.zeros((len(values), 0))
     rows: list[tuple[float, float, int, float]] = []
     for s, (c, k) in enumerate(zip(plan.constant, plan.factor, strict=True)):
         for order in orders[s] if c or k else ():
-            met = crossings(scene, plan, values, natural, order * c, order * k)
+            met = crossings(plant, plan, values, natural, order * c, order * k)
             near = [(mode.speed, mode.damping * mode.frequency * TURN) for mode in met]
             if k:
                 near += [((way * omega / order - c) / k, zeta * omega) for omega, zeta in modes for way in (-1.0, 1.0)]

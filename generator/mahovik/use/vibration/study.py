@@ -239,7 +239,7 @@ class _Study:
         """A sweep, with speeds added until its largest values are the true ones."""
         tables = self.chain.makers.harmonics
         orders = [{*orders_of(self.scene), *(tables[s].order if s in tables else ())} for s in self.plan.names]
-        met = resonances(self.scene, self.plan, steps, orders, self.chain.modes)
+        met = resonances(self.chain.plant, self.plan, steps, orders, self.chain.modes)
         of_table = [
             self.plan.names[s] in tables and order in tables[self.plan.names[s]].order
             for s, order in zip(met.wheel, met.order, strict=True)
