@@ -140,7 +140,7 @@ DAMAGES: list[tuple[Spoil, str, int]] = [
     (lambda calls: b"".join(calls[:-4] + calls[-1:]), "steps 2 to 4 missing", 2),
     (lambda calls: b"".join(calls)[:-9], "ends inside the record of step 5", 5),
     (lambda calls: b"".join(calls + calls[-6:]), "comes where step 6 was expected", 6),
-    (lambda calls: MAGIC + b"\t" + b"".join(calls)[len(MAGIC) + 1 :], "format 9, this mahovik reads 1, 2 and 3", 0),
+    (lambda calls: MAGIC + b"\t" + b"".join(calls)[len(MAGIC) + 1 :], "format 9, this mahovik reads 3", 0),
 ]
 """What happens to the pieces of a log of six steps, the words about it, and the steps that are replayed."""
 

@@ -17,10 +17,7 @@ MAGIC = b"\x89MHVK\r\n\x1a"
 """First bytes of a start record. They show whether a transfer as text has damaged a log."""
 
 FORMAT = 3
-"""Version of a log that recorders write. Version 2 had no steps with a carry, 1 a hash of the state byte by byte."""
-
-READ = (1, 2, FORMAT)
-"""Versions that `replay` reads."""
+"""Version of a log that recorders write and `replay` reads."""
 
 STEP = 0x53
 """First byte of the record of a step."""
@@ -58,14 +55,12 @@ RESERVED = frozenset(
 """Names of the recorder's header and source, that no flywheel may have."""
 
 
-def state_hash(members: Sequence[bytes], version: int = FORMAT) -> int:
-    """Hash of a state from the bytes of its members, and of a carry, as a log of that version has it.
+def state_hash(members: Sequence[bytes]) -> int:
+    """Hash of a state from the bytes of its members, and of a carry.
 
     A word that differs always gives another hash. The turn makes each bit of a word move between two words, so that
     changes of sign of two numbers do not cancel.
     """
-    if version == 1:
-        return fnv1a_words(map(fnv1a, members))
     data, result = b"".join(members), fnv1a(b"")
     for (word,) in struct.iter_unpack("<I", data):
         result = fnv1a_words([word], (result << 5 | result >> 27) & 0xFFFFFFFF)

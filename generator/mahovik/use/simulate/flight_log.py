@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.emit.log_format import CHANGING, MAGIC, READ, STEP
+from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP
 from mahovik.core.lower.golden import fnv1a
 from mahovik.core.stand.content import FLIGHT, content
 from mahovik.errors import UsageError
@@ -26,13 +26,9 @@ FLAGS = {name: bit for name, (bit, _) in CHANGING.items()}
 
 @dataclass(frozen=True)
 class Start:
-    """A start record: identity of the log's stand, and the state before step `count`.
-
-    `real` is "double" or "float"; `version`: of the log's format.
-    """
+    """A start record: identity of the log's stand, its element type, and the state before step `count`."""
 
     offset: int
-    version: int
     stand: str
     real: str
     structure: str
@@ -51,12 +47,11 @@ class Step:
     """The record of one step: all inputs and the result.
 
     `written` are members of the state set since the previous step; `drive` is tau, or phi_ddot if `driven`; `hash` is
-    of the state after the step, made as the `version` of the format says. `carried`: the step keeps what rounding
-    takes, and `hash` is of its carry as well; `carry`: the carry before it, None where it is as it was left.
+    of the state after the step. `carried`: the step keeps what rounding takes, and `hash` is of its carry as well;
+    `carry`: the carry before it, None where it is as it was left.
     """
 
     offset: int
-    version: int
     count: int
     written: Mapping[str, Reals]
     dt: float
@@ -236,9 +231,8 @@ class _Reader:
         read = _Bytes(self._data, at)
         read.take(len(MAGIC))
         version, size = read.number("B"), read.number("B")
-        if version not in READ:
-            known = f"{', '.join(map(str, READ[:-1]))} and {READ[-1]}"
-            return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {known}"), at
+        if version != FORMAT:
+            return Damage(f"the start record at byte {at} has format {version}, this mahovik reads {FORMAT}"), at
         if size not in (4, 8):
             return self._damage_at(at), at
         real = "double" if size == 8 else "float"
@@ -252,7 +246,7 @@ class _Reader:
         if not read.check_matches():
             return self._damage_at(at), at
         self._start = Start(
-            *(at, version, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
+            *(at, name, real, f"{structure:08x}", f"{physics:08x}", source, flywheels, wrenches),
             *(table_hash, count, state, table),
         )
         self._next = count
@@ -309,7 +303,7 @@ class _Reader:
             return None
         driven, carried = (bool(flags & FLAGS[name]) for name in ("DRIVEN", "CARRIED"))
         return Step(
-            *(at, start.version, count, written, dt, order, drive, driven, locked, wrench, stream, carry, carried),
+            *(at, count, written, dt, order, drive, driven, locked, wrench, stream, carry, carried),
             *(status, after),
         ), read.at
 

@@ -152,7 +152,7 @@ def replay(machine: Machine, records: Iterable[Start | Step | Damage]) -> Iterat
 def _hash(state: Members, carry: Reals, step: Step) -> int:
     """Hash of a state, with its carry if the step has one, as the log of a step has it."""
     numbers = [*state.values(), carry] if step.carried else list(state.values())
-    return state_hash([number.tobytes() for number in numbers], step.version)
+    return state_hash([number.tobytes() for number in numbers])
 
 
 def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
