@@ -5,8 +5,8 @@ from __future__ import annotations
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.literal import real_literal
 from mahovik.core.emit.recorder import recorder_files
-from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
+from targets.programs import template
 
 
 def flight(stand: Stand, real: str, steps: int, dt: float = 1e-3, torque: float = 0.02) -> dict[str, str]:

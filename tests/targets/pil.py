@@ -12,6 +12,7 @@ from mahovik.core.emit.servo import servo_program_text
 from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.servo import ExportedServo
+from targets import programs
 
 _COUNT = re.compile(r"(# )?(.+?) (\d+)")
 
@@ -39,7 +40,7 @@ def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, 
     generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)
     words = "as its file says" if real_stand == stand else "with other numbers than its file"
     main = servo_program_text(
-        "pil.c.j2",
+        programs.PIL,
         stand,
         made.program,
         made.form,

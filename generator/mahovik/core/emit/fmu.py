@@ -109,9 +109,10 @@ class _Printer:
 
     def pose(self, name: str) -> str:
         """Header or source of the functions beside those of the stand."""
-        code = Code(lower_fmu(self._layout), identities(self._stand))
+        code = Code(lower_fmu(self._layout), identities(self._stand), word="pose_word")
         functions = code.public_declarations(code.public) if name.endswith(".h.j2") else code.functions
-        return code.render(name, **self._known, functions=functions)
+        limits = [*code.limits(), *code.constants]
+        return code.render(name, **self._known, functions=functions, tables=[], limits=limits)
 
     def model(self, name: str) -> str:
         """Header or source of the stand as values with references."""
@@ -126,7 +127,6 @@ class _Printer:
             readers=self._readers(),
             laws=groups["LAWS"].count > 0,
             suspects=list(self._suspects()),
-            mounted=any(f.shape for f in layout.parameters.fields if f.name != "added_mass"),
             quaternions=[place for law in layout.law_tables for place in law.quaternions],
             members=[(f.name, self._names.length(f.shape[0])) for f in layout.state.fields],
             attitude=3,
@@ -181,21 +181,18 @@ class _Printer:
         readers += [("laws", layout.table, rows)] if rows else []
         return [{"name": name, "type": self._names.type(struct), "rows": rows} for name, struct, rows in readers]
 
-    def _suspects(self) -> Iterator[dict[str, str]]:
-        """Parameters that may be refused: member in C, the name of its body, and its place within that."""
+    def _suspects(self) -> Iterator[dict[str, Any]]:
+        """Parts of the parameters that may be refused: name, place; have they axes, do they begin with a body?"""
         named = {
             "instrument": [p.name for p in self._stand.instruments],
             "flywheel": [s.name for s in self._stand.flywheels],
             "point": [p.name for p in self._stand.points],
         }
         for f in self._layout.parameters.fields:
-            if not f.shape or f.name == "added_mass":
-                yield {"name": f.name, "place": f.name, "body": "" if f.shape else f.name, "axes": ""}
-                continue
-            for k, name in enumerate(named[f.name]):
-                place = f"{f.name}[{k}]"
-                body = "" if f.name == "point" else f"{place}.body"
-                yield {"name": name, "place": place, "body": body, "axes": place}
+            body = int(f.name not in ("point", "added_mass"))
+            for k, name in enumerate(named.get(f.name, [f.name])):
+                place = f"{f.name}[{k}]" if f.name in named else f.name
+                yield {"name": name, "place": place, "body": body, "axes": f.name in named}
 
     # -- calls ---------------------------------------------------------------------------------------------------------
 

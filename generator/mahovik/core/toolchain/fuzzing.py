@@ -57,14 +57,12 @@ def fuzz_project(stand: Stand, real: str) -> dict[str, str]:
         "flags": shlex.join(FLAGS),
         "limits": shlex.join(LIMITS),
         "sources": " ".join(sources(name)),
-        "functions": sum(f.public for f in generated.program.functions),
     }
     files = {
         **generated.files,
         **recorder_files(stand, generated),
         f"{name}_fuzz.c": fuzz_harness(generated.program, identities(stand)),
         "Makefile": template("fuzz.mk.j2").render(**words),
-        "README.md": template("fuzz.md.j2").render(**words),
     }
     return with_manifest(stand, generated, files, "fuzz")
 
