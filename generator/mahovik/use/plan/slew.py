@@ -32,7 +32,7 @@ from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
 from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
-from mahovik.use.numeric.residual import Norm, linear, prescribe, prescribed_at, residual, torques
+from mahovik.use.numeric.residual import Norm, prescribe, prescribed_at, residual, torques
 from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.plan.certificate import certify, failed_items, make_programme, peaks
 from mahovik.use.plan.outcome import Plan, Status
@@ -58,7 +58,6 @@ _ITERATIONS = 60
 _LAST_CHANGE = 1e-12
 """Change of the flywheels' angles (over 1 + the largest) that ends the iteration."""
 
-_RANK = 1e-9
 _REACH = 1e-8
 
 
@@ -89,11 +88,11 @@ class SlewMotion:
 
 @dataclass(frozen=True, eq=False)
 class Exact:
-    """The exact equations of a slew; S (m, 6)."""
+    """The exact equations of a slew, whose K and I are those of the mean model at every phase."""
 
     mechanics: Mechanics
     slew: Slew
-    S: Array
+    mean: Mean
 
     def follow(self, demand: Demand) -> SlewMotion:
         """The motion whose demanded rows follow the path. Raises StateError, NoSlewError: it does not settle."""
@@ -157,40 +156,28 @@ class Exact:
         self, demand: Demand, course: Course, phi: Array, phi_dot: Array
     ) -> tuple[Array, Array, NoSlewError | None]:
         """V* (M, 6), phi'' (M, N), and what is missing most."""
-        mechanics = self.mechanics
+        mechanics, mean = self.mechanics, self.mean
         at = mechanics.frame.twists(course)
         u = at.V[:, :3] - at.V_r[:, :3]
         still = at._replace(V_r_dot=np.hstack([np.cross(at.V[:, 3:], u), np.zeros_like(u)]))
-        equations = linear(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
-        I = -equations.by_phi_ddot
-        K, _ = mechanics.mass_and_coupling(phi)
-        to_motion = np.linalg.solve(K, np.concatenate([equations.R[:, :, None], I], axis=2))
-        free, by_phi_ddot = to_motion[:, :, 0], to_motion[:, :, 1:]
+        R = residual(prescribed_at(mechanics, still), phi, phi_dot, np.zeros_like(phi))
+        free = np.linalg.solve(mean.K0, R.T).T
         a, s = self._demand(demand, at.C, at.V)
-        A = self.S @ by_phi_ddot
-        c = free @ self.S.T + s - a
-        root = np.sqrt(mechanics.tables.Theta_ff)
-        left = c - (A @ demand.phi_ddot[:, :, None])[:, :, 0]
-        more = (np.linalg.pinv(A / root, rcond=_RANK) @ left[:, :, None])[:, :, 0] / root
-        phi_ddot = demand.phi_ddot + more
-        V_dot = free - (by_phi_ddot @ phi_ddot[:, :, None])[:, :, 0]
-        return V_dot, phi_ddot, self._missing(K, a, free @ self.S.T + s - a, a - V_dot @ self.S.T - s)
+        c = free @ mean.S.T + s - a
+        phi_ddot = demand.phi_ddot + mean.least(c - demand.phi_ddot @ mean.A.T)
+        V_dot = free - phi_ddot @ mean.to_motion.T
+        return V_dot, phi_ddot, self._missing(a, c, a - V_dot @ mean.S.T - s)
 
-    def _missing(self, K: Array, a: Array, c: Array, left: Array) -> NoSlewError | None:
+    def _missing(self, a: Array, c: Array, left: Array) -> NoSlewError | None:
         """The part of the demand a that is left where this is most; None: nothing is.
 
         c: what the flywheels are to add, so that a demand to stay at rest has a size, too; (M, m) each.
         """
-        G = self.S @ np.linalg.solve(K, np.broadcast_to(self.S.T, (len(K), *self.S.T.shape)))
-        wrenches = np.linalg.solve(G, np.stack([left, a, c], axis=2))
-        sizes = np.sqrt(np.maximum(np.einsum("mi,mi->m", left, wrenches[:, :, 0]), 0.0))
-        demands = np.einsum("mik,mik->mk", np.stack([a, c], axis=2), wrenches[:, :, 1:])
-        whole = np.sqrt(np.maximum(demands, 0.0)).max()
+        sizes, *demands = (np.linalg.norm(x @ self.mean.norm.T, axis=1) for x in (left, a, c))
         k = int(np.argmax(sizes))
-        if sizes[k] <= _REACH * whole or sizes[k] == 0.0:
+        if sizes[k] <= _REACH * max(float(x.max()) for x in demands) or sizes[k] == 0.0:
             return None
-        twist = np.asarray(np.linalg.solve(K[k], self.S.T @ wrenches[k, :, 0]))
-        return unreached_motion(self.slew, self.S, twist, left[k])
+        return unreached_motion(self.slew, self.mean.S, self.mean.twist(left[k]), left[k])
 
     def _demand(self, demand: Demand, C: Array, V: Array) -> tuple[Array, Array]:
         """a, s (M, m each) of a = S V* + s."""
@@ -205,10 +192,10 @@ class Exact:
         places = places_of(self.mechanics.stand.instruments, self.mechanics.stand.points)
         for i, row in enumerate(slew.task.rows):
             if row.component.startswith("w"):
-                a[:, i] = angular @ self.S[i, 3:]
+                a[:, i] = angular @ self.mean.S[i, 3:]
             elif row.of:
                 v = V[:, :3] + np.cross(omega, places[row.of][0])
-                s[:, i] = np.cross(omega, v) @ self.S[i, :3]
+                s[:, i] = np.cross(omega, v) @ self.mean.S[i, :3]
         return a, s
 
     def _rates(self, theta: Array, omega: Array) -> Array:
@@ -298,7 +285,8 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, say: Callable[[str]
 def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
     """The table, and of the fastest slew the least duration by the mean model. Raises NoSlewError, StateError."""
     mechanics, S = Mechanics.of(stand), rows_of(stand, slew.task)
-    exact, limits, mean = Exact(mechanics, slew, S), Limits.of(stand, slew.bounds), Mean.of(mechanics, S)
+    limits, mean = Limits.of(stand, slew.bounds), Mean.of(mechanics, S)
+    exact = Exact(mechanics, slew, mean)
     _check_start(slew, limits)
     wanted = -S[:, 3:] @ (slew.axis if slew.kind == "attitude" else slew.start.T @ slew.normal)
     wanted = wanted * np.array([row.component.startswith("w") for row in slew.task.rows])
@@ -308,9 +296,9 @@ def _search(stand: Stand, slew: Slew) -> tuple[Table, Sharp | None]:
         raise unreached_motion(slew, S, twist, wanted)
     if slew.goal == "quietest":
         assert slew.duration is not None
-        path = Path.of(mechanics, slew, mean, limits, mean.least(wanted))
+        path = Path(slew, mean, limits, mean.least(wanted))
         return _quietest(exact, path, slew.duration), None
-    return _fastest(exact, mean, limits, wanted)
+    return _fastest(exact, limits, wanted)
 
 
 def _check_start(slew: Slew, limits: Limits) -> None:
@@ -341,11 +329,11 @@ def _slower(worst: LimitUse) -> float:
     return float(worst.share if worst.kind == "speed" else np.sqrt(worst.share)) * 1.001
 
 
-def _fastest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[Table, Sharp]:
+def _fastest(exact: Exact, limits: Limits, wanted: Array) -> tuple[Table, Sharp]:
     """The law for the limits of the mean model, then slower or faster until the exact motion just keeps them."""
     if not (np.isfinite(limits.strongest).any() or np.isfinite(limits.acceleration).any()):
         raise NoSlewError("BOUND_REACH", "nothing limits the flywheels' torque: give bounds, or a duration")
-    sharp, path = _sharpest(exact, mean, limits, wanted)
+    sharp, path = _sharpest(exact, limits, wanted)
     law, rows = smooth(sharp, exact.slew.angle), None
     kept, tried = None, list[tuple[float, float]]()
     for _ in range(_ROUNDS):
@@ -377,12 +365,12 @@ def _step(tried: Sequence[tuple[float, float]]) -> float:
     return float(np.clip((AIM - share) / float(np.clip(slope, -2.5, -0.05)), -0.3, 0.7))
 
 
-def _sharpest(exact: Exact, mean: Mean, limits: Limits, wanted: Array) -> tuple[Sharp, Path]:
+def _sharpest(exact: Exact, limits: Limits, wanted: Array) -> tuple[Sharp, Path]:
     """The quickest of the choices of a share."""
     best: tuple[Sharp, Path] | None = None
     stuck: tuple[PathTable, float] | None = None
-    for share in choices(mean, wanted, limits):
-        path = Path.of(exact.mechanics, exact.slew, mean, limits, share)
+    for share in choices(exact.mean, wanted, limits):
+        path = Path(exact.slew, exact.mean, limits, share)
         along = path.tabulate(exact.slew.angle)
         sharp = sharpest(exact.slew.angle, along.accelerations, along.cap)
         if isinstance(sharp, float):

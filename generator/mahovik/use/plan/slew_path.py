@@ -130,22 +130,32 @@ _RANK = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class Mean:
-    """The mean model for rows S (m, 6): A (m, N), Q (N, N), weights Theta_ff (N), K0 (6, 6)."""
+    """The mean model for rows S (m, 6): K0 (6, 6), I0 (6, N), weights Theta_ff (N)."""
 
     S: Array
-    A: Array
-    Q: Array
-    Theta_ff: Array
     K0: Array
+    I0: Array
+    Theta_ff: Array
 
     @staticmethod
     def of(mechanics: Mechanics, S: Array) -> Mean:
         """The mean model of a stand."""
-        K0, I0 = mechanics.mean_inertia, mechanics.tables.coupling[0].T
-        to_motion = np.linalg.solve(K0, I0)
-        return Mean(
-            S, S @ to_motion, np.diag(mechanics.tables.Theta_ff) - I0.T @ to_motion, mechanics.tables.Theta_ff, K0
-        )
+        return Mean(S, mechanics.mean_inertia, mechanics.tables.coupling[0].T, mechanics.tables.Theta_ff)
+
+    @cached_property
+    def to_motion(self) -> Array:
+        """K0^-1 I0 (6, N): -V* by phi''."""
+        return np.asarray(np.linalg.solve(self.K0, self.I0))
+
+    @cached_property
+    def A(self) -> Array:
+        """S K0^-1 I0 (m, N)."""
+        return np.asarray(self.S @ self.to_motion)
+
+    @cached_property
+    def Q(self) -> Array:
+        """Torques by phi'' (N, N)."""
+        return np.asarray(np.diag(self.Theta_ff) - self.I0.T @ self.to_motion)
 
     def least(self, wanted: Array) -> Array:
         """phi'' (..., N) with A phi'' = wanted (..., m), the least in the norm of Theta_ff."""
@@ -156,15 +166,22 @@ class Mean:
         root = np.sqrt(self.Theta_ff)
         return np.asarray(np.linalg.pinv(self.A / root, rcond=_RANK) / root[:, None])
 
+    @cached_property
+    def norm(self) -> Array:
+        """root (m, m): |root a| is the size of accelerations a of the rows, by the inertia that they feel."""
+        return np.asarray(np.linalg.inv(np.linalg.cholesky(self.S @ np.linalg.solve(self.K0, self.S.T))))
+
+    def twist(self, left: Array) -> Array:
+        """The twist (6, in E1) along which accelerations (m) of the rows are missing."""
+        return np.asarray(np.linalg.solve(self.K0, self.S.T @ (self.norm.T @ (self.norm @ left))))
+
     def missing(self, wanted: Array) -> Array | None:
         """A twist (6, in E1) on which the flywheels do no work, though A phi'' = wanted needs it; None: reached."""
         left = wanted - self.A @ self.least(wanted)
         if float(np.linalg.norm(left)) <= _REACH * float(np.linalg.norm(wanted)):
             return None
-        G = self.S @ np.linalg.solve(self.K0, self.S.T)
-        norm = np.linalg.inv(np.linalg.cholesky(G))
-        nearest, *_ = np.linalg.lstsq(norm @ self.A, norm @ wanted, rcond=_RANK)
-        return np.asarray(np.linalg.solve(self.K0, self.S.T @ np.linalg.solve(G, self.A @ nearest - wanted)))
+        nearest, *_ = np.linalg.lstsq(self.norm @ self.A, self.norm @ wanted, rcond=_RANK)
+        return self.twist(self.A @ nearest - wanted)
 
 
 def choices(mean: Mean, wanted: Array, limits: Limits) -> Iterator[Array]:
@@ -276,13 +293,11 @@ class Path:
     mean: Mean
     limits: Limits
     share: Array
-    momentum: Array
 
-    @staticmethod
-    def of(mechanics: Mechanics, slew: Slew, mean: Mean, limits: Limits, share: Array) -> Path:
-        """With the momentum of the flywheels at the start (3, N m s, in E1)."""
-        H0 = mechanics.tables.coupling[0, :, 3:].T @ np.array(slew.phi_dot)
-        return Path(slew, mean, limits, share, H0)
+    @cached_property
+    def momentum(self) -> Array:
+        """Momentum of the flywheels at the start (3, N m s, in E1)."""
+        return np.asarray(self.mean.I0[3:] @ np.array(self.slew.phi_dot))
 
     @property
     def _taken_over(self) -> bool:
