@@ -257,12 +257,14 @@ def test_all_problems_are_reported_together() -> None:
         HEAD
         + "gravty = 1\n[carrier]\nmass = -1\ninertia = [1, 1, 9]\ncentre = 1\n"
         + '[[instrument]]\nname = "gyro"\nmass = 1\ninertia = [1, 1, 9]\n'
+        + '[[isolator]]\nname = "foot"\nposition = 1\nstiffness = [1, 1, 1]\n'
         + WHEEL.replace("mass = 1", 'mass = "1 m"')
         + WHEEL.replace("w1", "w2").replace("[0.02, 0.01, 0.01]", "[1, 1, 9]")
         + 'mount = "giro"\n'
     )
     expected = [
         's.toml: unknown key "gravty", did you mean "gravity"?',
+        's.toml: isolator "foot", position: expected 3 numbers, found 1',
         "s.toml: carrier, mass: -1 kg is negative",
         's.toml: carrier: unknown key "centre", did you mean "center_of_mass"?',
         's.toml: flywheel "w1", mass: unit "m" does not fit, expected a mass (kg)',

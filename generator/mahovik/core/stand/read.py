@@ -110,6 +110,10 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
     if "carrier" not in document:
         problems.add("carrier", "required, but missing")
     laws = [_law(problems, document, law) for law in carrier_laws() if law not in held_laws()]
+    parts = {
+        law: {key: [table for *_, table in _array(problems, document, key)] for key in law.made_of}
+        for law in carrier_laws()
+    }
     mounted = {law: [table for *_, table in _array(problems, document, law.key)] for law in mounted_laws()}
     carriers = _bodies(problems, Carrier, _table(problems, document, "carrier"), mounted)
     instruments = _bodies(problems, Instrument, _array(problems, document, "instrument"), mounted)
@@ -145,9 +149,8 @@ def read(document: dict[str, Any], source: str, physics: bool = True) -> Stand:
         profile=profile,
         laws=tuple(law for law in (*laws, *held) if law is not None),
     )
-    for law in carrier_laws():
-        parts = {key: [table for *_, table in _array(problems, document, key)] for key in law.made_of}
-        stand = law.of_parts(stand, document.get(law.key), parts, problems.add)
+    for law, tables_of in parts.items():
+        stand = law.of_parts(stand, document.get(law.key), tables_of, problems.add)
     if physics:
         physical.check_stand(stand, problems)
     if problems.lines:
