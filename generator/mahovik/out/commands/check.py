@@ -94,7 +94,7 @@ def check(
         ),
         rows="bodies",
         meta=meta | more,
-        units={"mass": "kg", "center_of_mass": "m", "inertia": "kg m2", "force": "N"},
+        units={"mass": "kg", "center_of_mass": "m", "inertia": "kg m2", "worst_unbalance_force": "N"},
         messages=[*held, *pose, *(f"warning: {line}" for line in warnings)],
         details=(*details, *more),
     )  # fmt: skip
@@ -127,7 +127,7 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
         )),
         "unbalance": Result("unbalance", columns_of(summary.unbalance, unbalance)),
         "effects": Result("what it does at this speed", columns_of(summary.unbalance, effects, shown={"speed": "rpm"})),
-        "force": summary.force if summary.unbalance else None,
+        "worst_unbalance_force": summary.force if summary.unbalance else None,
         "capacity": Result("what all motors reach", (
             column("of", "", [name for name, _, _ in capacities]),
             column("along", "", [capacity.axes for _, capacity, _ in capacities], AXES),
