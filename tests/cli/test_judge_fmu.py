@@ -163,12 +163,6 @@ def test_files_that_are_refused(fmu: Path) -> None:
     assert "of them, expected one" in refused(*judged(FREE, fmu, FREE_MAP), "--with", "cat")
 
 
-@pytest.mark.parametrize("what", ["FILES", "BYTES", "DESCRIPTION"])
-def test_an_fmu_that_would_fill_the_disk_is_not_unpacked(fmu: Path, monkeypatch: pytest.MonkeyPatch, what: str) -> None:
-    monkeypatch.setattr(f"mahovik.proof.verify.fmu.MOST_{what}", 2)
-    assert ", expected at most 2" in refused(*judged(FREE, fmu, FREE_MAP))
-
-
 @pytest.mark.parametrize("name", ["../outside", "/outside", "C:outside"])
 def test_an_fmu_that_would_write_outside_its_folder_does_not(
     fmu: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str

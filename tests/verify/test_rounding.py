@@ -21,7 +21,6 @@ from mahovik.stands import names, path
 from verify.holds import PENDULUM
 
 STATES = 5
-"""The next has a run-time wrench on every body: for most stands C of its own, to be compiled."""
 
 FREE, HELD = load(path("demo3")), loads(PENDULUM)
 

@@ -69,5 +69,5 @@ def test_a_planted_fault_fails_by_its_row(name: str) -> None:
 
 def test_a_stand_without_tasks_has_no_such_want() -> None:
     stand = mahovik.example("shaker2")
-    with pytest.raises(UsageError, match=r"--want torque_for: shaker2 has no task, \[task.NAME\]"):
+    with pytest.raises(UsageError, match=r"want torque_for: shaker2 has no task, \[task.NAME\]"):
         verify_program(stand, Program("true", ("true",)), wants=("torque_for",))

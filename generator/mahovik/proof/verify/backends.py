@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import cycle
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -108,19 +108,8 @@ class FunctionBackend(ABC):
         """Bodies on which the program takes a run-time wrench."""
         return self.layout.inputs
 
-    @cached_property
-    def full(self) -> Self:
-        """The C of the same stand with a run-time wrench on every body; itself where there is none."""
-        return self
-
-    def taking(self, state: State) -> Self:
-        """The C that takes the run-time wrenches of a state: this one, or that with an input on every body."""
-        return self if set(state.wrench) <= set(self.inputs) else self.full
-
     def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
         """Results by the names of the contract. Raises StateError."""
-        if (taking := self.taking(state)) is not self:
-            return taking.evaluate(state, want)
         if fault := want_fault(want) or hold_fault(want, bool(self.layout.held)) or self._fault(state, want):
             raise StateError(fault)
         inputs = moved = self.arguments(state)
@@ -284,6 +273,11 @@ class KeptBackend(FunctionBackend):
         """The C of the same stand with a run-time wrench on every body."""
         stand = with_all_inputs(self._stand)
         return self if stand == self._stand else KeptBackend(stand, self._real)
+
+    def evaluate(self, state: State, want: Sequence[str]) -> dict[str, Any]:
+        """See FunctionBackend."""
+        takes = set(state.wrench) <= set(self.inputs) or self.full is self
+        return super().evaluate(state, want) if takes else self.full.evaluate(state, want)
 
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The table with other deflections and speeds, by name."""

@@ -19,7 +19,7 @@ from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
-from mahovik.proof.verify.backends import ProgramBackend, public_names, with_all_inputs
+from mahovik.proof.verify.backends import ProgramBackend, public_names
 
 
 class InterpreterBackend(ProgramBackend):
@@ -50,8 +50,6 @@ class CBackend(ProgramBackend):
     """Compiled C of a stand: freshly generated, or <name>.h and <name>.c of `folder`.
 
     `generated`: the result of `generate_all` with these options, if the caller has it.
-    A state with a run-time wrench that the C does not take is evaluated by the C of the same stand with an input
-    on every body; with `folder` it is an error of that state.
     C of `generate --only` in `folder` answers the wants of its functions. Functions that it lacks and that a judge
     needs beside the judged one are run by the interpreter of `complete`, which is the program with all functions.
     Raises ToolchainError (no compiler, a warning), UsageError (no such files), CheckError (of another stand).
@@ -64,7 +62,7 @@ class CBackend(ProgramBackend):
         folder: Path | None = None,
         generated: Generated | None = None,
     ) -> None:
-        self._stand, self._precision_name, self._folder = stand, precision_name, folder
+        self._stand = stand
         chosen: tuple[str, ...] = ()
         if folder is not None:
             _check_folder(folder, stand, precision_name)
@@ -119,12 +117,6 @@ class CBackend(ProgramBackend):
         if arguments.get("mounting") is None:
             arguments["mounting"] = interpreter.mounting
         return interpreter.call(function, arguments)
-
-    @cached_property
-    def full(self) -> CBackend:
-        """The C of the same stand with a run-time wrench on every body; itself where it is of a folder."""
-        stand = with_all_inputs(self._stand)
-        return self if self._folder or stand == self._stand else CBackend(stand, self._precision_name)
 
     def table_of(self, actuators: Mapping[str, float]) -> Any:
         """The default table with other deflections and speeds, by name."""

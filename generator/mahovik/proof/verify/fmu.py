@@ -27,7 +27,6 @@ from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from typing import Any
-from zipfile import ZipFile
 
 import numpy as np
 
@@ -55,9 +54,6 @@ SAID_BY: Mapping[str, tuple[str, ...]] = {
 """What answers may depend on, and the keys of which one says it; those of coordinates say a pose as well."""
 
 COORDINATES = ("q", "orientation")
-
-MOST_FILES, MOST_BYTES, MOST_DESCRIPTION = 10_000, 1 << 30, 1 << 26
-"""Files of an FMU, their bytes and those of its modelDescription.xml: more is not unpacked."""
 
 SET = ("state", "state.wrench")
 """Tables of variables that are set; the others, one a want, are read."""
@@ -192,7 +188,6 @@ def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_f
     if not fmu.is_file():
         raise DataError([f"{fmu}: no such file"])
     try:
-        _require_small(fmu)
         description = read_model_description(extract(fmu, unpacked), validate=False)
     except Exception as error:  # fmpy raises what zip, XML and schema raise
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
@@ -278,20 +273,6 @@ class FmuBackend:
             pairs.append((places, getattr(turned[key](self._stand, state) if key in turned else source, key)))
         zipped = [pair for places, numbers in pairs for pair in zip(places, numbers, strict=True)]
         return {place.variable: float(x) / place.factor for place, x in zipped}
-
-
-def _require_small(fmu: Path) -> None:
-    """Raise ValueError for an archive that would fill disk or memory; names outside its folder FMPy refuses."""
-    with ZipFile(fmu) as archive:
-        sizes = {file.filename: file.file_size for file in archive.infolist()}
-        count = len(archive.infolist())
-    for what, number, most in (
-        ("files", count, MOST_FILES),
-        ("bytes of modelDescription.xml", sizes.get("modelDescription.xml", 0), MOST_DESCRIPTION),
-        ("bytes", sum(sizes.values()), MOST_BYTES),
-    ):
-        if number > most:
-            raise ValueError(f"{number} {what}, expected at most {most}")
 
 
 def main(folder: str, map_file: str, stand_file: str) -> None:

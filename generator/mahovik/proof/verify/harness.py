@@ -133,7 +133,7 @@ def check_bits(backend: CBackend, states: Sequence[tuple[str, State]], against: 
         return row
     for name, state in states[::INTERPRETED_EVERY]:
         for want in (want for want in backend.wants if applicable(state, want)):
-            both = (_outcome(of, state, want) for of in (backend, backend.taking(state).interpreter))
+            both = (_outcome(of, state, want) for of in (backend, backend.interpreter))
             if not same_bits(*both):
                 row.note(math.inf, name, f"{want} differs", Request(name, state, (want,)))
                 break

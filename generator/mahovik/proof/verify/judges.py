@@ -27,6 +27,7 @@ from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.physical import LEAST_EIGENVALUE
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
+from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS
@@ -344,7 +345,7 @@ def verify_judges(
     A program that does not take the stand has one check, which says why; if none does, nothing was compared and the
     report does not pass. UsageError: a program is not installed.
     """
-    left_out, bare = missing(stand), bare_stand(stand)
+    left_out, bare = missing(stand), with_all_inputs(bare_stand(stand))
     checks, programs = [], []
     for name in names:
         try:
