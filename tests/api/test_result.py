@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.io import loadmat
 
 import mahovik
 from mahovik.out.result import SHOWN, Axis, Column, Result, column
@@ -89,15 +88,13 @@ def test_figures_are_in_a_unit_that_fits(values: list[float], unit: str, head: s
 def test_it_is_saved_by_the_end_of_the_name(tmp_path: Path) -> None:
     pandas = pytest.importorskip("pandas")
     result = orders()
-    for suffix in (".csv", ".json", ".parquet", ".mat"):
+    for suffix in (".csv", ".json", ".parquet"):
         real = Result(result.title, result.columns[: 3 if suffix == ".parquet" else 4], meta=result.meta)
         real.save(tmp_path / f"a{suffix}")
     head, *rows = csv.reader((tmp_path / "a.csv").read_text().splitlines())
     assert head[:3] == ["wheel", "frequency [Hz]", "amplitude x [m]"] and float(rows[0][2]) == 1e-3
     assert json.loads((tmp_path / "a.json").read_text())["largest"] == 0.002
     assert pandas.read_parquet(tmp_path / "a.parquet")["amplitude y"].tolist() == [2e-3, 3e-5]
-    mat = loadmat(tmp_path / "a.mat", simplify_cells=True)
-    assert np.array_equal(mat["amplitude"], result["amplitude"]) and list(mat["names"]) == ["a", "b"]
     with pytest.raises(mahovik.UsageError, match=r"expected a name that ends in \.csv or"):
         result.save(tmp_path / "a.txt")
 

@@ -82,7 +82,7 @@ def make_command(name: str) -> click.Command:
     params = [one for one in made.values() if one is not None]
     if typing.get_origin(hints["return"]) is not Generator:
         if "output" not in made:
-            formats = "Write the result to this file: .csv, .json, .parquet, .mat, .svg or .png."
+            formats = "Write the result to this file: .csv, .json, .parquet, .svg or .png."
             params.append(click.Option(["-o", "save"], metavar="FILE", help=formats))
         params.append(click.Option(["--json", "as_json"], is_flag=True, help="Print JSON in place of tables."))
     return _Command(name, callback=partial(_run, function), params=params, help=words)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[Any]
 
-SUFFIXES = (".csv", ".json", ".parquet", ".mat", ".svg", ".png")
+SUFFIXES = (".csv", ".json", ".parquet", ".svg", ".png")
 """Ends of the names of files that a result is written to."""
 
 SHOWN = 40
@@ -278,7 +278,7 @@ class Result(Mapping[str, Any]):
     # ---- files
 
     def save(self, path: str | Path) -> None:
-        """Write it to a file, by the end of its name: .csv, .json, .parquet, .mat, .svg or .png. Raises UsageError."""
+        """Write it to a file, by the end of its name: .csv, .json, .parquet, .svg or .png. Raises UsageError."""
         from mahovik.writing import write
 
         path = Path(path)
@@ -287,8 +287,6 @@ class Result(Mapping[str, Any]):
             write(path, self.to_json() + "\n")
         elif suffix == ".csv":
             write(path, self._csv())
-        elif suffix == ".mat":
-            write(path, self._mat())
         elif suffix == ".parquet":
             content = io.BytesIO()
             _library("pyarrow", "campaign")
@@ -305,15 +303,6 @@ class Result(Mapping[str, Any]):
         lines.writerow([f"{one.name} [{one.unit}]" if one.unit else one.name for one in columns])
         lines.writerows(zip(*(one.values.tolist() for one in columns), strict=True))
         return text.getvalue()
-
-    def _mat(self) -> bytes:
-        """For MATLAB, Octave and SciPy; the head has no date, so that the same numbers give the same bytes."""
-        content = io.BytesIO()
-        known = {**self.meta, **{one.name: one.values for one in self.columns}}
-        values = {key: data for key, value in known.items() if (data := _matlab(value)) is not None}
-        import_module("scipy.io").savemat(content, values, oned_as="column")
-        text = f"MATLAB 5.0 MAT-file, {self.title}".encode("ascii", "replace")[:116].ljust(116)
-        return text + content.getvalue()[116:]
 
     def plot(self, ax: Any = None) -> Any:
         """Draw it, and return the axes of matplotlib; None: on a new figure with all panels.
@@ -528,18 +517,6 @@ def _unit_that_fits(one: Column) -> tuple[str, float] | None:
     if fitting:
         return fitting[0]
     return min(units, key=lambda unit: abs(math.log(largest / unit[1])))
-
-
-def _matlab(value: Any) -> Any:
-    """Numbers, texts, cell arrays of texts, and mappings of these, as SciPy writes them; None for anything else."""
-    if isinstance(value, Mapping):
-        inside = {str(key): _matlab(part) for key, part in value.items()}
-        return None if not inside or any(part is None for part in inside.values()) else inside
-    if isinstance(value, list | tuple):
-        if not all(isinstance(part, int | float) for part in value):
-            return np.array(value, dtype=object) if all(isinstance(part, str) for part in value) else None
-        return np.array(value, dtype=np.float64)
-    return value if isinstance(value, np.ndarray | str | int | float) else None
 
 
 def _library(name: str, extra: str) -> Any:

@@ -36,7 +36,7 @@ def modes(
 
     Small motions about rest or a state, by exact derivatives: x' = A x + B u, y = C x + D u. A shape is a motion of the
     carrier (O1 along the axes of E1, rotations about them) and of free flywheels; its largest number is 1, in m or
-    rad. Free directions come first, without a frequency. JSON and a file .mat have A, B, C, D with the names and units
+    rad. Free directions come first, without a frequency. JSON has A, B, C, D with the names and units
     of states (pose, V, angles and speeds of free flywheels), inputs (their drive torques, a wrench on the carrier) and
     outputs (displacement, velocity and acceleration of points).
 

@@ -58,7 +58,7 @@ def report(
 
     Args:
         stand: the stand file.
-        output: write the page to this file, .html; of a derivation also .tex.
+        output: write the page to this file, .html.
         at: points, instruments, carrier or hold.reaction whose vibration is shown; default the first points.
         require: limit of the angle of the first point over all common speeds, "rms 0.1 arcsec".
         derivation: write the matrices of (8)-(11) instead, in symbols, then with the numbers of the stand.
@@ -67,22 +67,18 @@ def report(
         UsageError: matplotlib is missing, an unknown point, a file that cannot be written.
     """
     from mahovik.out.api.stands import Stand
-    from mahovik.out.report.derivation import article, derivation_parts
+    from mahovik.out.report.derivation import derivation_parts
 
     machine = Stand.of(stand)
-    suffixes = (".html", ".tex") if derivation else (".html",)
-    suffix = format_of(Path(output), suffixes)
-    if suffix is None:
-        raise UsageError(f"output: {output}: expected a name that ends in {' or '.join(suffixes)}")
+    if format_of(Path(output), (".html",)) is None:
+        raise UsageError(f"output: {output}: expected a name that ends in .html")
     if derivation and (at or require):
         raise UsageError("derivation: shows no vibration; remove at and require")
     require_drawing("report")
     probe(Path(output))
     source = Path(stand).name if isinstance(stand, str | Path) else f"{machine.name}.toml"
     made: list[Part] = []
-    if suffix == ".tex":
-        text = article(machine)
-    elif derivation:
+    if derivation:
         text = page(f"{machine.name}: equations of motion", derivation_parts(machine), machine, [("stand", source)])
     else:
         points = _measured(machine) if at is None else names_in("at", at)

@@ -12,13 +12,11 @@ from markupsafe import Markup
 from mahovik.core.derive import SYMMETRIC, carrier
 from mahovik.core.derive.carrying import weight as derive_weight
 from mahovik.core.derive.document import HEAD, Formula, Section, Table, held, number, numbers, sections, turns
-from mahovik.core.emit.templates import template
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.hold import twists, words
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
 from mahovik.errors import UsageError
@@ -59,20 +57,6 @@ def derivation_parts(stand: Stand) -> list[Part]:
         Part(f"{section.title} {section.equations}".strip(), html=Markup("").join(map(block, section.blocks)))
         for section in document(stand)
     ]
-
-
-def article(stand: Stand) -> str:
-    """The same in LaTeX, which needs amsmath only."""
-    special = {c: f"\\{c}" for c in "_&%#{}"}
-
-    def plain(text: str) -> str:
-        pieces = enumerate(text.split("$"))
-        return "$".join(piece if i % 2 else "".join(special.get(c, c) for c in piece) for i, piece in pieces)
-
-    return template("derivation.tex.j2").render(
-        name=plain(stand.name), identity=identities(stand), sections=document(stand), plain=plain,
-        kind=lambda item: type(item).__name__,
-    )  # fmt: skip
 
 
 def document(stand: Stand) -> list[Section]:
