@@ -193,16 +193,23 @@ def time_limit(name: str, value: Number | None) -> float | None:
 
 def by_flywheel(name: str, values: Mapping[str, Number] | Sequence[Number] | None, stand: CoreStand) -> list[float]:
     """Angles of an argument `name`: by names of flywheels, others 0, or one for each. Raises UsageError."""
-    from mahovik.core.stand.units import ANGLE, show
+    from mahovik.core.stand.units import ANGLE
 
     names = [flywheel.name for flywheel in stand.flywheels]
-    if values is None:
-        return [0.0] * len(names)
-    if not isinstance(values, Mapping):
+    if values is not None and not isinstance(values, Mapping):
         if len(values) != len(names):
             raise UsageError(f"{name}: {len(values)} numbers, but the stand has {len(names)} flywheels")
         values = dict(zip(names, values, strict=True))
+    known = by_name(name, values or {}, stand)
+    return [quantity(f"{name} of {wheel}", known[wheel], ANGLE) if wheel in known else 0.0 for wheel in names]
+
+
+def by_name(name: str, values: Mapping[str, Any], stand: CoreStand) -> dict[str, Any]:
+    """Values of an argument `name` by flywheel; that of `all` is of those without one. Raises UsageError: unknown."""
+    from mahovik.core.stand.units import show
+
+    names = [flywheel.name for flywheel in stand.flywheels]
     for key in values:
-        if key not in names:
+        if key not in (*names, "all"):
             raise UsageError(f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}")
-    return [quantity(f"{name} of {wheel}", values[wheel], ANGLE) if wheel in values else 0.0 for wheel in names]
+    return {wheel: values.get(wheel, values.get("all")) for wheel in names if {wheel, "all"} & values.keys()}

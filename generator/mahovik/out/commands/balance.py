@@ -12,7 +12,7 @@ import numpy as np
 
 from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.arguments import FileGiven, Number, StandGiven, quantity, reading
+from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
 from mahovik.out.result import Column, Result, column, columns_of
 
@@ -196,19 +196,12 @@ def _static(wheel: Any) -> dict[str, Any]:
 
 def _planes(stand: Stand, plane: Any) -> dict[str, Planes]:
     """Planes by flywheel. Raises UsageError: a name or a number; BalanceError: pieces."""
-    tables, names = plane, [wheel.name for wheel in stand.flywheels]
-    planes: dict[str, Planes] = {}
     if not isinstance(plane, Mapping):
         try:
-            tables = tomllib.loads(Path(plane).read_text(encoding="utf-8"))
+            plane = tomllib.loads(Path(plane).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise BalanceError([f"{plane}: {getattr(error, 'strerror', None) or f'not TOML: {error}'}"]) from None
-    for name, value in tables.items():
-        if name not in (*names, "all"):
-            raise UsageError(f'plane: unknown flywheel "{name}"{suggestion(name, names, "the stand has none")}')
-        one = _planes_of(name, value)
-        planes |= {wheel: one for wheel in (names if name == "all" else [name]) if name != "all" or wheel not in tables}
-    return planes
+    return {wheel: _planes_of(wheel, value) for wheel, value in by_name("plane", plane, stand).items()}
 
 
 def _planes_of(name: str, plane: Any) -> Planes:

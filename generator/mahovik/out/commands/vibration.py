@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError, whole_number
-from mahovik.nearest import suggestion
 from mahovik.out.arguments import (
     Band,
     FilePath,
@@ -22,6 +22,7 @@ from mahovik.out.arguments import (
     Text,
     Turning,
     by_flywheel,
+    by_name,
     quantity,
     reading,
     time_limit,
@@ -43,6 +44,7 @@ Tables = Annotated[Mapping[str, str | Path], "NAME=FILE.csv"]
 Vector = Annotated[str | Sequence[float], '"X Y Z"']
 
 Interval = tuple[float, float]
+GoOn = Callable[..., bool]
 
 SHOWN = 12
 """Lines of a sweep with columns of their own."""
@@ -123,9 +125,9 @@ def vibration(
     within = None if band is None else read_band("band", band)
     structure = None if modes is None else reading("table", Path(modes), read_structure, machine)
     makers = Makers(
-        _by_wheel(machine, "harmonics", harmonics, read_harmonics),
-        _by_wheel(machine, "noise", noise, read_noise),
-        _by_wheel(machine, "inner_modes", inner_modes, read_inner_modes),
+        _tables(machine, "harmonics", harmonics, read_harmonics),
+        _tables(machine, "noise", noise, read_noise),
+        _tables(machine, "inner_modes", inner_modes, read_inner_modes),
         structure,
     )
     plan = read_speeds(machine, speed)
@@ -134,19 +136,17 @@ def vibration(
     if not improve and (momentum is not None or limit is not None or avoid):
         raise UsageError("momentum, limit, avoid: say what holds in a search; expected improve as well")
     _warn_of_speeds(machine, speed, plan)
-    clock = _Clock(time, progress)
+    go_on = _clock(time, progress)
     phases = by_flywheel("phase", phase, machine)
     bands = [within, *(requirement.band for requirement in limits)]
-    result = find(
-        machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=clock.go_on
-    )  # fmt: skip
+    result = find(machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=go_on)
     warn_of_turn(machine)
     verdicts = list(map(result.judge, limits))
     meta: dict[str, Any] = {"requirements": [_verdict(result, verdict) for verdict in verdicts]} if limits else {}
     messages = [*map(result.verdict_words, verdicts), *result.remarks()]
     ok = all(verdict.met for verdict in verdicts)
     if improve:
-        better, words = _improve(machine, result, within or (0.0, np.inf), momentum, limit, avoid, seed, clock)
+        better, words = _improve(machine, result, within or (0.0, np.inf), momentum, limit, avoid, seed, go_on)
         meta["improved"] = better
         messages += words
         ok = ok and better["after"] < better["before"]
@@ -164,65 +164,50 @@ def _observable(stand: Stand, at: str | None, quantity: str | None, sight: str |
     return find_view(stand, str(at), quantity, "angle")
 
 
-def _by_wheel(
+def _tables(
     stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
 ) -> dict[str, Any]:
-    """Tables by flywheel; a name replaces the table of `all`. Raises UsageError, TableError."""
-    from mahovik.use.vibration.speeds import ALL
-
+    """Tables by flywheel. Raises UsageError, TableError."""
     if tables is not None and not isinstance(tables, Mapping):
         raise UsageError(f"{name} {tables}: expected NAME=FILE.csv")
-    names = [s.name for s in stand.flywheels]
-    result: dict[str, Any] = {}
-    for wheel, path in sorted((tables or {}).items(), key=lambda entry: entry[0] != ALL):
-        if wheel != ALL and wheel not in names:
-            raise UsageError(f'{name}: unknown flywheel "{wheel}"{suggestion(wheel, [*names, ALL])}')
-        result |= dict.fromkeys(names if wheel == ALL else [wheel], reading("table", Path(path), read))
-    return result
+    paths = by_name(name, tables or {}, stand)
+    made = {path: reading("table", Path(path), read) for path in dict.fromkeys(paths.values())}
+    return {wheel: made[path] for wheel, path in paths.items()}
 
 
 def _warn_of_speeds(stand: Stand, asked: Asked, plan: Any) -> None:
     """Warn of speeds beyond those of the motors, and of fast ones without a unit."""
-    from mahovik.use.vibration.speeds import by_name
+    from mahovik.use.vibration.speeds import by_name as asked_by_name
 
     fastest = np.abs(plan.rows(np.array(plan.sweep or (0.0,)))).max(axis=0)
-    texts = by_name(plan.names, asked)
+    texts = asked_by_name(plan.names, asked)
     warn_of_speeds(stand, fastest.tolist(), [str(texts.get(name, "")) for name in plan.names])
 
 
-class _Clock:
-    """Ends a search after a time, and shows how far it is."""
+def _clock(seconds: float | str | None, progress: Progressing) -> GoOn:
+    """What says whether a search goes on, with its first solution always, and shows how far it is."""
+    limit = time_limit("time", seconds)
+    end = None if limit is None else monotonic() + limit
 
-    def __init__(self, seconds: float | str | None, progress: Progressing) -> None:
-        from time import monotonic
+    def go_on(done: int = 1, planned: int | None = None) -> bool:
+        notify(progress, Progress("speeds", done, planned))
+        return done == 0 or end is None or monotonic() < end
 
-        self._now, self.progress = monotonic, progress
-        limit = time_limit("time", seconds)
-        self.end = None if limit is None else monotonic() + limit
-
-    def go_on(self, done: int = 1, planned: int | None = None) -> bool:
-        """Whether to go on: with the first solution always."""
-
-        notify(self.progress, Progress("speeds", done, planned))
-        return done == 0 or self.end is None or self._now() < self.end
+    return go_on
 
 
 def _verdict(vibration: Study, verdict: Verdict) -> dict[str, Any]:
     """A requirement and how it is met, in SI."""
-    wanted = verdict.requirement
+    wanted, axes = verdict.requirement, vibration.seen.axes
     return {
-        "text": wanted.text,
-        "value": verdict.value,
-        "limit": wanted.limit,
-        "unit": vibration.seen.measure.unit,
-        "met": verdict.met,
-        "speed": float(vibration.value[verdict.step]),
-        "axis": vibration.seen.axes[min(verdict.axis, len(vibration.seen.axes) - 1)],
-    }
+        "text": wanted.text, "value": verdict.value, "limit": wanted.limit, "unit": vibration.seen.measure.unit,
+        "met": verdict.met, "speed": float(vibration.value[verdict.step]),
+        "axis": axes[min(verdict.axis, len(axes) - 1)],
+    }  # fmt: skip
 
 
 def _improve(
-    stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, clock: _Clock
+    stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, go_on: GoOn
 ) -> tuple[dict[str, Any], list[str]]:
     """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
     from mahovik.core.stand.units import SPEED
@@ -232,7 +217,7 @@ def _improve(
     wanted = None if momentum is None else vector("momentum", momentum, 'in N m s, as "0 0 14"')
     whole_number("seed", seed, 0)
     freedom = Freedom.of(stand, vibration.speeds[0], wanted, most, avoided_bands(vibration, avoid))
-    better = improve_vibration(vibration, freedom, band, seed=seed, go_on=clock.go_on)
+    better = improve_vibration(vibration, freedom, band, seed=seed, go_on=go_on)
     before, after = better.before, better.after
     words = "no allowed speeds are quieter"
     if after < before:
@@ -253,43 +238,28 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
     about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
     units = dict.fromkeys(("rms", "peak", "worst", "before", "after"), unit) | {"speeds": "rad/s", "phases": "rad"}
+    title, columns, index = f"{stand.name}: {seen.quantity} of {seen.name}{words}", _orders(vibration, band), ""
     if not swept:
-        return Result(
-            f"{stand.name}: {seen.quantity} of {seen.name}{words}; amplitudes 0 to peak",
-            _orders(vibration, band),
-            rows="orders",
-            meta=about | {name: values[0] for name, values in sums.items()} | meta,
-            units=units,
-            messages=messages,
-            ok=ok,
-            details=[*details, "phase"],
-            drawings=_picture(vibration, sums, swept=False),
-        )
-    largest, listed = vibration.largest(band), _line_columns(vibration, band)
-    wheel = vibration.plan.names[vibration.plan.swept or 0]
-    peak = {
-        "value": largest.value,
-        "unit": unit,
-        "speed": float(vibration.value[largest.step]),
-        "quantity": seen.quantity,
-    }
-    size, place = quantity_text(largest.value, unit), vibration.rpm(largest.step)
-    line = f"largest amplitude {size} at {place}, {largest.frequency:.6g} Hz"
-    return Result(
-        f"{stand.name}: {seen.quantity} of {seen.name}{words}, over the speed of {wheel}; amplitudes 0 to peak",
-        (
+        meta = about | {name: values[0] for name, values in sums.items()} | meta
+        details.append("phase")
+    else:
+        largest, listed = vibration.largest(band), _line_columns(vibration, band)
+        wheel, speed = vibration.plan.names[vibration.plan.swept or 0], float(vibration.value[largest.step])
+        peak = {"value": largest.value, "unit": unit, "speed": speed, "quantity": seen.quantity}
+        meta = about | {"swept": wheel, "largest": peak | {"frequency": largest.frequency}} | meta
+        size, place = quantity_text(largest.value, unit), vibration.rpm(largest.step)
+        messages = [f"largest amplitude {size} at {place}, {largest.frequency:.6g} Hz", *messages]
+        title, index = f"{title}, over the speed of {wheel}", "speeds"
+        columns = (
             column("speeds", "rad/s", vibration.value, shown="rpm"),
             *(column(name, unit, values, axes) for name, values in sums.items()),
             *listed,
-        ),
-        index="speeds",
-        meta=about | {"swept": wheel, "largest": peak | {"frequency": largest.frequency}} | meta,
-        units=units,
-        messages=[line, *messages],
-        ok=ok,
-        details=[*details, "swept", "peak", *(line.name for line in listed)],
-        drawings=_picture(vibration, sums, swept=True),
-    )
+        )
+        details += ["swept", "peak", *(line.name for line in listed)]
+    return Result(
+        f"{title}; amplitudes 0 to peak", columns, rows="" if swept else "orders", index=index, meta=meta, units=units,
+        messages=messages, ok=ok, details=details, drawings=_picture(vibration, sums, swept),
+    )  # fmt: skip
 
 
 def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
