@@ -131,6 +131,11 @@ def state_of(state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str
     return _from_source("state", state, load_start, read_start, stand, keys, hint)
 
 
+def file_name(source: Any, otherwise: str) -> str:
+    """The name of a file in messages; words where no file was given."""
+    return Path(source).name if isinstance(source, str | Path) else otherwise
+
+
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
     """A mapping as the text of its file in JSON; the number of the schema need not be given."""
 

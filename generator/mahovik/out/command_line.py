@@ -20,7 +20,7 @@ A command is a typed function in a module of its name, and a line in `out.comman
             speed: speed of a flywheel, rad/s or with a unit.
 
         Raises:
-            CheckError: there is no equilibrium.
+            CheckError: there is no rest pose.
         '''
 
 Arguments before the star have no name on the command line, those behind it are options, `output` is `-o`. Of the type,

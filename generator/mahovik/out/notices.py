@@ -51,40 +51,21 @@ _EXPONENT = re.compile(r"[eE][+-]?\d+")
 
 
 def warn_of_speeds(stand: Stand, speeds: Sequence[float], texts: Sequence[str]) -> None:
-    """Warn of `speeds` in rad/s, one per flywheel, beyond those of their motors.
+    """Warn of the first of `speeds` (rad/s, one per flywheel) beyond that of its motor, or asked about.
 
     `texts` are the speeds as the user gave them: a number without unit is asked about if it is above FAST, or if rpm
     would bring it within.
     """
-    turning = list(zip(stand.flywheels, map(abs, speeds), texts, strict=True))
-    beyond = [
-        (wheel.name, speed, limit, text)
-        for wheel, speed, text in turning
-        if wheel.motor is not None and (limit := wheel.motor.no_load) is not None and speed > limit * (1 + 1e-9)
-    ]
-    asked = ""
-    if beyond:
-        name, speed, limit, text = beyond[0]
-        words = f"{name} turns at up to {RPM * speed:.6g} rpm, its motor at most at {RPM * limit:.6g}"
-        if len(beyond) > 1:
-            words += f"; {len(beyond)} flywheels in all are too fast"
-        if _is_plain(text) and (speed / RPM <= limit or speed > FAST):
-            asked = rpm_question(speed)
-        warn(f"{words}{asked}")
-    fast = [(wheel.name, speed) for wheel, speed, text in turning if speed > FAST and _is_plain(text)]
-    if fast and not asked:
-        name, speed = fast[0]
-        warn(f"{name} turns at up to {RPM * speed:.6g} rpm{rpm_question(speed)}")
-
-
-def rpm_question(speed: float) -> str:
-    """End of a warning: was a number without unit meant in rpm?"""
-    return f"; numbers without unit are rad/s, {speed:.6g} rpm?"
-
-
-def _is_plain(text: str) -> bool:
-    """Whether a number was given, and without a unit."""
-    return bool(text) and not any(letter.isalpha() for letter in _EXPONENT.sub("", text))
+    for wheel, speed, text in zip(stand.flywheels, map(abs, speeds), texts, strict=True):
+        limit = math.inf if wheel.motor is None or wheel.motor.no_load is None else wheel.motor.no_load
+        beyond = speed > limit * (1 + 1e-9)
+        plain = bool(text) and not any(letter.isalpha() for letter in _EXPONENT.sub("", text))
+        asked = plain and (speed > FAST or (beyond and speed / RPM <= limit))
+        if beyond or asked:
+            motor = f", its motor at most at {RPM * limit:.6g}" if beyond else ""
+            question = f"; numbers without unit are rad/s, {speed:.6g} rpm?" if asked else ""
+            warn(f"{wheel.name} turns at up to {RPM * speed:.6g} rpm{motor}{question}")
+            return
 
 
 TURNED = math.radians(5.0)

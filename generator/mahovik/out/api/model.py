@@ -240,7 +240,7 @@ class Model:
 
         regime    speeds or torques of the flywheels, wrenches: a file, its keys, or a Regime; the same for all samples.
                   None: the flywheels keep the speeds of `start`
-        start     one state for all samples, or one for each; None: the static equilibrium of the model's stand
+        start     one state for all samples, or one for each; None: the rest pose of the model's stand
         dt        the longest step; every: time between moments of output, the last of which is `until`
         order     of the step: 4 or 2
         mounts    also the wrench of the mount on each flywheel
@@ -250,7 +250,7 @@ class Model:
         Arrays are (T, ...), of many samples (n, T, ...): `t`, the state, `V_dot`, `phi_ddot`, `tau` (whole drive
         torques), `specific_force` and `rate` of sensors, `reaction` of a hold, in E1 about O1; `refused` says of each
         sample why the C refused it, or "". Phases are not wrapped.
-        Raises InputError, UsageError, RegimeError, CheckError (no equilibrium to begin from), RefusedError.
+        Raises InputError, UsageError, RegimeError, CheckError (no rest pose to begin from), RefusedError.
         """
         from mahovik.out.api.simulate import simulate
 

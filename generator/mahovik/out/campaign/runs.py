@@ -293,7 +293,7 @@ def _begin_at(column: Array, block: Block, _tables: Tables) -> Mapping[int, str]
 
 
 class AtRest:
-    """Puts each sample at its own static equilibrium, which is near that of the stand of the file, `nominal`.
+    """Puts each sample at its own rest pose, which is near that of the stand of the file, `nominal`.
 
     Corrections by the stiffness of that stand are made until what remains is rounding; a sample that they do not bring
     there is searched by itself.

@@ -55,7 +55,7 @@ def balance(
         BalanceError: data that cannot be used.
         DataError: a file of measured data that cannot be read.
         UsageError: an unknown flywheel, a number out of range.
-        CheckError: the stand has no equilibrium, or a search does not settle.
+        CheckError: the stand has no rest pose, or a search does not settle.
     """
     if (influence is None) == (stand is None):
         raise UsageError("influence, stand: expected one of them: FILE.json, or STAND.toml with data")

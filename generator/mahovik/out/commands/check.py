@@ -165,7 +165,7 @@ def _weakest(capacity: Capacity) -> str:
 
 
 def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None, list[str]]:
-    """The static equilibrium with flywheels at rest, and sentences about it; None and why where there is none."""
+    """The rest pose with flywheels at rest, and sentences about it; None and why where there is none."""
     from mahovik.proof.verify.states import state_object
     from mahovik.use.study.rest import TWIST, rest, sag
 

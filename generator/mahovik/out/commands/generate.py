@@ -19,6 +19,7 @@ from mahovik.out.arguments import (
     Progressing,
     StandGiven,
     Text,
+    file_name,
     motion_of,
     programme_of,
     quantity,
@@ -149,7 +150,7 @@ def generate(
             None if servo is None else servo_of(servo, named),
             table,
             usual,
-            (_name(programme, "programme"), _name(servo, "servo")),
+            (file_name(programme, "programme"), file_name(servo, "servo")),
             name,
         )
     if programme is None or project is not None or not (folder / f"{named.name}.h").is_file():
@@ -198,11 +199,6 @@ def _refuse_contradictions(
         raise UsageError("with_: a board has the self-test and nothing else")
     if real == "float" and project in BLOCKS:
         raise UsageError(f"real: the block of {project} computes in double, leave it out")
-
-
-def _name(source: Any, otherwise: str) -> str:
-    """Name of a file in messages."""
-    return Path(source).name if isinstance(source, str | Path) else otherwise
 
 
 def _default_name(stand: Stand, project: str | None, attitude: Any) -> str:

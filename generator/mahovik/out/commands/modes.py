@@ -54,7 +54,7 @@ def modes(
 
     Raises:
         UsageError: a state that cannot be, an unknown point or flywheel.
-        CheckError: there is no equilibrium.
+        CheckError: there is no rest pose.
     """
     from mahovik.core.stand.hold import numbers_in_words
     from mahovik.core.stand.identity import identities

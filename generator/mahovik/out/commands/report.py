@@ -13,7 +13,7 @@ from markupsafe import Markup
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven
+from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven, file_name
 from mahovik.out.commands.check import check
 from mahovik.out.commands.modes import modes
 from mahovik.out.commands.verify import verify
@@ -76,7 +76,7 @@ def report(
         raise UsageError("derivation: shows no vibration; remove at and require")
     require_drawing("report")
     probe(Path(output))
-    source = Path(stand).name if isinstance(stand, str | Path) else f"{machine.name}.toml"
+    source = file_name(stand, f"{machine.name}.toml")
     made: list[Part] = []
     if derivation:
         text = page(f"{machine.name}: equations of motion", derivation_parts(machine), machine, [("stand", source)])

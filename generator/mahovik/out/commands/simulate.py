@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
@@ -16,6 +15,7 @@ from mahovik.out.arguments import (
     Progressing,
     Seconds,
     StandGiven,
+    file_name,
     motion_of,
     programme_of,
     regime_of,
@@ -24,7 +24,7 @@ from mahovik.out.arguments import (
     time,
 )
 from mahovik.out.notices import Progress, notify, rest_to_start, warn, warn_of_steps
-from mahovik.out.result import Column, Result, column
+from mahovik.out.result import Column, Result, column, split_unit
 
 if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
@@ -77,7 +77,7 @@ def simulate(
         stand: the stand file.
         until: simulate for this time, s or "500 ms".
         regime: speeds or torques of the flywheels, and wrenches; default they keep the speeds of the start.
-        start: start from this state; default the static equilibrium.
+        start: start from this state; default the rest pose.
         dt: make no step longer than this, s or "0.1 ms".
         every: give a row each time this passes, s or "1 ms".
         order: order of the step.
@@ -98,7 +98,7 @@ def simulate(
     Raises:
         StandError, RegimeError, MotionError, ProgrammeError, ServoError: a problem of a file.
         UsageError: a number out of its range, or an argument of the other way of running.
-        CheckError: there is no equilibrium to begin from; a loop is unstable.
+        CheckError: there is no rest pose to begin in; a loop is unstable.
         StateError: the motion cannot begin.
     """
     from mahovik.out.api.stands import Stand
@@ -141,7 +141,7 @@ def _result(
     """The result of a run; people see place and speeds."""
     from mahovik.core.stand.identity import identities
 
-    split = [(name, *_split(name), values) for name, values in columns.items()]
+    split = [(name, *split_unit(name), values) for name, values in columns.items()]
     shown = ("t", "x", "y", "z", *(f"phi_dot {s.name}" for s in stand.flywheels[:4]))
     if run.stopped is not None:
         messages = [*messages, f"error: {run.stopped}; what was computed is kept"]
@@ -155,12 +155,6 @@ def _result(
         ok=run.stopped is None,
         details=[*(name for _, name, _, _ in split if name not in shown), "stand", "physics", "stopped", *meta],
     )
-
-
-def _split(name: str) -> tuple[str, str]:
-    """Name and unit of a column."""
-    head, bracket, unit = name.partition(" [")
-    return head, unit.rstrip("]") if bracket else ""
 
 
 def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Regime, State]:
@@ -194,7 +188,7 @@ def _follow(
     from mahovik.use.control.loop import close_loop
 
     case = following_case(stand, motion, programme, servo, mismatch, seed, periods, begin, table)
-    T, words = case.servo.period, f"follow {_name(programme, 'the programme')}"
+    T, words = case.servo.period, f"follow {file_name(programme, 'the programme')}"
     first, last = case.first * T, case.last * T
     record = close_loop(case, lambda t: notify(progress, Progress(words, t - first, last - first)))
     if len(record.t) < 2:
@@ -232,11 +226,6 @@ def _coordinates(errors: Errors) -> Result:
     return Result("errors of coordinates", columns, rows="coordinates", index="coordinate", details=("harmonics",))
 
 
-def _name(source: Any, otherwise: str) -> str:
-    """The name of a file in messages; words where no file was given."""
-    return Path(source).name if isinstance(source, str | Path) else otherwise
-
-
 def share_of(mismatch: float | str) -> float:
     """A share from `0.01` or `"1%"`. Raises UsageError."""
     text = str(mismatch).strip()
@@ -260,13 +249,13 @@ def following_case(
     from mahovik.use.control.servo import check_margins, margins
 
     course = programme_of(programme)
-    source = _name(programme, "the programme")
+    source = file_name(programme, "the programme")
     if (check := stand_check(stand, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
     required = motion_of(motion, stand, course)
     if (check := motion_check(required, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
-    servos, servo_source = servo_of(servo, stand), _name(servo, "the servos")
+    servos, servo_source = servo_of(servo, stand), file_name(servo, "the servos")
     real = with_mismatch(stand, share_of(mismatch), seed)
     case = make_case(stand, real, required, course, servos, periods, begin, table, source, servo_source)
     stable = margins(stand, servos)

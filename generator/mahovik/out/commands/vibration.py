@@ -108,7 +108,7 @@ def vibration(
 
     Raises:
         UsageError: an argument that cannot be; TableError: a table that cannot.
-        CheckError: no equilibrium, no steady motion, no speeds within the limits.
+        CheckError: no rest pose, no steady motion, no speeds within the limits.
     """
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.band import read_band

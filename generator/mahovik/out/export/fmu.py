@@ -41,7 +41,7 @@ def export_fmu(
     binary: bool = True,
     generated: Generated | None = None,
 ) -> Fmu:
-    """The FMU of a stand. `start`: default the static equilibrium, as `simulate` begins; `dt`: longest step inside, s.
+    """The FMU of a stand. `start`: default the rest pose, as `simulate` begins; `dt`: longest step inside, s.
 
     `generated`: the C of the stand in double, for a caller that has it already.
 
@@ -90,7 +90,7 @@ _DECIMALS = 12
 
 
 def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
-    """Start of a state; without one, the static equilibrium with flywheels at rest. CheckError: there is none."""
+    """Start of a state; without one, the rest pose with flywheels at rest. CheckError: there is none."""
     if state is not None:
         return Start(state.position, _unit(state, generated), state.V, state.phi, state.phi_dot)
     try:

@@ -104,7 +104,7 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
     if stand.hold is not None and not is_closed(stand.hold):
         reason = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
         raise CheckError(
-            f"{stand.name}: no static equilibrium: {reason}; expected a closed set, as `mahovik check` says"
+            f"{stand.name}: no rest pose: {reason}; expected a closed set, as `mahovik check` says"
         )
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(with_least_turn(state), (0.0,) * 6, (), False)
@@ -240,7 +240,7 @@ class _Search:
         if carried:
             most = np.abs(self.acceleration(at)).max()
             raise CheckError(
-                f"{self.stand.name}: no static equilibrium found: V_dot is still {most:.3g} after {MOST} steps"
+                f"{self.stand.name}: no rest pose found: V_dot is still {most:.3g} after {MOST} steps"
             )
         raise CheckError(self.reason(at))
 
@@ -341,12 +341,12 @@ class _Search:
             along = twists(self.stand.hold).T @ total
             names, worst = freedom_words(self.stand.hold), int(np.argmax(np.abs(along)))
             what = f"nothing carries {along[worst]:.6g} (N or N m) along the freedom {names[worst]}"
-            return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
+            return f"{self.stand.name}: no rest pose: {what}; V_dot there is ({acceleration})"
         if size > 0.0 and np.abs(V_dot[:3]).max() > AT_REST:
             what = f"nothing carries a force of {size:.6g} N along ({_direction(force)}) in E0"
         else:
             what = f"nothing carries a moment of {turning:.6g} N m about ({_direction(moment)}) in E1"
-        return f"{self.stand.name}: no static equilibrium: {what}; V_dot there is ({acceleration})"
+        return f"{self.stand.name}: no rest pose: {what}; V_dot there is ({acceleration})"
 
 
 def with_least_turn(state: State) -> State:
