@@ -41,13 +41,13 @@ def binary(flown: Path, tmp_path: Path) -> Path:
 
 def test_columns_of_states_and_a_line_of_a_step(flown: Path) -> None:
     """The columns read back to bits; the line of a step goes through `eval`."""
-    run("replay", "--log", str(flown), "-o", "states.csv")
+    run("replay", DEMO3, "--log", str(flown), "-o", "states.csv")
     lines = Path("states.csv").read_text().splitlines()
     assert len(lines) == 722
     assert lines[0].startswith("step,status,position x,position y,position z,attitude w,")
     assert len(lines[-1].split(",")) == len(lines[0].split(","))
     assert lines[701].split(",")[1] == "RANGE"
-    said = run("replay", "--log", str(flown), "--step", "5").stdout.splitlines()
+    said = run("replay", DEMO3, "--log", str(flown), "--step", "5").stdout.splitlines()
     good = next(line for line in said if line.startswith("{"))
     answer = json.loads(run("eval", DEMO3, stdin=good).stdout)
     assert answer["id"] == "step 5" and "V_dot" in answer

@@ -40,7 +40,7 @@ CASES = {
     ("eval", BENCH8, "--backend", "numpy"): NUMBERS,
     ("eval", BENCH8, "--backend", "casadi"): NUMBERS | {"casadi"},
     (("verify", BENCH8, "log")): NUMBERS | {"jinja2"},
-    ("replay", "--log", "log"): NUMBERS | {"jinja2", "cffi"},
+    ("replay", BENCH8, "--log", "log"): NUMBERS | {"jinja2", "cffi"},
 }
 """What of these a command may import."""
 

@@ -272,7 +272,7 @@ COMMANDS = {
     "simulate": ("simulate", "{}", "--until", "0.001", "-o", "{out}/x.csv"),
     "regime": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--regime", "{}"),
     "start": ("simulate", DEMO3, "--until", "0.001", "-o", "{out}/x.csv", "--start", "{}"),
-    "replay": ("replay", "--log", "{}"),
+    "replay": ("replay", DEMO3, "--log", "{}"),
     "replay, stand": ("replay", DEMO3, "--log", "{}"),
 }
 PLACES = ("missing", "folder", "empty", "/dev/zero", "a/b", "blank", "closed")

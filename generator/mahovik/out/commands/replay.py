@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from mahovik.errors import StandError, UsageError
+from mahovik.errors import UsageError
 from mahovik.out.arguments import FilePath, Folder, Progressing, StandGiven
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
@@ -21,7 +21,7 @@ PARTS = {"position": "xyz", "attitude": "wxyz", "V": "uvwpqr"}
 
 
 def replay(
-    stand: StandGiven | None = None,
+    stand: StandGiven,
     *,
     log: FilePath,
     against: Folder | None = None,
@@ -32,8 +32,7 @@ def replay(
     """Replay a flight log.
 
     Repeats every step logged by NAME_recorder.c, and compares each state with the log's, bit for bit. The log is
-    binary, or text of a serial console with lines @89a0.... Without a stand the stand file is found by the name and
-    physics in the log: in this folder, beside the log, or among the examples. Columns are the states after each step.
+    binary, or text of a serial console with lines @89a0.... Columns are the states after each step.
 
     Exit status 1 if a state differs or the log is damaged; an end in the middle of a record is only noted.
 
@@ -45,9 +44,11 @@ def replay(
         backend: replay by c, or by interpreter, which needs no compiler and is slow.
 
     Raises:
-        UsageError: no flight log, no stand of it, no such step.
+        UsageError: no flight log, no such step.
         CheckError: the log is of another stand, or of another default table.
     """
+    from mahovik.out.api.stands import Stand
+    from mahovik.core.emit.delivered import under_name
     from mahovik.use.simulate import flight_log
     from mahovik.use.simulate import replay as replays
 
@@ -57,9 +58,10 @@ def replay(
     starts = [record for record in records if isinstance(record, flight_log.Start)]
     if not starts:
         raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, flight_log.Damage)))
-    model, source = _stand(starts[0], stand, log)
+    flown = Stand.of(stand)
+    model = under_name(flown, starts[0].stand, starts[0].physics) or flown
     for start in starts:
-        replays.check_stand(model, start, source)
+        replays.check_stand(model, start, str(stand))
         if start.real != starts[0].real:
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
     machine = replays.machine(model, starts[0].real, backend, None if against is None else Path(against))
@@ -124,32 +126,3 @@ def _result(
     title = f"{stand.name}, {start.real}"
     details = [*(one.name for one in columns), *meta]
     return Result(title, columns, rows="steps", meta=meta, messages=messages, ok=good, details=details)
-
-
-def _stand(start: Start, source: Any, log: Path) -> tuple[Stand, str]:
-    """The stand of a log, and its file. Raises StandError, UsageError."""
-    from mahovik import stands
-    from mahovik.core.emit.delivered import under_name
-    from mahovik.core.stand.identity import identities
-    from mahovik.out.api.stands import Stand
-
-    if source is not None:
-        stand = Stand.of(source)
-        return under_name(stand, start.stand, start.physics) or stand, str(source)
-    name = f"{start.stand}.toml"
-    places = [Path(name), log.parent / name]
-    if start.stand in stands.names():
-        places.append(Path(stands.path(start.stand)))
-    for place in places:
-        if not place.is_file():
-            continue
-        try:
-            stand = Stand.of(place)
-        except StandError:
-            continue
-        if identities(stand).physics == start.physics:
-            return stand, str(place)
-    raise UsageError(
-        f'{log}: of the stand "{start.stand}", physics {start.physics}: no {name} of it here, beside the log or among '
-        "the examples; give its stand file"
-    )

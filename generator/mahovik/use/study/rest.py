@@ -103,9 +103,7 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
         state = replace(state, phi=tuple(float(x) for x in phi))
     if stand.hold is not None and not is_closed(stand.hold):
         reason = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
-        raise CheckError(
-            f"{stand.name}: no rest pose: {reason}; expected a closed set, as `mahovik check` says"
-        )
+        raise CheckError(f"{stand.name}: no rest pose: {reason}; expected a closed set, as `mahovik check` says")
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(with_least_turn(state), (0.0,) * 6, (), False)
     try:
@@ -239,9 +237,7 @@ class _Search:
         at = self.at(self.state)
         if carried:
             most = np.abs(self.acceleration(at)).max()
-            raise CheckError(
-                f"{self.stand.name}: no rest pose found: V_dot is still {most:.3g} after {MOST} steps"
-            )
+            raise CheckError(f"{self.stand.name}: no rest pose found: V_dot is still {most:.3g} after {MOST} steps")
         raise CheckError(self.reason(at))
 
     def push(self, size: float) -> State:
