@@ -31,13 +31,15 @@ def is_written_through(path: Path) -> bool:
     return not (stat.S_ISREG(kind) or stat.S_ISDIR(kind))
 
 
-def format_of(path: Path, formats: Sequence[str]) -> str | None:
-    """The end of a file's name among `formats`, such as ".csv"; None for another.
+def format_of(path: Path, formats: Sequence[str], name: str = "output") -> str:
+    """The end of a file's name among `formats`, such as ".csv". Raises UsageError of an argument `name` for another.
 
     What is no regular file may have any name: its format is the first one unless its name says another.
     """
     named = next((suffix for suffix in formats if path.name.endswith(suffix)), None)
-    return formats[0] if named is None and is_written_through(path) else named
+    if named is None and not is_written_through(path):
+        raise UsageError(f"{name} {path}: expected a name that ends in {' or '.join(formats)}")
+    return named or formats[0]
 
 
 def probe(path: Path) -> None:

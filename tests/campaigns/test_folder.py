@@ -109,7 +109,7 @@ def test_names_comments_and_units_are_of_the_same_campaign_and_files_are_not(tmp
         (("--chunk", "4"), "--chunk 4: expected 0 to 3"),
         (("--chunk", "0", "--workers", "2"), "--chunk: "),
         (("--workers", "0"), "--workers: 0: expected 1 or more"),
-        (("--merge", "all.csv"), "--merge: all.csv: expected a file that ends in .parquet"),
+        (("--merge", "all.csv"), "--merge all.csv: expected a name that ends in .parquet"),
         (("--scheduler", "tcp://127.0.0.1:1"), "scheduler tcp://127.0.0.1:1: no scheduler answered"),
         (("--scheduler", "nowhere"), "--scheduler"),
     ],

@@ -458,9 +458,7 @@ def suffix_of(path: Path) -> str:
     """How the name of a file ends that a result can be written to. Raises UsageError."""
     from mahovik.writing import format_of
 
-    suffix = format_of(path, SUFFIXES)
-    if suffix is None:
-        raise UsageError(f"-o {path}: expected a name that ends in {' or '.join(SUFFIXES)}")
+    suffix = format_of(path, SUFFIXES, "-o")
     if suffix in (".svg", ".png"):
         _library("matplotlib", "report")
     return suffix

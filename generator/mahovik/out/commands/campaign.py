@@ -10,7 +10,7 @@ from mahovik.errors import UsageError
 from mahovik.out.arguments import Folder, Progressing, reading
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result
-from mahovik.writing import probe
+from mahovik.writing import format_of, probe
 
 
 def campaign(
@@ -52,9 +52,8 @@ def campaign(
     from mahovik.out.campaign.workers import compute
 
     for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
-        if path is not None and Path(path).suffix != suffix:
-            raise UsageError(f"{name}: {path}: expected a file that ends in {suffix}")
         if path is not None:
+            format_of(Path(path), (suffix,), name)
             probe(Path(path))
     if chunk is not None and (scheduler is not None or workers is not None or merge is not None or report is not None):
         raise UsageError("chunk: is computed in this process alone; not allowed with workers, scheduler, merge, report")

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from mahovik import stands
 from mahovik.contract.evaluation import STATE, ZEROS, text_lines
 from mahovik.errors import CheckError, UsageError
+from mahovik.nearest import names_in
 from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
@@ -74,13 +75,13 @@ def new(
         )
     if source is None:
         raise UsageError(f"source: which example? One of {', '.join(stands.names())}; or {ADAPTER}, or a FILE")
-    if name is not None:
-        _check_name(name)
+    if name is not None and (problem := _name_problem(name)) is not None:
+        raise UsageError(f"name {name}: {problem}")
     place = None if output is None else str(output)
     if source == ADAPTER:
         return _adapter(Path(place or "adapter.py"), name)
     if Path(source).suffix in SUFFIXES:
-        fixed = [] if fix is None else fix.split(",") if isinstance(fix, str) else [*fix]
+        fixed = [] if fix is None else [*names_in("fix", fix)]
         down = None if gravity is None else vector("gravity", gravity, "as 0,0,-9.81")
         options: dict[str, Any] = {"carrier": carrier, "instruments": instruments, "armature": armature, "fix": fixed}
         made, comparison = _imported(Path(source), name, down, progress, **options)
@@ -97,20 +98,21 @@ def new(
 
 
 def _example(name: str, output: str | None, called: str | None) -> Result:
-
     source, target = stands.path(name), new_file(output, called or name)
     alone = is_written_through(target)
     messages: list[str] = []
-    if called is None and not alone:
-        called, messages = _name_of_file(target, name)
+    if called is None and not alone:  # the stand is called after its file, where a stand may be
+        called = target.name.removesuffix(".toml")
+        if called != name and (problem := _name_problem(called)) is not None:
+            messages = [f"the stand is still named {name}, since {problem}; give another by --name"]
+            called = name
     files = {target.name: source}
     if not alone:
         stem = target.name.removesuffix(".toml")
         files |= {stem + motion.name.removeprefix(name): motion for motion in stands.motions(name)}
         files |= {f"{stem}.{kind}.toml": file for kind, file in stands.servo_and_regime(name).items()}
         for file_name in files:
-            if (target.parent / file_name).exists():
-                raise UsageError(f"{target.parent / file_name}: exists already, nothing was written")
+            _refuse_existing(target.parent / file_name)
     texts = {file_name: file.read_text(encoding="utf-8") for file_name, file in files.items()}
     if called not in (None, name):
         texts[target.name] = texts[target.name].replace(f'\nname = "{name}"\n', f'\nname = "{called}"\n', 1)
@@ -128,12 +130,9 @@ def _adapter(path: Path, called: str | None) -> Result:
     from mahovik.core.emit.templates import template
 
     suffix = format_of(path, (".py", ".cpp"))
-    if suffix is None:
-        raise UsageError(f"-o {path}: expected a name that ends in .py or .cpp")
     if called is not None:
         raise UsageError(f"name {called}: no stand is written; it names that of an example")
-    if path.exists() and not is_written_through(path):
-        raise UsageError(f"{path}: exists already, nothing was written")
+    _refuse_existing(path)
     shapes = {key.name: key.shape or () for key in STATE.values() if key.default == ZEROS}
     zeros = [
         (name, "flywheels" if shape == ("N",) else shape[0])
@@ -181,29 +180,21 @@ def new_file(output: str | None, name: str) -> Path:
     path = Path(output) if output is not None else Path(f"{name}.toml")
     if path.is_dir() or (output is not None and output.endswith("/")):
         path = path / f"{name}.toml"
-    if path.exists() and not is_written_through(path):
-        raise UsageError(f"{path}: exists already, nothing was written")
+    _refuse_existing(path)
     return path
 
 
-def _name_of_file(target: Path, example: str) -> tuple[str, list[str]]:
-    """Name of the stand after its file; that of the example where a stand cannot be called so, which is noted."""
-    name = target.name.removesuffix(".toml")
-    if name == example:
-        return name, []
+def _refuse_existing(path: Path) -> None:
+    """Raises UsageError: nothing is ever overwritten."""
+    if path.exists() and not is_written_through(path):
+        raise UsageError(f"{path}: exists already, nothing was written")
+
+
+def _name_problem(name: str) -> str | None:
+    """Why a stand cannot have a name; None if it can."""
     from mahovik.core.stand.fields import stand_name_problem
 
-    if (problem := stand_name_problem(name)) is None:
-        return name, []
-    return example, [f"the stand is still named {example}, since {problem}; give another by --name"]
-
-
-def _check_name(name: str) -> None:
-    """Raises UsageError if a stand cannot have this name."""
-    from mahovik.core.stand.fields import stand_name_problem
-
-    if (problem := stand_name_problem(name)) is not None:
-        raise UsageError(f"name {name}: {problem}")
+    return stand_name_problem(name)
 
 
 def _first_sentence(path: Path) -> str:

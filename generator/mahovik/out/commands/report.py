@@ -70,8 +70,7 @@ def report(
     from mahovik.out.report.derivation import derivation_parts
 
     machine = Stand.of(stand)
-    if format_of(Path(output), (".html",)) is None:
-        raise UsageError(f"output: {output}: expected a name that ends in .html")
+    format_of(Path(output), (".html",))
     if derivation and (at or require):
         raise UsageError("derivation: shows no vibration; remove at and require")
     require_drawing("report")
