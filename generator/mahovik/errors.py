@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Any
 
 
@@ -123,6 +124,14 @@ def above_zero(name: str, value: float) -> None:
     """Raise UsageError unless an argument is a finite number above 0."""
     if not 0.0 < value < math.inf:
         raise UsageError(f"{name} {value:g}: expected a number above 0")
+
+
+def library(name: str, extra: str) -> Any:
+    """A library that only some users have. Raises UsageError, with the command that installs it."""
+    try:
+        return import_module(name)
+    except ImportError:
+        raise UsageError(f'{name.partition(".")[0]} is not installed: pip install "mahovik[{extra}]"') from None
 
 
 def printable(text: str) -> str:

@@ -29,4 +29,4 @@ def test_without_python_flint_one_line_says_what_to_install(monkeypatch: pytest.
     ]:
         monkeypatch.delitem(sys.modules, name)
     said = refused("verify", DEMO3, "--rigorous")
-    assert said == "error: --rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'\n"
+    assert said == 'error: flint is not installed: pip install "mahovik[rigorous]"\n'

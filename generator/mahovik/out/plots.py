@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.contract.quantities import RPM
-from mahovik.errors import UsageError
+from mahovik.errors import UsageError, library
 
 Array = NDArray[np.float64]
 Columns = Sequence[tuple[str, str, Any]]
@@ -193,17 +193,14 @@ def _rotation_vectors(quaternions: Array) -> Array:
 # -- drawing -----------------------------------------------------------------------------------------------------------
 
 
-def require(command: str) -> tuple[Any, Any]:
-    """matplotlib and its figures. Raises UsageError, with the command that needs them, where they are missing."""
-    try:
-        return import_module("matplotlib"), import_module("matplotlib.figure")
-    except ImportError:
-        raise UsageError(f'{command} needs matplotlib: pip install "mahovik[report]"') from None
+def require() -> tuple[Any, Any]:
+    """matplotlib and its figures. Raises UsageError where they are missing."""
+    return library("matplotlib", "report"), library("matplotlib.figure", "report")
 
 
 def draw(title: str, drawings: Sequence[Drawing], suffix: str, of: Any = None) -> bytes:
     """A picture of the drawings, of a result: `suffix` .svg or .png. Raises UsageError where matplotlib is missing."""
-    matplotlib, figures = require("a picture")
+    matplotlib, figures = require()
     with matplotlib.rc_context(STYLE):
         figure, _ = make_figure(figures.Figure, title, drawings, of)
         buffer = io.BytesIO()
@@ -217,7 +214,7 @@ def draw_on_axes(title: str, drawings: Sequence[Drawing], axes: Any = None, of: 
 
     Raises UsageError where matplotlib is not installed, or more axes are given than there are drawings.
     """
-    matplotlib, _ = require("plot")
+    matplotlib, _ = require()
     with matplotlib.rc_context(STYLE):
         if axes is None:
             return make_figure(import_module("matplotlib.pyplot").figure, title, drawings, of)[1]

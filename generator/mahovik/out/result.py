@@ -13,7 +13,6 @@ import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from html import escape
-from importlib import import_module
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.errors import InputError, UsageError
+from mahovik.errors import InputError, UsageError, library
 from mahovik.nearest import suggestion
 
 if TYPE_CHECKING:
@@ -256,7 +255,7 @@ class Result(Mapping[str, Any]):
     def to_pandas(self) -> Any:
         """The rows as a pandas.DataFrame; units stand in `attrs["units"]`. Raises UsageError without pandas."""
         columns = self.flat()
-        frame = _library("pandas", "frames").DataFrame({one.name: one.values for one in columns})
+        frame = library("pandas", "frames").DataFrame({one.name: one.values for one in columns})
         frame.attrs["units"] = {one.name: one.unit for one in columns}
         return frame.set_index(self.index) if self.index else frame
 
@@ -273,7 +272,7 @@ class Result(Mapping[str, Any]):
             result[one.name] = ([*rows, *dims], self[one.name], {key: text for key, text in more.items() if text})
         if rows:
             places[rows[0]] = result.pop(self.index) if self.index else np.arange(self.count)
-        return _library("xarray", "frames").Dataset(result, coords=places)
+        return library("xarray", "frames").Dataset(result, coords=places)
 
     # ---- files
 
@@ -289,7 +288,7 @@ class Result(Mapping[str, Any]):
             write(path, self._csv())
         elif suffix == ".parquet":
             content = io.BytesIO()
-            _library("pyarrow", "campaign")
+            library("pyarrow", "campaign")
             self.to_pandas().to_parquet(content)
             write(path, content.getvalue())
         else:
@@ -460,7 +459,7 @@ def suffix_of(path: Path) -> str:
 
     suffix = format_of(path, SUFFIXES, "-o")
     if suffix in (".svg", ".png"):
-        _library("matplotlib", "report")
+        library("matplotlib", "report")
     return suffix
 
 
@@ -515,11 +514,3 @@ def _unit_that_fits(one: Column) -> tuple[str, float] | None:
     if fitting:
         return fitting[0]
     return min(units, key=lambda unit: abs(math.log(largest / unit[1])))
-
-
-def _library(name: str, extra: str) -> Any:
-    """A library that only some users have. Raises UsageError, with the command that installs it."""
-    try:
-        return import_module(name)
-    except ImportError:
-        raise UsageError(f'{name} is not installed: pip install "mahovik[{extra}]"') from None

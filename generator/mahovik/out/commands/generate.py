@@ -114,12 +114,11 @@ def generate(
 
     machine = Stand.of(stand)
     only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
+    added += ("batch",) if batch else ()
     if only_ == ("list",):
         return _functions(machine)
     refuse_unknown(project)
-    _refuse_contradictions(
-        project, fmu, programme, motion, servo, attitude, name, real, only_, (*added, *(["batch"] if batch else []))
-    )
+    _refuse_contradictions(project, fmu, programme, motion, servo, attitude, name, real, only_, added)
     named = with_prefix(machine, prefix)
     if project == "fmu":
         return _fmu(named, output, fmu, check, progress)
@@ -155,7 +154,7 @@ def generate(
         )
     if programme is None or project is not None or not (folder / f"{named.name}.h").is_file():
         if project is None or project == "cmake":
-            added = tuple(dict.fromkeys((*added, *(["batch"] if batch else []), *delivered.additions)))
+            added = tuple(dict.fromkeys((*added, *delivered.additions)))
         add_project(
             contents,
             named,

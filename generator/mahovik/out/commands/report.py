@@ -73,7 +73,7 @@ def report(
     format_of(Path(output), (".html",))
     if derivation and (at or require):
         raise UsageError("derivation: shows no vibration; remove at and require")
-    require_drawing("report")
+    require_drawing()
     probe(Path(output))
     source = file_name(stand, f"{machine.name}.toml")
     made: list[Part] = []

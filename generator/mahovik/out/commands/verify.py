@@ -9,7 +9,7 @@ from textwrap import shorten
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.contract.functions import ALL_WANTS, is_public
-from mahovik.errors import CheckError, ToolchainError, UsageError, whole_number
+from mahovik.errors import CheckError, ToolchainError, UsageError, library, whole_number
 from mahovik.nearest import names_in
 from mahovik.out.arguments import (
     FileGiven,
@@ -181,12 +181,9 @@ def _c(
         pairs = parse_targets(ways["targets"], reals)
         return verify_targets(machine, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
     if ways["rigorous"]:
-        try:
-            from mahovik.proof.verify.rounding import measure_rounding
-        except ImportError as error:
-            if (error.name or "").partition(".")[0] != "flint":
-                raise
-            raise UsageError("rigorous: python-flint is not installed: pip install 'mahovik[rigorous]'") from None
+        library("flint", "rigorous")
+        from mahovik.proof.verify.rounding import measure_rounding
+
         chosen = real or there.real
         return measure_rounding(machine, seed=seed, count=states, real=chosen, against=folder, progress=on_state)
     from mahovik.proof.verify.harness import verify_c

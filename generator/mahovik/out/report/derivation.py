@@ -19,7 +19,7 @@ from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.hold import twists, words
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.errors import UsageError
+from mahovik.errors import library
 from mahovik.out.report.page import Part, table_of
 
 ROUNDING = 1e-14
@@ -28,10 +28,7 @@ ROUNDING = 1e-14
 
 def derivation_parts(stand: Stand) -> list[Part]:
     """Parts of the page. Raises UsageError: the library that makes MathML of LaTeX is missing."""
-    try:
-        from latex2mathml.converter import convert
-    except ImportError:
-        raise UsageError('--derivation needs latex2mathml: pip install "mahovik[report]"') from None
+    convert = library("latex2mathml.converter", "report").convert
 
     def inline(tex: str, display: str = "inline") -> Markup:
         # in a group of its own a bracket is as high as its own matrix

@@ -98,7 +98,7 @@ def draw_stand(stand: Stand) -> tuple[Any, str]:
     up = (-np.sign(gravity[axis]) if gravity.any() else 1.0) * np.eye(3)[axis]
     right = np.eye(3)[1 if axis == 0 else 0]
     depth = np.cross(up, right)  # away from the eye of the front view
-    matplotlib, figures = require("report")
+    matplotlib, figures = require()
     with matplotlib.rc_context(STYLE | {"svg.fonttype": "none", "axes.spines.left": False, "axes.grid": False}):
         figure = figures.Figure(figsize=(WIDTH, HEIGHT))
         views = [figure.add_axes((0.0, 0.0, 1.0, 1.0), label=name) for name in ("top", "front", "right side")]

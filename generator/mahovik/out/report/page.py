@@ -74,14 +74,14 @@ def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[
 
 def picture(panels: Sequence[Panel]) -> Markup:
     """Panels as one picture in the page."""
-    matplotlib, figures = require("report")
+    matplotlib, figures = require()
     with matplotlib.rc_context({**STYLE, "svg.fonttype": "none"}):
         return inline(make_figure(figures.Figure, "", panels)[0], ", ".join(panel.quantity for panel in panels))
 
 
 def inline(drawn: Any, label: str) -> Markup:
     """A figure of matplotlib as SVG in the page, whose style turns its colours where it is dark."""
-    matplotlib, _ = require("report")
+    matplotlib, _ = require()
     stream = io.StringIO()
     with matplotlib.rc_context({**STYLE, "svg.fonttype": "none"}):
         drawn.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
