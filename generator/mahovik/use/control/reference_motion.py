@@ -23,10 +23,9 @@ from mahovik.use.numeric.course import (
     INTERVALS,
     BlockElimination,
     Chart,
-    acceleration_rates,
     course,
     equilibrium,
-    integrate,
+    forced_defects,
     linearise,
     linearise_along,
 )
@@ -193,12 +192,8 @@ class Orbit:
         basis (3, M + 1, P): functions of a period at the nodes, with two derivatives.
         """
         N, P, n = self.phi_ddot.shape[1], basis.shape[2], self.y.shape[1]
-        rates = np.zeros((len(self.y), n, N, P))
         linear = linearise_along(self.chart, self.drive, self.y, self.phi_ddot)
-        for B, function in zip(acceleration_rates(self.drive, linear), basis, strict=True):
-            rates[:, n // 2 :] += B[:, :, :, None] * function[:, None, None, :]
-        spacing = self.span / (len(self.y) - 1)
-        defects = integrate(rates.reshape(-1, n, N * P), spacing)
+        defects = forced_defects(self.drive, linear, basis, self.span / (len(self.y) - 1))
         ends = self.near.solve(defects, np.zeros((n, N * P)))[-1]
         return self.near.solve(defects, self.periodic_start(ends)).reshape(-1, n, N, P)
 

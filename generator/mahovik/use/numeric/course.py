@@ -252,9 +252,15 @@ def linearise_along(chart: Chart, drive: Drive, y: Array, phi_ddot: Array) -> Li
     return linear(moving, drive.phi, drive.phi_dot, phi_ddot)
 
 
-def acceleration_rates(drive: Drive, linear: Linear) -> tuple[Array, Array, Array]:
-    """Change of the speeds' rates by phi, phi', phi'' of each flywheel (M, m, N each), state fixed."""
-    return drive.mobility @ linear.by_phi, drive.mobility @ linear.by_phi_dot, drive.mobility @ linear.by_phi_ddot
+def forced_defects(drive: Drive, linear: Linear, basis: Array, spacing: float) -> Array:
+    """Defects (B, 4, 2 m, N P) that additions to the flywheels' motion make, for `BlockElimination.solve`.
+
+    basis  (3, M, P): functions that each flywheel may add, with two derivatives, at the nodes
+    """
+    slopes = (linear.by_phi, linear.by_phi_dot, linear.by_phi_ddot)
+    rates = sum((drive.mobility @ by)[:, :, :, None] * x[:, None, None, :] for by, x in zip(slopes, basis, strict=True))
+    M, m, N, P = np.shape(rates)
+    return integrate(np.concatenate([np.zeros((M, m, N * P)), np.reshape(rates, (M, m, N * P))], axis=1), spacing)
 
 
 FREE_AT_REST = 1e-6

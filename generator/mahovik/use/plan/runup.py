@@ -26,10 +26,9 @@ from mahovik.use.numeric.course import (
     CarrierCourse,
     Chart,
     Equilibrium,
-    acceleration_rates,
     course,
     equilibrium,
-    integrate,
+    forced_defects,
     linearise,
     linearise_along,
 )
@@ -288,12 +287,9 @@ class Flight:
         """Derivatives by c: of the terminal error (2 m, N P), and of the states at all nodes (M, 2 m, N P)."""
         boundary, (N, P), m = self.problem, self.added.shape, self.problem.chart.count
         near = linearise(boundary.chart, self.drive, boundary.spacing, self.course.y)
-        rates = np.zeros((len(boundary.family.t), 2 * m, N, P))
-        for B, basis in zip(acceleration_rates(self.drive, self.linear), boundary.family.basis, strict=True):
-            rates[:, m:] += B[:, :, :, None] * basis[:, None, None, :]
         at_rest = boundary.family.basis[0, 0 if boundary.up else -1]
         rest = (self.rest.by_phi[:, :, None] * at_rest).reshape(2 * m, N * P)
-        defects = integrate(rates.reshape(-1, 2 * m, N * P), boundary.spacing)
+        defects = forced_defects(self.drive, self.linear, boundary.family.basis, boundary.spacing)
         states = near.solve(defects, rest if boundary.up else np.zeros_like(rest))
         end = states[-1] if boundary.up else states[-1] - rest
         return boundary.amplitude.shares(self.rest.projection @ end), states
