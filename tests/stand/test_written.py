@@ -8,6 +8,7 @@ import pytest
 
 from cli.run import run
 from mahovik.core.stand import load
+from mahovik.core.stand.read import document_at
 from mahovik.core.stand.written import Written, written_numbers
 
 TEXT = """schema = 1
@@ -34,7 +35,7 @@ motor = { torque = "7.5 oz-in", speed = "6000 1/min", coulomb = 1e-4 }
 def test_numbers_with_units_are_listed_as_they_are_written(tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
     load(tmp_path / "a.toml")
-    numbers = {(number.where, number.key): number for number in written_numbers(tmp_path / "a.toml")[0]}
+    numbers = {(number.where, number.key): number for number in written_numbers(document_at(tmp_path / "a.toml"))[0]}
     assert numbers["w1", "unbalance.static"] == Written("w1", "unbalance.static", "0.05 g mm", 5e-8, "kg m")
     assert {key: (number.text, number.in_si) for key, number in numbers.items()} == {
         ("carrier", "mass"): ("12000 g", "12 kg"),
@@ -112,7 +113,9 @@ def test_check_names_elements_of_which_the_mean_counts_and_angles_in_degrees(
 ) -> None:
     file = tmp_path / "rov.toml"
     file.write_text(FIN.format(*numbers))
-    assert [line.partition(": not")[0].partition(": degrees")[0] for line in written_numbers(file)[1]] == lines
+    assert [
+        line.partition(": not")[0].partition(": degrees")[0] for line in written_numbers(document_at(file))[1]
+    ] == lines
     shown = run("check", str(file)).stdout
     assert all(f"warning: {line}" in shown for line in lines)
     J = load(file).carrier.inertia

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
-from pathlib import Path
 from typing import Any
 
 from mahovik.core.stand.echoes import beyond_a_turn, list_item, text_with_unit
@@ -15,7 +14,6 @@ from mahovik.core.stand.model import Hold
 from mahovik.core.stand.numbers import dimension_along, path_of, tables_in
 from mahovik.core.stand.problems import Problems
 from mahovik.core.stand.tables import Blocks, Table, declared_keys, keys_of, read_table
-from mahovik.core.stand.toml import parse
 from mahovik.core.stand.units import ANGLE, INERTIA, Dimension, number
 
 Quantity = tuple[Any, Any, str, str]
@@ -43,14 +41,14 @@ class Written:
         return f"{self.value:.6g} {self.unit}"
 
 
-def written_numbers(path: str | Path) -> tuple[list[Written], list[str]]:
+def written_numbers(document: Mapping[str, Any]) -> tuple[list[Written], list[str]]:
     """All numbers with units of a valid stand file, in its order, and warnings, a line each.
 
     A list of which some numbers have units is one item, a matrix an item for each row. In the 6x6 matrices, whose
     numbers differ in dimension, each number with a unit is an item. Warnings are on angles without unit, in rad, beyond
     a whole turn, and on symmetric matrices with elements that differ, of which the mean counts.
     """
-    numbers = list(_numbers(path))
+    numbers = list(_numbers(document))
     items = (_of_matrix6(*number) if isinstance(number[0], tuple) else _of_value(*number) for number in numbers)
     return list(chain.from_iterable(items)), list(_doubts(numbers))
 
@@ -67,9 +65,8 @@ def _doubts(numbers: list[Quantity]) -> Iterator[str]:
             yield from (f"{name}: {above} but {below}: not symmetric, their mean counts" for above, below, _ in pairs)
 
 
-def _numbers(path: str | Path) -> Iterator[Quantity]:
+def _numbers(document: Mapping[str, Any]) -> Iterator[Quantity]:
     """All numbers of a valid stand file, in its order."""
-    document = parse(Path(path).read_text(encoding="utf-8-sig"))
     for header in headers():
         yield from _of_table(document, header, "stand", None)
     raw_hold = {key: value for key, value in document.get("hold", {}).items() if key in keys_of(Hold.table())}

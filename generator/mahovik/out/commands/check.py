@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
@@ -70,7 +69,7 @@ def check(
             [turning] * len(machine.flywheels),
             [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(machine.flywheels),
         )
-    written, doubts = written_numbers(stand) if isinstance(stand, str | Path) else ([], [])
+    written, doubts = written_numbers(vars(machine).get("_document", {}))
     summary = summarize(machine, turning, {w.where: w.text for w in written if w.key == "unbalance.static"})
     speeds = [row.speed for row in summary.unbalance]
     short, over = shortfalls(machine, speeds), excess(machine)

@@ -46,8 +46,8 @@ PART = 0.5
 DOUBLE_NOISE = 1e-13
 """Part of the scale: a smaller effect is rounding of the reference, from a flywheel without unbalance."""
 
-PHASES = 4
-"""Phases a quarter turn apart, so that no component of a turning vector is missed."""
+PHASES = 2
+"""Phases a quarter turn apart, so that no component of a turning vector is missed; half a turn on is the opposite."""
 
 MOTIONS: Mapping[str, Vec6] = {"at rest": (0.0,) * 6, "moving by 1 m/s and 1 rad/s": (1.0,) * 6}
 """Motions of the carrier, by their words in messages."""
