@@ -17,7 +17,7 @@ from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.errors import BalanceError, UsageError
 from mahovik.out.result import Result
 from mahovik.use.balance.by_model import Planes, balance_wheels
-from mahovik.use.measured import read_recordings
+from mahovik.use.measured.read import read_recordings
 
 
 def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:

@@ -12,7 +12,7 @@ import mahovik
 from identify.test_held import START, TRUE, readings, table, with_noise, write
 from mahovik.errors import BalanceError
 from mahovik.use.balance.by_model import Planes, balance_wheels
-from mahovik.use.measured import read_recordings
+from mahovik.use.measured.read import read_recordings
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from mahovik.core.stand.state import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
-from mahovik.use.measured import read_recordings
+from mahovik.use.measured.read import read_recordings
 from mahovik.use.simulate.held import home
 
 Array = Any

@@ -9,8 +9,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.read import loads
-from mahovik.use.measured import Recording, read_recordings
-from mahovik.use.measured.clocks import Array
+from mahovik.use.measured.clocks import Array, Recording
+from mahovik.use.measured.read import read_recordings
 
 STAND: Stand = loads("""
 schema = 1

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import make_interp_spline
 
-from mahovik.use.measured import Recording, read_recordings
-from mahovik.use.measured.clocks import Array, clock_offset
+from mahovik.use.measured.clocks import Array, Recording, clock_offset
 from mahovik.use.measured.flywheels import find_pulses, modulus_of, phase_of, unwrap
+from mahovik.use.measured.read import read_recordings
 from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
 
 RATE = "acc1.rate.x [rad/s]"

@@ -12,8 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mahovik.errors import DataError
-from mahovik.use.measured import Recording, read_recordings
+from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import HeaderError, channel_of
+from mahovik.use.measured.read import read_recordings
 from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
 
 UNITS = {

@@ -127,7 +127,7 @@ def _pieces(made: Made) -> list[Column]:
 def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     from mahovik.out.api.stands import Stand
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
-    from mahovik.use.measured import read_recordings
+    from mahovik.use.measured.read import read_recordings
 
     stand = Stand.of(source)
     planes = _planes(stand, plane or {})

@@ -20,7 +20,7 @@ from mahovik.errors import StandError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.identify.free import Free
 from mahovik.out.identify.predict import NEAR_CORNER, Phase, Predictor, Samples, channels_of, corners_of, phase_of
-from mahovik.use.measured import Recording
+from mahovik.use.measured.clocks import Recording
 from mahovik.use.numeric.se3 import Array
 
 Loss = Literal["linear", "soft_l1", "huber", "cauchy", "arctan"]

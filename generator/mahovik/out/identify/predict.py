@@ -24,7 +24,7 @@ from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables
-from mahovik.use.measured import Recording
+from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import LETTERS, sensors
 from mahovik.use.numeric.se3 import Array, left_jacobian
 from mahovik.use.simulate.case import Case

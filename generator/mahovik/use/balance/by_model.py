@@ -24,7 +24,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
 from mahovik.use.balance.influence import INDEPENDENT
 from mahovik.use.balance.pieces import Choice, Made, choose_pieces
-from mahovik.use.measured import Recording
+from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import AXES, LETTERS
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.study.linear.model import places

@@ -11,15 +11,19 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from mahovik.core.stand.csv_table import split_head
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
+from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.units import (
     ACCELERATION,
     ANGLE,
+    ANGULAR_ACCELERATION,
     FORCE,
+    LENGTH,
     PLAIN,
     SPEED,
     TIME,
     TORQUE,
+    VELOCITY,
     Dimension,
     QuantityError,
     factor,
@@ -146,3 +150,51 @@ def _factor(unit: str, dimension: Dimension, text: str) -> Fraction:
         return factor(unit, dimension)
     except QuantityError as error:
         raise HeaderError(f'"{text}": {error}') from None
+
+
+# -- columns of a run of `mahovik simulate`, which logs of states have too ---------------------------------------------
+
+Columns = list[tuple[str, Dimension]]
+"""Names of columns, with their dimensions."""
+
+RATES = {"slide": (VELOCITY, ACCELERATION), "turn": (SPEED, ANGULAR_ACCELERATION), "twist": (PLAIN, PLAIN)}
+"""Dimensions of u and u_dot of a kind of freedom."""
+
+CARRIER: Mapping[str, Columns] = {
+    "position": [(a, LENGTH) for a in AXES],
+    "quaternion": [(f"q{a}", PLAIN) for a in "wxyz"],
+    "angles": [(name, ANGLE) for name in ("psi", "theta", "phi")],
+    "V": [*((f"v_{a}", VELOCITY) for a in AXES), *((f"omega_{a}", SPEED) for a in AXES)],
+    "V_dot": [
+        *((f"v_dot_{a}", ACCELERATION) for a in AXES), *((f"omega_dot_{a}", ANGULAR_ACCELERATION) for a in AXES)
+    ],
+}  # fmt: skip
+"""Columns of each key of `eval` that every stand has."""
+
+
+def state_columns(stand: Stand) -> dict[str, Columns]:
+    """Columns of each key of `eval` that a stand has."""
+    result = dict(CARRIER)
+    if stand.hold is not None:
+        names, kinds = freedom_names(stand.hold), [freedom.kind for freedom in stand.hold.freedoms]
+        for k, key in enumerate(("u", "u_dot") if names else ()):
+            result[key] = [(f"{key} {name}", RATES[kind][k]) for name, kind in zip(names, kinds, strict=True)]
+        if names and has_coordinates(stand.hold):
+            numbered = numbered_freedoms(stand.hold)
+            if numbered:
+                result["q"] = [(f"q {names[k]}", LENGTH if kinds[k] == "slide" else ANGLE) for k in numbered]
+            if len(numbered) < len(names):
+                result["orientation"] = [(f"orientation_{letter}", PLAIN) for letter in "wxyz"]
+        result["reaction"] = [(f"hold.reaction.{a}", FORCE if a in AXES else TORQUE) for a in LETTERS]
+    if stand.flywheels:
+        wheels = [wheel.name for wheel in stand.flywheels]
+        for key, unit in (("phi", ANGLE), ("phi_dot", SPEED), ("phi_ddot", ANGULAR_ACCELERATION), ("tau", TORQUE)):
+            result[key] = [(f"{key} {name}", unit) for name in wheels]
+        letters = list(zip(WRENCH_LETTERS, (FORCE,) * 3 + (TORQUE,) * 3, strict=True))
+        result["mount_wrench"] = [(f"mount_{letter} {name}", unit) for name in wheels for letter, unit in letters]
+    return result
+
+
+def with_units(columns: Columns) -> list[str]:
+    """Headers of columns, with their units in SI."""
+    return [f"{name} [{unit.si.replace('^', '')}]" if unit.si else name for name, unit in columns]

@@ -6,7 +6,7 @@ speeds and coordinates of its freedoms may stand in place of twist and pose.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,20 +16,10 @@ import pandas as pd
 from scipy.interpolate import make_interp_spline
 
 from mahovik.contract.evaluation import needs_of
-from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
-from mahovik.core.stand.model import WRENCH_LETTERS, Hold, Stand
+from mahovik.core.stand.hold import twists
+from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import (
-    ACCELERATION,
-    ANGLE,
-    ANGULAR_ACCELERATION,
-    FORCE,
-    LENGTH,
-    PLAIN,
-    SPEED,
-    TORQUE,
-    VELOCITY,
-    Dimension,
     QuantityError,
     factor,
 )
@@ -38,7 +28,7 @@ from mahovik.nearest import suggestion
 from mahovik.proof.verify.held import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.clocks import Array
-from mahovik.use.measured.headers import HeaderError, is_time, split_header, time_scale
+from mahovik.use.measured.headers import Columns, HeaderError, is_time, split_header, state_columns, time_scale
 from mahovik.use.measured.read import read_table
 
 MOST_ROWS = 2000
@@ -56,13 +46,8 @@ ACCELERATIONS = ("V_dot", "u_dot", "phi_ddot")
 COORDINATES = ("q", "orientation")
 """Keys of the coordinates of freedoms."""
 
-RATES = {"slide": (VELOCITY, ACCELERATION), "turn": (SPEED, ANGULAR_ACCELERATION), "twist": (PLAIN, PLAIN)}
-"""Dimensions of u and u_dot of a kind of freedom."""
-
 DEGREE, ENDS = 5, 6
 """Degree of the spline of speeds, and rows at either end whose derivative is not used: a spline is worst there."""
-
-Columns = list[tuple[str, Dimension]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +70,7 @@ class StateLog:
 def read_state_log(path: Path, stand: Stand) -> StateLog:
     """The rows of a log of a stand. Raises DataError."""
     frame, notes = read_table(path)
-    log = _Log(stand, path, dict(_groups(stand)), notes)
+    log = _Log(stand, path, state_columns(stand), notes)
     log.gather(frame)
     if stand.hold is not None:
         log.add_twists(stand.hold)
@@ -95,38 +80,6 @@ def read_state_log(path: Path, stand: Stand) -> StateLog:
             if key in log.values:
                 log.values.setdefault(rate, freedom_rates(stand.hold, log.values[key]))
     return log.read()
-
-
-def _groups(stand: Stand) -> Iterator[tuple[str, Columns]]:
-    """Columns, with their dimensions, of each key of `eval` that a stand has."""
-
-    def twist(linear: str, angular: str, of: tuple[Dimension, Dimension]) -> Columns:
-        return [(f"{name}_{a}", columns) for name, columns in zip((linear, angular), of, strict=True) for a in "xyz"]
-
-    yield "position", [(a, LENGTH) for a in "xyz"]
-    yield "quaternion", [(f"q{a}", PLAIN) for a in "wxyz"]
-    yield "angles", [(name, ANGLE) for name in ("psi", "theta", "phi")]
-    yield "V", twist("v", "omega", (VELOCITY, SPEED))
-    yield "V_dot", twist("v_dot", "omega_dot", (ACCELERATION, ANGULAR_ACCELERATION))
-    if stand.hold is not None:
-        names, kinds = freedom_names(stand.hold), [columns.kind for columns in stand.hold.freedoms]
-        numbered = numbered_freedoms(stand.hold) if has_coordinates(stand.hold) else range(len(names))
-        if names:
-            for k, key in enumerate(("u", "u_dot")):
-                yield key, [(f"{key} {name}", RATES[kind][k]) for name, kind in zip(names, kinds, strict=True)]
-        if names and has_coordinates(stand.hold):
-            if numbered:
-                yield "q", [(f"q {names[k]}", LENGTH if kinds[k] == "slide" else ANGLE) for k in numbered]
-            if len(numbered) < len(names):
-                yield "orientation", [(f"orientation_{letter}", PLAIN) for letter in "wxyz"]
-        yield "reaction", [(f"hold.reaction.{a}", FORCE if a in "xyz" else TORQUE) for a in "xyzkmn"]
-    if stand.flywheels:
-        wheels = [wheel.name for wheel in stand.flywheels]
-        for key, unit in (("phi", ANGLE), ("phi_dot", SPEED), ("phi_ddot", ANGULAR_ACCELERATION), ("tau", TORQUE)):
-            yield key, [(f"{key} {name}", unit) for name in wheels]
-        units = zip(WRENCH_LETTERS, (FORCE,) * 3 + (TORQUE,) * 3, strict=True)
-        letters = list(units)
-        yield "mount_wrench", [(f"mount_{letter} {name}", unit) for name in wheels for letter, unit in letters]
 
 
 @dataclass(eq=False)

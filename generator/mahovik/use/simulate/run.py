@@ -7,25 +7,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.hold import freedom_names, has_coordinates
+from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.rotation import carrier_rotation, quaternion_of
+from mahovik.use.measured.headers import AXES, CARRIER, RATES, sensors, state_columns, with_units
 from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused
 
 BACKENDS = ("c", "scipy")
-_AXES = "xyz"
-STATE_COLUMNS = (
-    *(f"{a} [m]" for a in _AXES), "qw", "qx", "qy", "qz",
-    *(f"v_{a} [m/s]" for a in _AXES), *(f"omega_{a} [rad/s]" for a in _AXES),
-)  # fmt: skip
+STATE_COLUMNS = tuple(with_units([*CARRIER["position"], *CARRIER["quaternion"], *CARRIER["V"]]))
 """Columns of the carrier's place, attitude and twist."""
-
-_UNITS = ("N",) * 3 + ("N m",) * 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,17 +111,13 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
     def add(names: Sequence[str], values: Array) -> None:
         columns.update(zip(names, values.T, strict=True))
 
+    headers = {key: with_units(group) for key, group in state_columns(stand).items()}
     add(STATE_COLUMNS, state[:, :13])
-    add([*(f"v_dot_{a} [m/s2]" for a in _AXES), *(f"omega_dot_{a} [rad/s2]" for a in _AXES)], V_dot)
+    add(headers["V_dot"], V_dot)
     phi, phi_ddot, tau = whole("phi"), whole("phi_ddot"), whole("tau")
     for i, s in enumerate(stand.flywheels):
         speed = state[:, 13 + N + i]
-        names = [
-            f"phi {s.name} [rad]",
-            f"phi_dot {s.name} [rad/s]",
-            f"phi_ddot {s.name} [rad/s2]",
-            f"tau {s.name} [N m]",
-        ]
+        names = [headers[key][i] for key in ("phi", "phi_dot", "phi_ddot", "tau")]
         add(names, np.column_stack([phi[:, i], speed, phi_ddot[:, i], tau[:, i]]))
         if s.motor is not None:
             torque = columns[f"motor {s.name} [N m]"] = required_torque(s.motor, tau[:, i], speed)
@@ -134,18 +125,16 @@ def columns_of(stand: Stand, pieces: Sequence[Moments]) -> dict[str, Array]:
                 margin = available_torque(s.motor, torque, speed) - np.abs(torque)
                 columns[f"margin {s.name} [N m]"] = np.where(np.isfinite(margin), margin, 0.0)
     if stand.hold is not None:
-        add([f"hold.reaction.{a} [{u}]" for a, u in zip("xyzkmn", _UNITS, strict=True)], whole("reaction"))
+        add(headers["reaction"], whole("reaction"))
         names = coordinate_columns(stand)
         add(names, _count_turns(names, whole("coordinates")[:, : len(names)], t))
     readings = whole("readings")
-    sensors = [*(p.name for p in stand.instruments), *(p.name for p in stand.points)]
-    for k, sensor in enumerate(sensors):  # position, C, twist, force, angular acceleration
-        add([f"force_{a} {sensor} [m/s2]" for a in _AXES], readings[:, 24 * k + 18 : 24 * k + 21])
-        add([f"gyro_{a} {sensor} [rad/s]" for a in _AXES], readings[:, 24 * k + 15 : 24 * k + 18])
+    for k, sensor in enumerate(sensors(stand)):  # position, C, twist, force, angular acceleration
+        add([f"force_{a} {sensor} [m/s2]" for a in AXES], readings[:, 24 * k + 18 : 24 * k + 21])
+        add([f"gyro_{a} {sensor} [rad/s]" for a in AXES], readings[:, 24 * k + 15 : 24 * k + 18])
     loads = whole("loads")
-    for k, s in enumerate(stand.flywheels if loads.size else ()):
-        names = [f"mount_{a} {s.name} [{u}]" for a, u in zip(WRENCH_LETTERS, _UNITS, strict=True)]
-        add(names, loads[:, 6 * k : 6 * k + 6])
+    if loads.size:
+        add(headers["mount_wrench"], loads)
     return columns
 
 
@@ -154,11 +143,12 @@ def coordinate_columns(stand: Stand) -> list[str]:
     hold = stand.hold
     if hold is None or not has_coordinates(hold):
         return []
-    names, units = freedom_names(hold), ["rad" if freedom.kind == "turn" else "m" for freedom in hold.freedoms]
-    numbered = numbered_freedoms(hold)
-    columns = [f"q {names[k]} [{units[k]}]" for k in numbered]
-    columns += [f"orientation_{letter}" for letter in "wxyz"] if len(numbered) < len(names) else []
-    return columns + [f"q_dot {name} [{unit}/s]" for name, unit in zip(names, units, strict=True)]
+    columns = state_columns(stand)
+    rates = [
+        (f"q_dot {name}", RATES[freedom.kind][0])
+        for name, freedom in zip(freedom_names(hold), hold.freedoms, strict=True)
+    ]
+    return with_units([*columns.get("q", ()), *columns.get("orientation", ()), *rates])
 
 
 def _count_turns(names: Sequence[str], columns: Array, t: Array) -> Array:
