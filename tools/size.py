@@ -25,7 +25,7 @@ PARTS = {
 
 LIMITS = {
     "package": 90_500,
-    "templates": 8_700,
+    "templates": 7_000,
     "tests": 43_500,
     "tools and bench": 5_000,
     "words of the pages": 35_000,

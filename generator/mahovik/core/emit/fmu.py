@@ -39,7 +39,7 @@ class Sources:
 def compiled_sources(stand: Stand) -> tuple[str, ...]:
     """Names of the C files of an FMU, in the order in which they are compiled."""
     name = stand.name
-    return (f"{name}.c", f"{name}_pose.c", f"{name}_model.c", f"{name}_fmi2.c")
+    return (f"{name}.c", f"{name}_model.c", f"{name}_fmi2.c")
 
 
 def fmu_sources(stand: Stand, generated: Generated, form: Form, token: str) -> Sources:
@@ -62,8 +62,6 @@ def _with_model(stand: Stand, generated: Generated, printer: _Printer, interface
     """An interface with the stand as values with references, and the C of what they call."""
     name = stand.name
     files = {
-        f"{name}_pose.h": printer.pose("fmu/pose.h.j2"),
-        f"{name}_pose.c": printer.pose("fmu/pose.c.j2"),
         f"{name}_model.h": printer.model("fmu/model.h.j2"),
         f"{name}_model.c": printer.model("fmu/model.c.j2"),
         **interface,
@@ -107,20 +105,18 @@ class _Printer:
             "count": count,
         }
 
-    def pose(self, name: str) -> str:
-        """Header or source of the functions beside those of the stand."""
-        code = Code(lower_fmu(self._layout), identities(self._stand), word="pose_word")
-        functions = code.public_declarations(code.public) if name.endswith(".h.j2") else code.functions
-        limits = [*code.limits(), *code.constants]
-        return code.render(name, **self._known, functions=functions, tables=[], limits=limits)
-
     def model(self, name: str) -> str:
-        """Header or source of the stand as values with references."""
+        """Header or source of the stand as values with references, and of what an integrator needs besides."""
+        code = Code(lower_fmu(self._layout), identities(self._stand), word="model_word")
         groups, layout = self._form.groups, self._layout
         settable = self._form.variables[: groups["RATES"].first]
-        return self._code.render(
+        return code.render(
             name,
             **self._known,
+            public=code.public_declarations(code.public),
+            functions=code.functions,
+            tables=[],
+            limits=[*code.limits(), *code.constants],
             groups=[g for g in groups.values() if g.count or g.name in ("DRIVE", "STEP", "LAWS")],
             values=len(self._form.variables),
             variables=[self._row(v) for v in settable],
