@@ -9,7 +9,7 @@ So what a requirement is judged by, the largest value, is that of the whole equa
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -213,22 +213,20 @@ def vibration(
     return result
 
 
+@dataclass(eq=False)
 class _Study:
-    def __init__(
-        self, scene: Scene, plan: SpeedPlan, chain: Chain, phases: Array, bands: tuple[Band | None, ...], go_on: GoOn
-    ) -> None:
-        self.scene, self.plan, self.chain, self.phases, self.bands, self.go_on = (
-            scene,
-            plan,
-            chain,
-            phases,
-            bands,
-            go_on,
-        )
-        self.solved: dict[float, Spectrum | str] = {}
-        self.noises: dict[float, Array] = {}
-        self.known = np.zeros(0), Lines.none(0), Lines.none(0)
-        self.cut = False
+    """What is known of a study so far: solutions, noise and linear lines by the value of the swept speed."""
+
+    scene: Scene
+    plan: SpeedPlan
+    chain: Chain
+    phases: Array
+    bands: tuple[Band | None, ...]
+    go_on: GoOn
+    solved: dict[float, Spectrum | str] = field(default_factory=dict)
+    noises: dict[float, Array] = field(default_factory=dict)
+    known: tuple[Array, Lines, Lines] = field(default_factory=lambda: (np.zeros(0), Lines.none(0), Lines.none(0)))
+    cut: bool = False
 
     def one(self, value: Array) -> Vibration:
         """One set of speeds."""
