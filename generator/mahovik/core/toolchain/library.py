@@ -195,14 +195,14 @@ class Library:
 
     def _memory(self, a: Argument, value: Any, fill: float | None) -> Any:
         """What an argument is given: its value; where there is none, none or memory."""
-        if value is not None or a.optional == "missing":
+        if isinstance(value, self._ffi.CData) or (value is None and a.optional == "missing"):
             return value
         if not a.shape and not a.variable.pointer:
-            return 0
-        count = f"[{int(a.shape[0])}]" if a.shape else "*"
-        return self._ffi.new(
-            f"{self._c_type(a.type)} {count}", _of_c(uniform_data(a.type, a.shape, fill)) if fill else None
-        )
+            return 0 if value is None else value
+        if value is None and fill:
+            value = uniform_data(a.type, a.shape, fill)
+        count = f"[{int(a.shape[0])}]" if a.shape else "*"  # a list that is too short is filled up with zeros
+        return self._ffi.new(f"{self._c_type(a.type)} {count}", _of_c(value))
 
     def probe(self, function: str, held: Mapping[str, Any]) -> tuple[int, bool]:
         """Calls a function with data of C; returns its status, and whether all that it points to is as it was."""
