@@ -44,12 +44,8 @@ def random_stands(count: int) -> Iterator[Stand]:
 def verify_random(
     stand: Stand, states: int, seed: int = 1, real: str = "double", backend: CBackend | None = None
 ) -> Report:
-    """Compiled C against both derivations; `backend`: where it is compiled already.
-
-    A C that takes run-time wrenches on some bodies is given none on others.
-    """
+    """Compiled C against both derivations; `backend`: where it is compiled already."""
     backend = backend or CBackend(stand, real)
-    everywhere = all(body.wrench_input for body in stand.bodies)
-    drawn = draw(stand, seed, states, real, wrenches=everywhere)
+    drawn = draw(stand, seed, states, real)
     rows = judge(stand, backend, drawn, backend.wants, LIMITS[real], second=Second(stand))
     return report(stand, "generated C", seed, states, LIMITS[real].value, rows)

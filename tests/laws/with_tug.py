@@ -35,5 +35,5 @@ if __name__ == "__main__":
     assert "carrier.tug.force[2]" in {number.path for number in StandNumbers(stand, parse(dumps(stand)))}
     assert with_mismatch(stand, 0.01, 1).carrier.law(tug) != stand.carrier.law(tug)
     backend = InterpreterBackend(generated(stand))
-    checks = judge(stand, backend, draw(stand, 3, 5, wrenches=False), ("forward", "torque"), second=Second(stand))
+    checks = judge(stand, backend, draw(stand, 3, 5), ("forward", "torque"), second=Second(stand))
     print(*(check.words for check in checks if check.failed), "judged", sep="\n")

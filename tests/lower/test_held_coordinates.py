@@ -55,7 +55,7 @@ def made(name: str) -> tuple[Stand, InterpreterBackend]:
 @pytest.mark.parametrize("name", quick(3, HOLDS))
 def test_three_derivations_agree(name: str) -> None:
     stand, backend = made(name)
-    second, states = Second(stand), draw(stand, 1, 8, wrenches=False)
+    second, states = Second(stand), draw(stand, 1, 8)
     checks = judge(stand, backend, states, ["generalized"], DOUBLE, None, second)
     case = Case(stand, backend, states, DOUBLE, second, Scales(stand), 1)  # type: ignore[arg-type]
     checks += checks_of(case, "state_from_coordinates")

@@ -66,7 +66,7 @@ def stand_of(name: str) -> Stand:
 def rows_of(stand: Stand, without: type | None = None, functions: tuple[str, ...] = FUNCTIONS) -> list[Check]:
     """Rows of both Jacobians at ordinary states, by the interpreter, which may lack a law."""
     backend = InterpreterBackend(generate_all(stand.without_laws(without) if without else stand))
-    some = ordinary(draw(stand, 1, 12, wrenches=False), backend.inputs, 12)
+    some = ordinary(draw(stand, 1, 12), 12)
     case = Case(stand, cast(Any, backend), some, DOUBLE, Second(stand), Scales(stand), 1)
     checks: list[Check] = []
     for name in functions:
@@ -94,7 +94,7 @@ def test_they_are_differences_of_the_literal_reference(want: str) -> None:
     """Central differences over 1e-6 have half of the digits."""
     stand = stand_of("free")
     backend = InterpreterBackend(generate_all(stand))
-    _, state = draw(stand, 2, 12, wrenches=False)[3]
+    _, state = draw(stand, 2, 12)[3]
     slopes = backend.call(f"{want}_jacobian", backend.arguments(state))[1]["out"]
     inputs = ("V", "phi", "phi_dot", "phi_ddot" if want == "forward" else "tau")
 

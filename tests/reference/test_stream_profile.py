@@ -66,7 +66,7 @@ def test_the_compiled_c_agrees_and_a_wrong_shear_of_the_lowest_layer_is_found() 
     table = copy.deepcopy(small_backend().table())
     table["stream_profile"]["shear"][-1][0] *= 1.01
     wrong = 0
-    for _, state in draw(stand, 0, 12, wrenches=False):
+    for _, state in draw(stand, 0, 12):
         inputs = small_backend().arguments(state)
         right, other = (small_backend().call("forward", inputs | more)[1]["V_dot"] for more in ({}, {"table": table}))
         off = differences(small_backend().evaluate, state, expectations(stand, state))

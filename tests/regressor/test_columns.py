@@ -41,7 +41,7 @@ def case_of(stand: Stand, folder: Path, real: str = "double", named: str = "regr
     for file, content in generate_all(stand, real, only=(named,)).files.items():
         (folder / file).write_text(content, encoding="ascii", newline="\n")
     backend = CBackend(stand, real, folder)
-    drawn = ordinary(draw(stand, 3, 20, real), backend.inputs, 4)
+    drawn = ordinary(draw(stand, 3, 20, real), 4)
     return Case(stand, backend, drawn, LIMITS[real], Second(stand), Scales(stand, real), 3)
 
 

@@ -41,7 +41,7 @@ def example(name: str) -> Case:
         stand = replace(stand, flywheels=tuple(balanced(s) for s in stand.flywheels))
     stand = replace(stand, phase_input="sincos", carrier=replace(stand.carrier, wrench_input=True))
     backend = CBackend(stand)
-    states = ordinary(draw(stand, 3, 12), backend.inputs, 2)
+    states = ordinary(draw(stand, 3, 12), 2)
     return Case(stand, backend, states, LIMITS["double"], Second(stand), Scales(stand), 3)
 
 

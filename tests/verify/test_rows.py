@@ -83,7 +83,7 @@ def test_rounding_passes_where_nothing_acts_along_the_freedom_and_an_error_does_
 def test_a_refusal_where_no_flywheel_acts_along_the_freedom_is_right() -> None:
     stand = loads(STILL + WHEEL)
     backend = cast(CBackend, InterpreterBackend(generate_all(stand)))
-    states = ordinary(draw(stand, 1, 3), (), 2)
+    states = ordinary(draw(stand, 1, 3), 2)
     rows = checks_of(Case(stand, backend, states, DOUBLE, Second(stand), Scales(stand), 1), "inverse_fast")
     assert {row.verdict for row in rows if row.states} == {"ok"}
 
@@ -94,7 +94,7 @@ def test_an_error_of_a_digit_is_seen(quantity: str) -> None:
     stand = random_held_stand("hinge", 4)
     scales = Scales(stand)
     judge = Rows(DOUBLE, scales, "forward")
-    for name, state in draw(stand, 1, 6, wrenches=False):
+    for name, state in draw(stand, 1, 6):
         measured = scales.want(state, "forward")
         assert measured is not None
         expected = measured.values

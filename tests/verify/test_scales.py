@@ -59,7 +59,7 @@ def answers(stand: Stand, state: Any, at: Pieces) -> dict[tuple[str, str], Any]:
 def parts_of_scales(stand: Stand, states: int) -> dict[str, float]:
     """The largest part of the scale of any quantity that each term reaches at the drawn states."""
     scales, reached = Scales(stand), dict[str, float]()
-    for _, state in draw(stand, 1, states, wrenches=False):
+    for _, state in draw(stand, 1, states):
         neighbour, held, at = scales.neighbours(state)[0]
         right = answers(neighbour, held, at)
         for term, wrong in with_errors(neighbour, at):

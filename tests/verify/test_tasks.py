@@ -121,7 +121,7 @@ def test_a_planted_fault_is_noticed(fault: str, tmp_path: Path) -> None:
     place, pattern, wrong = FAULTS[fault]
     folder = planted("sat4", tmp_path, place, pattern, wrong, stand())
     case = case_of("sat4", folder, stand=stand())
-    case = replace(case, states=ordinary(draw(case.stand, 3, 60), case.backend.inputs, 12))
+    case = replace(case, states=ordinary(draw(case.stand, 3, 60), 12))
     assert any(row.verdict == "FAILED" for row in rows_about(case))
 
 
@@ -138,7 +138,7 @@ def test_a_planted_fault_of_a_curve_is_noticed(fault: str, tmp_path: Path) -> No
     place, pattern, wrong = CURVE_FAULTS[fault]
     folder = planted("sat4", tmp_path, place, pattern, wrong, curved())
     case = case_of("sat4", folder, stand=curved())
-    case = replace(case, states=ordinary(draw(case.stand, 3, 60), case.backend.inputs, 12))
+    case = replace(case, states=ordinary(draw(case.stand, 3, 60), 12))
     assert any(row.verdict == "FAILED" for name in ("inverse", *TORQUE) for row in checks_of(case, name))
 
 
@@ -146,7 +146,7 @@ def test_a_planted_fault_of_a_curve_is_noticed(fault: str, tmp_path: Path) -> No
 def test_a_thousand_demands_within_bounds_are_those_of_scipy() -> None:
     """Least error by `lsq_linear`, the share by `linprog`; half of the demands keep wanted speeds."""
     case = case_of("sat4", stand=stand())
-    case = replace(case, states=ordinary(draw(case.stand, 11, 1600, wrenches=False), case.backend.inputs, 1000))
+    case = replace(case, states=ordinary(draw(case.stand, 11, 1600), 1000))
     assert len(case.states) == 1000
     assert failed(checks_of(case, "torque_for_pointing")) == []
 
@@ -180,10 +180,8 @@ def test_tasks_of_random_stands(seed: int, real: str) -> None:
     rng = np.random.default_rng(700 + seed)
     drawn = random_stand(rng, int(rng.integers(1, 9)), EVERYTHING)
     backend = CBackend(drawn, real)
-    states = draw(drawn, seed, 40, real, wrenches=False)
-    case = Case(
-        drawn, backend, ordinary(states, backend.inputs, 6), LIMITS[real], Second(drawn), Scales(drawn, real), seed
-    )
+    states = draw(drawn, seed, 40, real)
+    case = Case(drawn, backend, ordinary(states, 6), LIMITS[real], Second(drawn), Scales(drawn, real), seed)
     names = [f.name for f in backend.program.functions if f.public and f.name.startswith("inverse")]
     assert len(names) == 6
     names += [f"torque_for_{task.name}" for task in drawn.tasks]

@@ -19,7 +19,7 @@ from mahovik.proof.verify.scales import Scales
 
 SAT = mahovik.example("sat4")
 CASE = TorqueCase(SAT, uniform(1e-12), Second(SAT), Scales(SAT))
-REQUESTS = torque_requests(SAT, draw(SAT, 1, 36, wrenches=False), 1)
+REQUESTS = torque_requests(SAT, draw(SAT, 1, 36), 1)
 
 
 def answers() -> list[dict[str, Any]]:

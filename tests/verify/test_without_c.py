@@ -58,7 +58,7 @@ SLOW: dict[str, Callable[[], Stand]] = {
 def test_program_reference_and_second_derivation_agree(name: str) -> None:
     stand = (STANDS | SLOW)[name]()
     backend = InterpreterBackend(generated(stand))
-    rows = judge(stand, backend, draw(stand, 5, 10, wrenches=False), backend.wants, second=Second(stand))
+    rows = judge(stand, backend, draw(stand, 5, 10), backend.wants, second=Second(stand))
     assert {row.quantity: row.words for row in rows if row.failed} == {}
     seen = {row.quantity for row in rows if row.second is not None}
     expected = {"V_dot", "energy"} | ({"tau"} if stand.flywheels else set())

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from types import MappingProxyType
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -101,10 +100,6 @@ class Case:
         )
 
 
-def ordinary(states: Sequence[tuple[str, State]], inputs: Sequence[str], most: int) -> list[tuple[str, State]]:
-    """The first ordinary states, with run-time wrenches only on bodies that take one (`inputs`)."""
-    chosen = [(name, state) for name, state in states if name.startswith(("random", "wrenched"))][:most]
-    return [
-        (name, replace(state, wrench=MappingProxyType({b: w for b, w in state.wrench.items() if b in inputs})))
-        for name, state in chosen
-    ]
+def ordinary(states: Sequence[tuple[str, State]], most: int) -> list[tuple[str, State]]:
+    """The first ordinary states."""
+    return [(name, state) for name, state in states if name.startswith("random")][:most]

@@ -14,7 +14,7 @@ from mahovik.contract.limits import PERTURBATION
 from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.random import EXTREMES, extreme_state, random_state, random_wrenches
+from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
 from mahovik.proof.reference.law import CarrierReference
@@ -32,26 +32,22 @@ REDRAWN = 3
 """How often a state is drawn anew where rounding decides a word of its answer."""
 
 
-def draw(stand: Stand, seed: int, count: int, real: str = "double", wrenches: bool = True) -> list[tuple[str, State]]:
+def draw(stand: Stand, seed: int, count: int, real: str = "double") -> list[tuple[str, State]]:
     """`count` states with their names, `KIND NUMBER`: two ordinary, one extreme, and so on.
 
-    Every fourth ordinary one has a run-time wrench on every body; without `wrenches` on those that take one only. For
-    float every number is one of float, but for the quaternion: it has unit length in double.
+    For float every number is one of float, but for the quaternion: it has unit length in double.
     """
     check_drawing(seed, count, real)
     rng = np.random.default_rng(seed)
     kinds = zip(range(count), _state_kinds(), strict=False)
-    return [(f"{kind} {number}", _draw_one(stand, rng, kind, real, wrenches)) for number, kind in kinds]
+    return [(f"{kind} {number}", _draw_one(stand, rng, kind, real)) for number, kind in kinds]
 
 
-def _draw_one(stand: Stand, rng: np.random.Generator, kind: str, real: str, wrenches: bool) -> State:
+def _draw_one(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
     """A state that is near no branch, as the element type has it."""
     state = _draw_state(stand, rng, kind, real)
     while _near_a_branch(stand, state, TURNED * PERTURBATION[real]):
         state = _draw_state(stand, rng, "random", real)
-    if not wrenches:
-        takes = {body.name for body in stand.bodies if body.wrench_input}
-        state = replace(state, wrench=MappingProxyType({name: w for name, w in state.wrench.items() if name in takes}))
     return round_to_float(stand, state) if real == "float" else state
 
 
@@ -64,18 +60,15 @@ def check_drawing(seed: int, count: int, real: str) -> None:
 
 
 def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str = "double") -> list[tuple[str, State]]:
-    """The states of `draw`, without run-time wrenches that the C does not take.
-
-    One where rounding decides a word of `inverse` is drawn anew, up to REDRAWN times.
-    """
+    """The states of `draw`; one where rounding decides a word of `inverse` is drawn anew, up to REDRAWN times."""
     rng, result = np.random.default_rng((seed, 1)), []
-    for name, state in draw(stand, seed, count, real, wrenches=False):
+    for name, state in draw(stand, seed, count, real):
         chosen = state
         for _ in range(REDRAWN):
             measured = scales.want(chosen, "inverse")
             if measured is None or not measured.undecided:
                 break
-            chosen = _draw_one(stand, rng, "random", real, False)
+            chosen = _draw_one(stand, rng, "random", real)
         result.append((name, chosen))
     return result
 
@@ -85,8 +78,7 @@ def _state_kinds() -> Iterator[str]:
     extremes = [kind for kind in EXTREMES if kind != "rest"]
     number = 0
     while True:
-        yield "random"
-        yield "wrenched" if number % 2 else "random"
+        yield from ("random", "random")
         yield extremes[number % len(extremes)]
         number += 1
 
@@ -94,10 +86,7 @@ def _state_kinds() -> Iterator[str]:
 def _draw_state(stand: Stand, rng: np.random.Generator, kind: str, real: str) -> State:
     if kind in EXTREMES:
         return extreme_state(stand, rng, kind, limits_of("phi", real)[0], LEAST_EXPONENT[real])
-    state = random_state(stand, rng)
-    if kind == "wrenched":
-        return replace(state, wrench=random_wrenches(rng, [body.name for body in stand.bodies]))
-    return state
+    return random_state(stand, rng)
 
 
 def with_drawn_actuators(stand: Stand, state: State, rng: np.random.Generator) -> State:

@@ -115,7 +115,7 @@ def verify_program(
         raise UsageError(f"want {TORQUE_FOR}: {stand.name} has no task, [task.NAME]")
     if program.attitude == "quaternion" and "generalized" in wants and stand.hold is None:
         raise UsageError("want, attitude: generalized needs angles, found quaternion")
-    states = [(name, program.state(stand, state)) for name, state in draw(stand, seed, count, wrenches=False)]
+    states = [(name, program.state(stand, state)) for name, state in draw(stand, seed, count)]
     if program.actuators:  # two sets, since the second derivation is made for each, and every third state as it is
         rng = np.random.default_rng(seed)
         first = states[0][1]
@@ -235,9 +235,9 @@ def torque_requests(stand: Stand, states: Sequence[tuple[str, State]], seed: int
     A demand is what random torques reach, SHARES of those of the motors, or of 1000 rad/s2 where these have no limit.
     """
     scales, options = Scales(stand), motor_options(stand)
-    inputs, result = [body.name for body in stand.bodies if body.wrench_input], []
+    result = []
     for task in stand.tasks:
-        for number, (name, state) in enumerate(ordinary(states, inputs, STATES)):
+        for number, (name, state) in enumerate(ordinary(states, STATES)):
             at, (_, most) = scales.at(state), motor_bounds(state, options)
             drawn = np.random.default_rng((seed, 900 + number)).uniform(-1.0, 1.0, len(most))
             tau = drawn * SHARES[number % len(SHARES)] * np.minimum(most, 1000.0 * np.diag(at.Theta_ff))

@@ -105,7 +105,7 @@ def verify_c(
         states = draw_decided(stand, scales, seed, count, real)
         backend = backend or built.result()
         rows = judge(stand, backend, states, backend.wants, limits, progress, second, scales=scales)
-        some = ordinary(states, backend.inputs, FUNCTION_STATES)
+        some = ordinary(states, FUNCTION_STATES)
         rows += function_checks(Case(stand, backend, some, limits, second, scales, seed))
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))

@@ -50,7 +50,7 @@ def measure_rounding(
         there, expected = ", ".join(public_names(backend.program)), ", ".join(wants_of("rigorous"))
         raise UsageError(f"--rigorous: {against} holds {there}, expected one of {expected}: no other has enclosures")
     limits = replace(LIMITS[real], value=LIMITS[real].rigorous)
-    states = draw(stand, seed, count, real, wrenches=False)
+    states = draw(stand, seed, count, real)
     rows = judge(stand, backend, states, wants, limits, progress, scales=EnclosedScales(stand, real, seed))
     judged_words = f"{real} C" if against is None else f"{real} C in {against}"
     judged_words += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
