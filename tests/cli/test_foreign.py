@@ -16,6 +16,7 @@ from cli.run import DEMO3, run
 from mahovik.contract.evaluation import MAY_BE_LEFT_OUT
 from mahovik.contract.functions import WANTS
 from mahovik.stands import path
+from toolchain.tools import require
 
 PENDULUM = str(Path(__file__).parents[2] / "docs" / "held" / "pendulum.toml")
 SHAKER = str(path("shaker2"))
@@ -90,13 +91,18 @@ def test_attitudes_are_given_in_one_form(attitude: str, other: str) -> None:
         assert {row["value"] for row in rows("judge", stand, *options, status=0)} == {0.0}
 
 
-def test_a_skeleton_answers_at_once() -> None:
+@pytest.mark.parametrize("file", ["adapter.py", "adapter.cpp"])
+def test_a_skeleton_answers_at_once(file: str) -> None:
     """It is right for the stand in its head, line by line, and offers nothing else."""
-    assert run("new", "adapter", "-o", "adapter.py").output == "files: adapter.py\n"
-    lines = [line.strip() for line in Path("adapter.py").read_text(encoding="utf-8").splitlines()]
+    assert run("new", "adapter", "-o", file).output == f"files: {file}\n"
+    lines = [line.removeprefix("//").strip() for line in Path(file).read_text(encoding="utf-8").splitlines()]
     first = lines.index("schema = 1")
     Path("body.toml").write_text("\n".join(lines[first : first + 6]), encoding="utf-8")
-    command = f"{shlex.quote(sys.executable)} adapter.py"
+    command = f"{shlex.quote(sys.executable)} {file}"
+    if file.endswith(".cpp"):
+        require("g++", "g++")
+        subprocess.run(["g++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-o", "adapter", file], check=True)
+        command = "./adapter"
     judged = rows("judge", "body.toml", "--states", "12", "--with", command, status=0)
     assert [row["judged"] for row in judged if row["verdict"] == "ok"] == ["forward"]
     assert {row["words"] for row in judged if row["verdict"] == "not offered"} >= {"matrices: not offered"}

@@ -86,7 +86,7 @@ CASES = [
     ("program", "--with cat --want torque_for", "--want torque_for: demo3 has no task, [task.NAME]"),
     ("program", "--with cat --attitude quaternion --want generalized", "--want, --attitude: generalized needs angles"),
     ("program", "--fmu a.fmu --map $bench8", "is a stand file, expected a map of variables"),
-    ("new", "-o adapter.rs", "expected a name that ends in .py"),
+    ("new", "-o adapter.rs", "expected a name that ends in .py or .cpp"),
     ("new", "-o twice.py", "twice.py: exists already"),
     ("judge", "--attitude angles", "--attitude: only of a program"),
     ("verify", "--real float --judges", "judge a fresh copy in double"),

@@ -43,12 +43,12 @@ def new(
 ) -> Result:
     """Copy an example stand, or make one of a model of another program. Nothing is ever overwritten.
 
-    NAME is an example, which comes with its motions, servo and regime; or `adapter`, of which `-o adapter.py` is a
-    program that reads states and answers them, to be judged by `mahovik judge --with`: put your own equations into it.
-    FILE is a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), read with MuJoCo: the body that moves on the world is the
-    carrier, its joint there is the hold, joints that turn on it without end are flywheels, fixed bodies are merged,
-    bodies without mass and sites become points; what a stand cannot have is refused by name, what is left out is said,
-    and the result is compared with the original.
+    NAME is an example, which comes with its motions, servo and regime; or `adapter`, of which `-o adapter.py` or
+    `-o adapter.cpp` is a program that reads states and answers them, to be judged by `mahovik judge --with`: put your
+    own equations into it. FILE is a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), read with MuJoCo: the body that moves
+    on the world is the carrier, its joint there is the hold, joints that turn on it without end are flywheels, fixed
+    bodies are merged, bodies without mass and sites become points; what a stand cannot have is refused by name, what is
+    left out is said, and the result is compared with the original.
 
     Args:
         source: example, adapter, or file of another program.
@@ -126,10 +126,10 @@ def _list_of(paths: Any, messages: Any, through: bool = False) -> Result:
 
 
 def _adapter(path: Path, called: str | None) -> Result:
-    """The skeleton of a program to be judged. Raises UsageError."""
+    """The skeleton in the language that the name of the file says. Raises UsageError."""
     from mahovik.core.emit.templates import template
 
-    format_of(path, (".py",))
+    suffix = format_of(path, (".py", ".cpp"))
     if called is not None:
         raise UsageError(f"name {called}: no stand is written; it names that of an example")
     _refuse_existing(path)
@@ -139,7 +139,7 @@ def _adapter(path: Path, called: str | None) -> Result:
         for name, shape in shapes.items()
         if shape != ("m",) and name not in ("angles", "wrench")
     ]
-    write(path, template("adapter.py.j2").render(contract=text_lines(), zeros=zeros, file=path.name))
+    write(path, template(f"adapter{suffix}.j2").render(contract=text_lines(), zeros=zeros, file=path.name))
     return _list_of([path], (), is_written_through(path))
 
 
