@@ -704,7 +704,6 @@ BENCH8_CODE static bench8_status bench8_accelerate(
     return bench8_solve_carrier_once(table, &sum, F, V_dot);
 }
 
-/* (8) */
 BENCH8_CODE bench8_status bench8_forward(
     const bench8_table *table, const bench8_state *x, const bench8_real phi_ddot[BENCH8_N],
     bench8_real V_dot[6])
@@ -717,7 +716,6 @@ BENCH8_CODE bench8_status bench8_forward(
     return bench8_accelerate(table, x, sine, cosine, phi_ddot, V_dot);
 }
 
-/* (1), (2) */
 BENCH8_CODE bench8_status bench8_momentum(
     const bench8_table *table, const bench8_state *x, bench8_momentum_result *out)
 {
@@ -851,7 +849,6 @@ BENCH8_CODE static void bench8_balance(
     }
 }
 
-/* Drive torques for a given motion: tau = f^T (Theta V_s_dot + Phi(V_s) Z_s - P_s). */
 BENCH8_CODE bench8_status bench8_torque(
     const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
     const bench8_real phi_ddot[BENCH8_N], bench8_real tau[BENCH8_N])
@@ -1003,7 +1000,6 @@ BENCH8_CODE static bench8_status bench8_solve_coupled(
     return BENCH8_OK;
 }
 
-/* Motion of the whole system under drive torques: V_dot, phi_ddot together, flywheels eliminated first. */
 BENCH8_CODE bench8_status bench8_coupled(
     const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
     const int locked[BENCH8_N], bench8_real V_dot[6], bench8_real phi_ddot[BENCH8_N])
@@ -1189,7 +1185,6 @@ BENCH8_CODE static bench8_status bench8_stages(
     return BENCH8_OK;
 }
 
-/* State after one time step; drive torques and wrenches are held constant. */
 BENCH8_CODE bench8_status bench8_step(
     const bench8_table *table, const bench8_state *x, const bench8_real tau[BENCH8_N],
     const int locked[BENCH8_N], bench8_real dt, int order, bench8_step_carry *carry, bench8_state *next)
@@ -1585,7 +1580,6 @@ BENCH8_CODE static void bench8_excessive(
     *flags = excess;
 }
 
-/* (12) */
 BENCH8_CODE bench8_status bench8_inverse(
     const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
     const bench8_inverse_options *options, bench8_inverse_result *out)
@@ -1747,7 +1741,6 @@ BENCH8_CODE bench8_status bench8_inverse(
     return (bench8_status)flags;
 }
 
-/* (12) */
 BENCH8_CODE bench8_status bench8_inverse_fast(
     const bench8_table *table, const bench8_state *x, const bench8_real V_dot[6],
     const bench8_inverse_options *options, bench8_real phi_ddot[BENCH8_N])
@@ -2024,7 +2017,6 @@ BENCH8_CODE static bench8_status bench8_check_parameters(const bench8_parameters
     return BENCH8_OK;
 }
 
-/* (2) */
 BENCH8_CODE bench8_status bench8_prepare(const bench8_parameters *parameters, bench8_table *table)
 {
     if (parameters == NULL || table == NULL) { return BENCH8_BAD_ARGUMENT; }

@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.contract.functions import ALL, CHOSEN, is_default, row_of
 from mahovik.core.emit.code import Code
-from mahovik.core.emit.layout import comment_lines, wrap_statement
+from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.log_format import RESERVED
 from mahovik.core.emit.names import RESERVED as OF_STANDS
 from mahovik.core.emit.status import statuses
@@ -180,7 +180,7 @@ class _Printer:
     def _function(self, f: Function) -> dict[str, Any]:
         """A function; what the header says of a public one is not said again. `hook`: macro that replaces its body."""
         function = self._code.function(f) | {"hook": self._names.constant("SQRT") if f.name == "sqrt" else ""}
-        return function | {"comment": comment_lines(f.equation or f.purpose)} if f.public else function
+        return function | {"comment": []} if f.public else function
 
     def _constants(self) -> list[tuple[str, Struct, dict[str, Any], str]]:
         """Constant tables: name without prefix, type, value, meaning."""

@@ -365,8 +365,10 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
 
     heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
     columns = list(zip(*map(cells, rows), strict=True)) or [()] * len(heads)
-    first = 0 if any(row.judged for row in rows) or not rows else 1  # what has no parts has no column of them
-    return tuple(column(head, "", values) for head, values in list(zip(heads, columns, strict=True))[first:])
+    shown = [column(head, "", values) for head, values in zip(heads, columns, strict=True)]
+    if rows and not any(row.judged for row in rows):  # of a programme: what has no parts begins with what is checked
+        return (column("check", "", columns[4]), shown[2], shown[3], shown[5])
+    return tuple(shown)
 
 
 def _draw_shares(result: Result, ax: Any) -> None:

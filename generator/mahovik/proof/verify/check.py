@@ -253,7 +253,9 @@ def conclusion(report: Report) -> str:
     elif ok:
         row = max([row for row in ok if row.limit == report.tolerance] or ok, key=lambda row: row.value)
         worst = f"worst {row.value:.1e} of the natural scale, {row.limit:.0e} accepted"
-        verdict = f"passed: {worst if row.limit else f'the same in {len(ok)} of {len(report.rows)}'}"
+        count = f"{len(ok)} of {len(report.rows)}"
+        exact = f"{count} checks" if any(other.limit for other in ok) else f"the same in {count}"
+        verdict = f"passed: {worst if row.limit else exact}"
     else:
         verdict = ": ".join(["nothing was compared", *[row.words for row in report.rows if row.words][:1]])
     differs = next((row.words for row in report.rows if row.quantity == TEXT and row.words), "")
