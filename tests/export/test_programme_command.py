@@ -45,6 +45,23 @@ def test_files_and_what_is_said(saved: str, tmp_path: Path) -> None:
     assert "programme: fourier, 2 harmonics, double" in again.stdout
 
 
+def test_a_project_under_another_name_plays_the_programme_and_is_checked(saved: str, tmp_path: Path) -> None:
+    """The folder knows name, project and functions; what is changed by hand is found, and not overwritten."""
+    folder = tmp_path / "made"
+    play = ("generate", STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder))
+    result = run(*play, "--project", "cmake", "--prefix", "vib", "--only", "forward")
+    assert result.exit_code == 0, result.output
+    assert run(*play).exit_code == run(*play, "--check").exit_code == 0
+    assert run("generate", STAND, "-o", str(folder), "--check").exit_code == 0
+    judged = run("verify", STAND, str(folder), "--programme", saved, "--motion", MOTION)
+    assert judged.exit_code == 0 and "C torque" in judged.stdout
+    source = folder / "vib_programme.c"
+    source.write_text(source.read_text() + "\n")
+    said = refused(*play, "--check", status=1)
+    assert said == f"error: {source}: is not what the generator makes of the stand file\n"
+    assert f"{source}: was changed by hand" in refused(*play)
+
+
 @pytest.mark.parametrize("name", ["forward", "left", "2nd"])
 def test_a_name_that_the_stand_has_is_refused(name: str, saved: str, tmp_path: Path) -> None:
     message = refused("generate", STAND, "--programme", saved, "-o", str(tmp_path / "new"), "--name", name)

@@ -108,6 +108,7 @@ def generate(
         add_project,
         check_folder,
         compiles_programmes,
+        refuse_overwriting,
         refuse_unknown,
         usual_real,
     )
@@ -125,14 +126,15 @@ def generate(
     folder = Path(output) if output is not None else Path(_default_name(named, project, attitude))
     delivered = Options()
     if check or programme is not None:
-        named = stand_in(folder, named) if prefix is None and check else named
         delivered = delivered_options(folder) or Options("")
-    if programme is not None and project is None and delivered.project:
+    if project is None and delivered.project:
         project = delivered.project  # which is to compile the programme as well
-        if not compiles_programmes(project):
+        if programme is not None and not compiles_programmes(project):
             raise UsageError(
                 f"programme: {folder} has the project {project}, which cannot play it: choose another folder"
             )
+    if prefix is None and (check or programme is not None):
+        named = stand_in(folder, named, CheckError if check else UsageError)
     notify(progress, Progress(f"generate {named.name}"))
     contents, usual = Contents(), usual_real(project)
     if programme is not None:
@@ -143,7 +145,6 @@ def generate(
         add_programme(
             contents,
             named,
-            folder,
             course,
             None if motion is None else motion_of(motion, named, course),
             None if servo is None else servo_of(servo, named),
@@ -168,6 +169,7 @@ def generate(
     if check:
         check_folder(folder, named, contents)
         return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
+    refuse_overwriting(folder, named, contents, name)
     if project is None and contents.files:
         _warn(named, contents, only_)
     return _deliver(folder, named, contents, stand)

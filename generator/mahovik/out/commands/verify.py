@@ -196,9 +196,11 @@ def _servo(
     stand: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
 ) -> Report:
     """The report on the C of servos in a folder."""
+    from mahovik.proof.verify.delivery import stand_in
     from mahovik.proof.verify.functions.table import verify_servo
     from mahovik.proof.verify.programme.verification import motion_check
 
+    stand = stand_in(folder, stand)
     if programme is not None and motion is None:
         raise UsageError("programme: needs --motion M.json, which is missing")
     course = None if programme is None else programme_of(programme)
@@ -216,8 +218,10 @@ def _programme(
 ) -> Report:  # fmt: skip
     """The report on a programme, and with `folder` on its C there."""
     from mahovik.proof.verify.check import report
+    from mahovik.proof.verify.delivery import stand_in
     from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
 
+    stand = stand if folder is None else stand_in(folder, stand)
     if motion is None:
         raise UsageError("motion: missing, expected --motion M.json, the required motion of the programme")
     if tolerance is not None and not 1e-12 <= tolerance <= 0.1:

@@ -123,7 +123,6 @@ def _companions(contents: Contents, folder: Path, stand: Stand) -> Sequence[str]
 def add_programme(
     contents: Contents,
     stand: Stand,
-    folder: Path,
     programme: Programme,
     motion: RequiredMotion | None,
     servo: Servo | None,
@@ -135,10 +134,9 @@ def add_programme(
     """Add the C of a programme, and of the servos that follow it.
 
     `kind` of its table; `sources`: files of programme and servo, in messages; `called`: its name in C.
-    Raises CheckError, UsageError, also where a file of others would be overwritten.
+    Raises CheckError, UsageError.
     """
     from mahovik.out.export.programme import export_programme
-    from mahovik.out.export.programme.files import refuse_foreign
 
     if servo is None:
         tables = export_programme(stand, programme, motion, kind, None, real, None, sources[0], called)
@@ -149,9 +147,17 @@ def add_programme(
         follower = export_servo(stand, programme, motion, servo, real, kind, sources, called)
         tables, contents.servo = follower.programme, follower.servo
         contents.lines = (*tables.lines, *follower.lines)
-        refuse_foreign(folder, stand, "servo", contents.servo, "" if called == "programme" else f"{called}_servo")
     contents.programme = tables.files
-    refuse_foreign(folder, stand, "programme", contents.programme, called)
+
+
+def refuse_overwriting(folder: Path, stand: Stand, contents: Contents, called: str) -> None:
+    """Raise UsageError where the C of a programme or of servos would overwrite a file of others, or one edited."""
+    from mahovik.out.export.programme.files import refuse_foreign
+
+    if contents.servo:
+        refuse_foreign(folder, stand, "servo", contents.servo, "" if called == "programme" else f"{called}_servo")
+    if contents.programme:
+        refuse_foreign(folder, stand, "programme", contents.programme, called)
 
 
 def check_folder(folder: Path, stand: Stand, contents: Contents) -> None:
@@ -161,6 +167,7 @@ def check_folder(folder: Path, stand: Stand, contents: Contents) -> None:
     for name, text in {**contents.programme, **contents.servo}.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() != text.encode():
-            lines.append(f"{path}: is {'not what the generator makes of it' if path.is_file() else 'missing'}")
+            what = "not what the generator makes of the stand file" if path.is_file() else "missing"
+            lines.append(f"{path}: is {what}")
     if lines:
         raise CheckError("\n".join(lines))

@@ -23,6 +23,7 @@ from mahovik.proof.reference.rotation import rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.delivery import under_name
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,
     Scale,
@@ -88,7 +89,11 @@ def tolerance_for(stand: Stand, share: float | None) -> Tolerance:
 
 
 def stand_check(stand: Stand, programme: Programme) -> Check:
-    """How many of name, structure, physics, flywheels and coordinates are of another stand."""
+    """How many of name, structure, physics, flywheels and coordinates are of another stand.
+
+    A stand under another name, as `generate --prefix` gives it one, is the same.
+    """
+    stand = under_name(stand, programme.stand, programme.physics) or stand
     now = identities(stand)
     pairs = {
         "name": (programme.stand, stand.name),
