@@ -126,13 +126,14 @@ class Rig:
             acceleration = a + np.cross(w, v) + np.cross(alpha, c) + np.cross(w, np.cross(w, c))
             turning = alpha.copy()
             if s >= 0:
-                spin = speed[s] * e
+                spin, along = speed[s] * e, speed[s] * (fault == "still axis") * np.cross(np.cross(w, e), r)
                 Omega = w + spin
                 coriolis = 1 if fault == "coriolis" else 2
                 acceleration = acceleration + rates[s] * np.cross(e, r) + coriolis * np.cross(w, np.cross(spin, r))
+                acceleration = acceleration - along
                 if not (fault == "centripetal" and k.name == "w2"):
                     acceleration = acceleration + np.cross(spin, np.cross(spin, r))
-                turning = alpha + rates[s] * e + (0 if fault == "omega x u" else np.cross(w, spin))
+                turning = alpha + rates[s] * e + (0 if fault in ("omega x u", "still axis") else np.cross(w, spin))
             force = k.mass * (acceleration - g)
             moment = J @ turning + np.cross(Omega, J @ Omega)
             arm = np.cross(r, k.mass * acceleration) + moment
@@ -148,8 +149,8 @@ class Rig:
         file, fault = self.file, self.fault
         table = file["suspension"]
         E_eq = ship(*table["angles"])
-        x = np.concatenate([R.T @ (np.array(state.get("position", np.zeros(3))) - table["position"]),
-                            rotation_vector(E_eq.T @ R)])  # fmt: skip
+        displaced = np.array(state.get("position", np.zeros(3))) - table["position"]
+        x = np.concatenate([displaced if fault == "displacement" else R.T @ displaced, rotation_vector(E_eq.T @ R)])
         stiffness, damping = (np.array(table[key], dtype=float) for key in ("stiffness", "damping"))
         damping = np.diag(damping) if damping.ndim == 1 else damping
         if fault == "transposed":

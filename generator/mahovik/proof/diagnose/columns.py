@@ -276,6 +276,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "Ls <e> Theta_s Ls^T phi_dot V": spin @ k.Theta @ V * speed,
             "-Ls Theta_s <e> Ls^T phi_dot V": -k.Theta @ spin @ V * speed,
             "I_s phi_ddot": turn * phi_ddot,
+            "Theta_s (0, omega x e) phi_dot": k.Theta[:, 3:] @ np.cross(w, e) * speed,
         }
     zero = np.zeros(3)
     wrenches |= {name: force_at(m * x, r) for name, x in forces.items()}

@@ -200,6 +200,13 @@ def buoyancy_in_body_axes(_: None, at: At) -> tuple[Stand, State]:
     return with_bodies(at.stand, without_buoyancy), replace(at.s, wrench=MappingProxyType(wrenches))
 
 
+def unturned_displacement(O1: Array, at: At) -> Array:
+    """The place of O1 (3) whose displacement in E1 is that of `O1` in E0."""
+    laws: list[Any] = [law for law in at.stand.laws if law.key == "suspension"]
+    position = laws[0].position if laws else O1
+    return np.asarray(position + at.C @ (O1 - position))
+
+
 def relative_to_mounts(x: Array, at: At, rate: str) -> Array:
     """Speeds or accelerations (N) without the part of that of each flywheel's mount about the spin axis."""
     axes = [mount_transfer(at.stand, k.mount)[:3, :3] @ flywheel_mounting(k)[:, 0] for k in at.stand.flywheels]
@@ -332,6 +339,8 @@ READINGS: tuple[Reading, ...] = (
       for name, key, rate in (("speed of a flywheel", "phi_dot", "V"),
                               ("acceleration of a flywheel", "phi_ddot", "V_dot"))),
     *(Reading(f"{key} {words}", "stand", key, x) for key in ("gravity", "stream") for words, x in VECTORS.items()),
+    Reading("displacement of the suspension not turned into the axes of E1", "state", "position",
+            unturned_displacement),
     Reading("buoyancy that does not turn into the axes of the body", "all", "", buoyancy_in_body_axes),
     *(Reading(f"products of inertia{words} of the opposite sign", "body", "inertia",
               lambda J, at: J * (2.0 * E - 1.0), bodies) for words, bodies in PARTS.items()),
