@@ -310,5 +310,5 @@ def test_refusals(hold: str, text: str, words: str) -> None:
 
 
 def test_friction_needs_a_hold() -> None:
-    with pytest.raises(StandError, match="it is not said how the carrier can move"):
+    with pytest.raises(StandError, match="hold: found none of"):
         loads('schema = 1\nname = "s"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\n[[hold.friction]]\nviscous = 1\n')

@@ -122,8 +122,8 @@ class Hold(Declared):
         known = keys_of(HoldForm)
         ways = {key: way for key in known if (way := getattr(table, key)) is not None}
         if len(ways) != 1:
-            fault = f"{', '.join(ways)} given together" if ways else "it is not said how the carrier can move"
-            note(f'{fault}, expected one of {", ".join(known)}, such as freedoms = ["yaw"]')
+            one_of = ", ".join(known)
+            note(f'found {" and ".join(ways) or "none"} of {one_of}, expected one, such as freedoms = ["yaw"]')
             return None
         ((key, way),) = ways.items()
         kinds: dict[str, FreedomKind] = {"axis": "turn", "slide": "slide"}
