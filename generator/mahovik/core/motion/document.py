@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from mahovik.core.stand import toml
-from mahovik.core.stand.content import content, kind_of, wrong_kind
+from mahovik.core.stand.content import kind_of, readable_text, wrong_kind
 from mahovik.core.stand.echoes import echo, list_item
 from mahovik.core.stand.fields import integer, require_bounds, text, validator, vector
 from mahovik.core.stand.tables import Context, QuantityValidator
@@ -32,17 +32,12 @@ T = TypeVar("T")
 # -- files -----------------------------------------------------------------------------------------------------------
 
 
-def text_of(path: Path, most: int, error: type[FileError]) -> str:
+def text_of(path: Path, expected: str, most: int, error: type[FileError]) -> str:
     """The text of a file of at most `most` bytes. Raises `error` with one line that names the file."""
     try:
-        return content(path, most).decode("utf-8-sig")
-    except FileNotFoundError as problem:
-        reason = f"{path}: {problem.strerror}"
-    except OSError as problem:
-        reason = f"{path}: cannot be read: {problem.strerror or problem}"
-    except ValueError as problem:  # not UTF-8, or a NUL in the name
-        reason = f"{show(str(path))}: not UTF-8 text: {problem}"
-    raise error([reason])
+        return readable_text(path, expected, most)
+    except ValueError as problem:
+        raise error([str(problem)]) from None
 
 
 def parse(text: str) -> Any:

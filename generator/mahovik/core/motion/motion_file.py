@@ -38,7 +38,7 @@ from mahovik.core.motion.required import (
     Winding,
     sight_of,
 )  # fmt: skip
-from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.content import KINDS, TABLE
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.echoes import beyond_a_turn
 from mahovik.core.stand.fields import Length3, Text, direction, require_bounds, scalar, validator, vector, vector3
@@ -289,7 +289,7 @@ def load_motion(path: str | Path, stand: Stand, programme: Programme | None = No
     `programme`: one for this motion, which has the course of the carrier where the file is a slew.
     """
     path = Path(path)
-    return read_motion(text_of(path, TABLE, MotionError), stand, path.name, programme)
+    return read_motion(text_of(path, KINDS["motion"], TABLE, MotionError), stand, path.name, programme)
 
 
 def read_motion(text: str, stand: Stand, source: str = "motion", programme: Programme | None = None) -> RequiredMotion:
@@ -305,7 +305,7 @@ def read_motion(text: str, stand: Stand, source: str = "motion", programme: Prog
 def load_motion_or_slew(path: str | Path, stand: Stand) -> RequiredMotion | Slew:
     """The motion file at `path`, whose course is known or, of a slew, to be found. Raises MotionError."""
     path = Path(path)
-    return read_motion_or_slew(text_of(path, TABLE, MotionError), stand, path.name)
+    return read_motion_or_slew(text_of(path, KINDS["motion"], TABLE, MotionError), stand, path.name)
 
 
 def read_motion_or_slew(text: str, stand: Stand, source: str = "motion") -> RequiredMotion | Slew:

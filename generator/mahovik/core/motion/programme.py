@@ -17,7 +17,7 @@ import numpy as np
 
 from mahovik.core.motion.document import any_list, choice, document_of, rows, short_integer, text_of
 from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse, Samples
-from mahovik.core.stand.content import TABLE
+from mahovik.core.stand.content import KINDS, TABLE
 from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Text, scalar, validator, vector
 from mahovik.core.stand.masses import Unbalance, mean_stand
@@ -196,7 +196,7 @@ class ProgrammeTable(Table):
 def load_programme(path: str | Path) -> Programme:
     """Read and check the programme file at `path`. Raises ProgrammeError with every problem."""
     path = Path(path)
-    return read_programme(text_of(path, TABLE, ProgrammeError), path.name)
+    return read_programme(text_of(path, KINDS["programme"], TABLE, ProgrammeError), path.name)
 
 
 def read_programme(text: str, source: str = "programme") -> Programme:

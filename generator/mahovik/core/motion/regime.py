@@ -35,7 +35,7 @@ from mahovik.core.motion.laws import (
     out_of_range,
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
-from mahovik.core.stand.content import TEXT, kind_of
+from mahovik.core.stand.content import KINDS, TEXT, kind_of
 from mahovik.core.stand.csv_table import Columns, TableError, read_columns
 from mahovik.core.stand.fields import Text, scalar, validator
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
@@ -278,7 +278,7 @@ LAWS = tuple(key for key in keys_of(DrivenTable) if key not in ("phase", "initia
 def load(path: str | Path, stand: Stand, until: float) -> Regime:
     """Read and check the regime file at `path` for a run of `until` s. Raises RegimeError with every problem."""
     path = Path(path)
-    text = text_of(path, TEXT, RegimeError)
+    text = text_of(path, KINDS["regime"], TEXT, RegimeError)
     return loads_regime(text, stand, until, path.name, path.parent, is_json=path.suffix.lower() == ".json")
 
 

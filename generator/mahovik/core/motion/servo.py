@@ -20,7 +20,7 @@ from mahovik.core.motion.document import (
     whole_number,
 )
 from mahovik.core.motion.laws import MAX_WRENCH
-from mahovik.core.stand.content import TEXT
+from mahovik.core.stand.content import KINDS, TEXT
 from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Flag, Text, require_bounds, scalar, validator
 from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
@@ -111,7 +111,7 @@ class Servo(Data):
 def load_servo(path: str | Path, stand: Stand) -> Servo:
     """Read and check the servo file at `path` for a stand. Raises ServoError with every problem."""
     path = Path(path)
-    return read_servo(text_of(path, TEXT, ServoError), stand, path.name)
+    return read_servo(text_of(path, KINDS["servo"], TEXT, ServoError), stand, path.name)
 
 
 def read_servo(text: str, stand: Stand, source: str = "servo") -> Servo:

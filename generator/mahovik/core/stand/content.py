@@ -68,7 +68,8 @@ def content(path: Path, most: int = TEXT) -> bytes:
         opened = path.open("rb")
     except FileNotFoundError:
         suffix = path.suffix or ".toml"
-        near = nearest_name(path.stem, sorted(sibling.stem for sibling in path.parent.glob(f"*{suffix}")))
+        siblings = sorted(sibling.stem for sibling in path.parent.glob(f"*{suffix}") if sibling.is_file())
+        near = nearest_name(path.stem, siblings)
         meant = "" if near is None else f', did you mean "{path.with_name(f"{near}{suffix}")}"?'
         raise FileNotFoundError(errno.ENOENT, f"no such file{meant}", str(path)) from None
     with opened as file:
@@ -79,10 +80,21 @@ def content(path: Path, most: int = TEXT) -> bytes:
     return bytes(result)
 
 
-def readable(path: Path, expected: str) -> bytes:
+def readable_text(path: Path, expected: str, most: int = TEXT) -> str:
+    """The text of a file that should be `expected`. Raises ValueError with one line that names it."""
+    data = readable(path, expected, most)
+    try:
+        return data.decode("utf-8-sig")  # Windows editors write a byte order mark
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        found_byte = f"byte 0x{data[error.start]:02x} in line {line}"
+        raise ValueError(f"{path}: not UTF-8, {found_byte}: save it as UTF-8; expected {expected}") from None
+
+
+def readable(path: Path, expected: str, most: int = TEXT) -> bytes:
     """All bytes of a file that should be `expected`. Raises ValueError with one line that names it."""
     try:
-        return content(path)
+        return content(path, most)
     except FileNotFoundError as error:
         raise ValueError(f"{path}: {error.strerror}") from None
     except IsADirectoryError:

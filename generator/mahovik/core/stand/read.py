@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from mahovik.core.stand import physical
-from mahovik.core.stand.content import kind_of, readable, wrong_kind
+from mahovik.core.stand.content import kind_of, readable_text, wrong_kind
 from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
 from mahovik.core.stand.echoes import Moments, moments_of
 from mahovik.core.stand.fields import ZERO3
@@ -70,14 +70,9 @@ def document_at(path: str | Path) -> dict[str, Any]:
     """The keys of the stand file at `path`, floats as Decimal, not checked. Raises StandError of other files."""
     path = Path(path)
     try:
-        content = readable(path, "a stand file (TOML)")
+        text = readable_text(path, "a stand file (TOML)")
     except ValueError as error:
         raise StandError([str(error)]) from None
-    try:
-        text = content.decode("utf-8-sig")  # Windows editors write a byte order mark
-    except UnicodeDecodeError as error:
-        line = content.count(b"\n", 0, error.start) + 1
-        raise StandError([f"{path.name}: not UTF-8, byte 0x{content[error.start]:02x} in line {line}"]) from None
     return _document(text, path.name)
 
 

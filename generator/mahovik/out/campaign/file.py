@@ -185,7 +185,9 @@ def load_campaign(path: str | Path) -> Campaign:
     """Read and check the campaign file at `path`. Raises CampaignError with every problem, StandError."""
     path = Path(path)
     problems = Problems(path.name)
-    document = document_of(text_of(path, TEXT, CampaignError), path.name, CampaignError, is_json=False)
+    document = document_of(
+        text_of(path, "a campaign file", TEXT, CampaignError), path.name, CampaignError, is_json=False
+    )
     table = problems.valid(CampaignTable, document)
     if table is None:
         raise CampaignError(problems.lines)

@@ -17,7 +17,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import units
-from mahovik.core.stand.content import readable
+from mahovik.core.stand.content import readable_text
 from mahovik.core.stand.fields import Text, scalar, validator
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand as CoreStand
@@ -394,7 +394,7 @@ def _over_states(stand: Stand, path: Path, quantities: Sequence[Quantity]) -> Ti
     """Over the states of a file of JSON lines. Raises UsageError."""
     states = []
     try:
-        lines = readable(path, "a file of states").decode("utf-8-sig").splitlines()
+        lines = readable_text(path, "a file of states").splitlines()
     except ValueError as error:
         raise UsageError(f"states: {error}") from None
     for number, line in enumerate(lines, 1):

@@ -164,7 +164,9 @@ def read_free(free: str | Sequence[str] | Mapping[str, Any]) -> tuple[tuple[str,
     problems, delays = Problems(free if isinstance(free, str) else "free"), dict[str, float]()
     document: Mapping[str, Any] = exact(free)
     if isinstance(free, str):
-        document = document_of(text_of(Path(free), TABLE, DataError), free, DataError, is_json=False)
+        document = document_of(
+            text_of(Path(free), "a list of free numbers", TABLE, DataError), free, DataError, is_json=False
+        )
     table = problems.valid(FreeFile, document)
     for point, value in ({} if table is None else table.delay).items():
         try:

@@ -32,7 +32,7 @@ import numpy as np
 
 from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, Key, answers_of
 from mahovik.core.stand import read
-from mahovik.core.stand.content import readable
+from mahovik.core.stand.content import readable_text
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.state import State
@@ -99,8 +99,8 @@ def known_keys(stand: Stand) -> dict[str, dict[str, Names]]:
 def read_map(path: Path, stand: Stand) -> Map:
     """The map of a file. Raises DataError."""
     try:
-        raw = tomllib.loads(readable(path, "a map of variables").decode("utf-8"))
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raw = tomllib.loads(readable_text(path, "a map of variables"))
+    except tomllib.TOMLDecodeError as error:
         raise DataError([f"{path}: no TOML: {error}"]) from None
     except ValueError as error:
         raise DataError([str(error)]) from None

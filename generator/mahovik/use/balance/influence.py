@@ -128,7 +128,7 @@ def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influen
 
 def _load(path: Path) -> Mapping[str, Any]:
     try:
-        raw = parse(text_of(path, TEXT, BalanceError))
+        raw = parse(text_of(path, "a file of influences", TEXT, BalanceError))
     except (ValueError, RecursionError) as error:
         raise BalanceError([f"{path}: not JSON: {error}"]) from None
     if not isinstance(raw, dict):

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.regime import Regime
-from mahovik.core.stand.content import content
+from mahovik.core.stand.content import readable_text
 from mahovik.core.stand.model import Stand, Vec3, Vec6
 from mahovik.core.stand.state import State
 from mahovik.core.stand.units import show
@@ -151,11 +151,9 @@ HINT = "; the regime gives torques and wrenches"
 def load_start(path: Path, stand: Stand, keys: tuple[str, ...] = START_KEYS, hint: str = HINT) -> State:
     """The state in a JSON file; `keys` are allowed. Raises UsageError; `hint`: why no others."""
     try:
-        text = content(path).decode("utf-8-sig")
-    except OSError as error:
-        raise UsageError(f"{path}: cannot be read: {error.strerror or error}") from None
+        text = readable_text(path, "a state (JSON)")
     except ValueError as error:
-        raise UsageError(f"{path.name}: not UTF-8 text: {error}") from None
+        raise UsageError(str(error)) from None
     try:
         return read_start(text, stand, keys, hint)
     except UsageError as error:
