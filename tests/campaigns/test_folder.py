@@ -8,6 +8,8 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +19,9 @@ import pytest
 import mahovik
 from campaigns.files import RUN, VARY, write
 from cli.run import run
+from mahovik.out.campaign import workers
 from mahovik.out.campaign.file import load_campaign
+from mahovik.out.campaign.workers import compute
 
 psutil = pytest.importorskip("psutil")
 parquet = pytest.importorskip("pyarrow.parquet")
@@ -117,6 +121,23 @@ def test_names_comments_and_units_are_of_the_same_campaign_and_files_are_not(tmp
 def test_options_that_cannot_be_are_refused_in_one_line(tmp_path: Path, options: tuple[str, ...], words: str) -> None:
     done = computed(tmp_path, *options)
     assert done.exit_code == 2 and words in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_an_interrupt_says_what_is_there_and_the_same_command_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*arguments: Any) -> Iterator[tuple[int, str]]:
+        yield from islice(compute(*arguments), 2)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(workers, "compute", interrupted)
+    done = computed(tmp_path, "--workers", "1")
+    words = f"2 of 4 chunks are in {tmp_path / 'out'}, and the same command goes on"
+    assert (done.exit_code, done.stderr) == (130, f"error: interrupted; {words}\n")
+    monkeypatch.undo()
+    kept = content(tmp_path)
+    assert computed(tmp_path, "--workers", "1").exit_code == 0
+    assert len(kept) == 2 and kept.items() <= content(tmp_path).items()
 
 
 @pytest.mark.slow

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from tempfile import gettempdir
 from typing import Any
 
 import pytest
@@ -78,3 +79,11 @@ def test_a_closed_reader_is_no_failed_check(command: tuple[str, ...]) -> None:
     )
     os.close(writer)
     assert (done.returncode, done.stderr) == (141, b"")
+
+
+def test_a_full_disk_is_said_with_where_it_may_be() -> None:
+    """Neither standard output nor a temporary file has a name."""
+    with open("/dev/full", "wb") as full:
+        command = [sys.executable, "-m", "mahovik", "check", DEMO3]
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False, timeout=60)
+    assert done.returncode == 2 and done.stderr.endswith(f"{gettempdir()}: No space left on device\n")

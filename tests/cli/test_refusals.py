@@ -42,7 +42,10 @@ CASES = [
     ("simulate", "--every -1", "--every -1"),
     ("simulate", "-o /proc/a.csv", "/proc/a.csv: cannot be written"),
     ("simulate", "--regime none.toml", "none.toml: no such file"),
-    ("simulate", "--start none.json", "none.json: cannot be read"),
+    ("simulate", "--start none.json", "none.json: no such file"),
+    ("simulate", "--start utf16.json", "utf16.json: not UTF-8, byte 0xff in line 1: save it as UTF-8"),
+    ("simulate", "--regime link.toml", "link.toml: no such file\n"),
+    ("simulate", "--regime .", ".: is a directory, expected a regime"),
     ("simulate", "--start twice.json", "appears twice"),
     ("simulate", "--start tau.json", '"tau" is not part of a start, expected some of id, position, angles'),
     ("simulate", "--start broken.json", "broken.json: not JSON: Expecting ':' delimiter at line 2, column 6"),
@@ -109,11 +112,19 @@ def files(work_folder: Path) -> set[str]:
     Path("servo.toml").write_text(SERVO)
     Path("twice.json").write_text('{"phi": [0, 0, 0], "phi": [1, 0, 0]}')
     Path("twice.py").touch()
+    Path("link.toml").symlink_to("nowhere.toml")
+    Path("utf16.json").write_text("{}", encoding="utf-16")
     Path("broken.json").write_text('{\n "V" [1]}')
     for name in ("tau", "state"):
         Path(f"{name}.json").write_text(json.dumps({"tau": [1.0, 2.0]}))
     Path("wheel.csv").write_text("order [-],radial force [N/(rad/s)^2]\n1,1.5e-6\n")
     return {path.name for path in work_folder.iterdir()}
+
+
+def test_of_many_problems_the_first_are_printed_and_the_rest_counted() -> None:
+    Path("many.toml").write_text("".join(f"key{number} = 1\n" for number in range(1000)))
+    lines = refused("check", "many.toml").splitlines()
+    assert len(lines) == 21 and lines[-1] == "error: 983 more problems, shown when these are mended"
 
 
 @pytest.mark.parametrize(("command", "options", "words"), CASES, ids=[f"{case[0]} {case[1]}" for case in CASES])

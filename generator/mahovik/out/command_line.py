@@ -65,7 +65,8 @@ if TYPE_CHECKING:
 INTERRUPTED, CLOSED = 130, 141
 """Exit status after Ctrl-C, and where the reader of standard output has closed it: as in shells."""
 
-INTERRUPTION = "error: interrupted; no file is half written"
+WHOLE, MOST = "no file is half written", 20
+"""What is said of files after Ctrl-C; most problems of a file that are printed, of which people mend some at a time."""
 
 
 # ---- a command of a function
@@ -229,7 +230,7 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
     else:
         _print(result, as_json)
     if result.meta.get("interrupted"):
-        click.echo("interrupted: this is the best so far", err=True)
+        click.echo("interrupted: these are the results so far", err=True)
         raise SystemExit(INTERRUPTED)
     raise SystemExit(0 if result.ok else 1)
 
@@ -311,15 +312,19 @@ def _ends() -> Iterator[None]:
         click.echo(f"error: {_usage_words(error)}{see}", err=True)
         raise SystemExit(error.exit_code) from None
     except MahovikError as error:
-        for line in str(error).splitlines() or [type(error).__name__]:
+        lines = str(error).splitlines() or [type(error).__name__]
+        more = [f"{len(lines) - MOST} more problems, shown when these are mended"] if len(lines) > MOST else []
+        for line in [*lines[:MOST], *more]:
             click.echo(f"error: {line}", err=True)
         raise SystemExit(error.exit_status) from None
-    except (KeyboardInterrupt, click.Abort):
-        click.echo(INTERRUPTION, err=True)
+    except (KeyboardInterrupt, click.Abort) as interrupt:
+        click.echo(f"error: interrupted; {str(interrupt) or WHOLE}", err=True)
         raise SystemExit(INTERRUPTED) from None
     except OSError as error:
-        where = f"{error.filename}: " if error.filename else ""
-        click.echo(f"error: {where}{error.strerror or error}", err=True)
+        from tempfile import gettempdir
+
+        where = error.filename or f"standard output or the folder of temporary files, {gettempdir()}"
+        click.echo(f"error: {where}: {error.strerror or error}", err=True)
         raise SystemExit(2) from None
 
 

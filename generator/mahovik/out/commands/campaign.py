@@ -68,9 +68,15 @@ def campaign(
     if missing:
         campaign_.rows(0, 0)  # refuses what it cannot compute, and compiles the C, before there are workers
     lost: dict[int, str] = {}
-    for done, (number, why) in enumerate(compute(campaign_, folder, missing, workers, scheduler), 1):
-        lost |= {number: why} if why else {}
-        notify(progress, Progress(campaign_.name, float(len(wanted) - len(missing) + done), float(len(wanted))))
+    done = len(wanted) - len(missing)
+    try:
+        for number, why in compute(campaign_, folder, missing, workers, scheduler):
+            lost |= {number: why} if why else {}
+            done += 1
+            notify(progress, Progress(campaign_.name, float(done), float(len(wanted))))
+    except KeyboardInterrupt:
+        chunks = f"{done - len(lost)} of {len(wanted)} chunks are in {folder}"
+        raise KeyboardInterrupt(f"{chunks}, and the same command goes on") from None
     whole = [number for number in wanted if number not in lost]
     result = summarise(campaign_, tables(campaign_, folder, whole), len(whole))
     if lost:
