@@ -196,7 +196,7 @@ def _servo(
     stand: Stand, folder: Path, servo: Any, programme: Any, motion: Any, name: str, seed: int, states: int
 ) -> Report:
     """The report on the C of servos in a folder."""
-    from mahovik.proof.verify.delivery import stand_in
+    from mahovik.core.emit.delivered import stand_in
     from mahovik.proof.verify.functions.table import verify_servo
     from mahovik.proof.verify.programme.verification import motion_check
 
@@ -217,8 +217,8 @@ def _programme(
     progress: Progressing,
 ) -> Report:  # fmt: skip
     """The report on a programme, and with `folder` on its C there."""
+    from mahovik.core.emit.delivered import stand_in
     from mahovik.proof.verify.check import report
-    from mahovik.proof.verify.delivery import stand_in
     from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme
 
     stand = stand if folder is None else stand_in(folder, stand)

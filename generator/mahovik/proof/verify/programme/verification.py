@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from mahovik.core.emit.delivered import under_name
 from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
@@ -23,7 +24,6 @@ from mahovik.proof.reference.rotation import rotation_vector
 from mahovik.proof.reference.screw import cross
 from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.delivery import under_name
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,
     Scale,
