@@ -173,6 +173,8 @@ def test_a_joint_on_the_world_is_a_hold_with_springs_friction_and_stops(tmp_path
     text = CART.format(angle="radian", name="h", joint='axis="0 1 0" range="-3.1 3.1"')
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
     assert 'joint "h": range left out: no law of a hold says it' in notes(made)
+    text = CART.format(angle="radian", name="b", joint='type="ball" range="0 1"').replace('armature="2e-4"', "")
+    assert notes(imported(written(tmp_path, "m.xml", text))).count("range left out") == 1
 
 
 def test_armature_is_refused_or_the_wheels(tmp_path: Path) -> None:
@@ -268,9 +270,9 @@ def test_a_cubesat_with_a_triad_is_the_same_from_both_formats(tmp_path: Path) ->
 
 
 def hexacopter() -> str:
-    """A URDF converted from SDF: an IMU on a joint with limits 0, 0; rotors with limits +-1e16; elements of SDF."""
+    """A URDF converted from SDF: an IMU with limits 0, 0; rotors with limits 1,000 turns apart; elements of SDF."""
     imu = joint("imu_joint", "revolute", "base", "imu", '<limit lower="0" upper="0" effort="0" velocity="0"/>')
-    endless = '<limit lower="-1e16" upper="1e16" effort="10" velocity="-1"/><pose>1 2 3 0 0 0</pose>'
+    endless = '<limit lower="-1" upper="6284" effort="10" velocity="-1"/><pose>1 2 3 0 0 0</pose>'
     rotors = [
         link(f"rotor_{i}", 0.005) + joint(f"rotor_{i}_joint", "revolute", "base", f"rotor_{i}", endless)
         for i in range(6)
@@ -293,6 +295,7 @@ def test_a_hexacopter(tmp_path: Path) -> None:
     twin = twin.replace('type="revolute"', 'type="continuous"').replace('velocity="-1"', 'velocity="1"')
     assert difference(written(tmp_path, "twin.urdf", twin), made) < TOLERANCE
     assert made.stand.carrier.mass == pytest.approx(0.695)
+    assert "velocity limit" not in notes(made)
     assert [wheel.name for wheel in made.stand.flywheels] == [f"rotor_{i}" for i in range(6)]
     for words in (
         "1 <mass> in <link>",

@@ -30,6 +30,10 @@ OF_URDF = {
         WHEEL + joint("j", "revolute", "base", "w", '<limit lower="-1" upper="1"/>'),
         'joint "j": turns from -1 to 1',
     ),
+    "many turns": (
+        WHEEL + joint("j", "revolute", "base", "w", '<limit lower="-1" upper="6280"/>'),
+        'joint "j": turns from -1 to 6280',
+    ),
     "no limits": (
         WHEEL + joint("j", "revolute", "base", "w"),
         'joint "j", limit, lower and upper: expected two numbers',
