@@ -118,18 +118,17 @@ def envelope(vectors: Array) -> Envelope:
 def _facets(columns: Array, units: dict[int, Array]) -> tuple[Facet, ...]:
     """Facets of vectors that span space; `units`: the directions of those that are not zero."""
     facets: dict[tuple[int, ...], Facet] = {}
-    directions = np.array(list(units.values()))
+    numbers, directions = np.array(list(units)), np.array(list(units.values()))
     for i, j in combinations(_different(units), 2):
         normal = np.cross(units[i], units[j])
         size = float(np.linalg.norm(normal))
         if size <= _PARALLEL:
             continue
         normal = _forward(normal / size)
-        flat = np.abs(directions @ normal) <= _PARALLEL
-        inside = tuple(sorted({*(k for k, is_inside in zip(units, flat, strict=True) if is_inside), i, j}))
+        flat = (np.abs(directions @ normal) <= _PARALLEL) | (numbers == i) | (numbers == j)
+        inside = tuple(numbers[flat].tolist())
         if inside not in facets:
-            outside = [k for k in units if k not in inside]
-            distance = float(np.abs(columns[outside] @ normal).sum())
+            distance = float(np.abs(columns[numbers[~flat]] @ normal).sum())
             facets[inside] = Facet(_vec3(normal), distance, inside)
     return tuple(facets.values())
 
