@@ -23,8 +23,14 @@ PARTS = {
 }
 """Folders of the package whose size is shown by itself."""
 
+OUT = "generator/mahovik/out"
+STUDIES = ("campaign", "identify", "foreign")
+"""Folders of OUT that do not count as commands, API and report."""
+
 LIMITS = {
-    "package": 90_500,
+    "package": 87_500,
+    "laws": 4_500,
+    "commands, API, report": 8_750,
     "templates": 7_100,
     "tests": 43_500,
     "tools and bench": 5_000,
@@ -61,6 +67,8 @@ def sizes() -> dict[str, int]:
     phony = re.search(r"^\.PHONY: (.*)$", makefile, re.M)
     return {
         "package": lines("generator/mahovik/*.py", "generator/mahovik/*.pyi"),
+        "laws": lines("generator/mahovik/laws/*.py"),
+        "commands, API, report": lines(f"{OUT}/*.py", *(f":!{OUT}/{name}" for name in STUDIES)),
         "templates": lines("templates", ":!templates/fmu/fmi?Fun*.h", ":!templates/fmu/fmi?*Types*.h"),
         "tests": lines("tests/*.py"),
         "tools and bench": lines("tools/*.py", "bench/*.py"),
