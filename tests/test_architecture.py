@@ -86,7 +86,7 @@ def test_faults_to_plant_find_their_text() -> None:
 
 
 def test_templates_print_and_do_not_think() -> None:
-    """No products, quotients, differences or comparisons of size in a template; strings are left out."""
+    """No products, quotients, differences, comparisons of size or variables in a template; strings are left out."""
 
     def thoughts(path: Path) -> list[str]:
         tags = re.findall(r"\[[%=](.*?)[%=]\]", path.read_text(encoding="utf-8"), re.DOTALL)

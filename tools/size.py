@@ -31,7 +31,7 @@ LIMITS = {
     "package": 87_500,
     "laws": 4_500,
     "commands, API, report": 8_750,
-    "templates": 7_100,
+    "templates": 7_150,
     "tests": 43_500,
     "tools and bench": 5_000,
     "words of the pages": 35_000,

@@ -136,7 +136,9 @@ def functions_in_tables(code: Code, functions: Sequence[Function], options: Iter
         "sign_bit": code.precision.width - 1,
         "fast_every": test_inputs.FAST_EVERY,
         "fast_factor": test_inputs.FAST,
+        "fast_last": test_inputs.FAST_EVERY - 1,
         "refused_every": test_inputs.REFUSED_EVERY,
+        "refused_last": test_inputs.REFUSED_EVERY - 1,
         "parts": _parts(names, next(s for s in program.structs if s.name == "parameters")),
     }
 

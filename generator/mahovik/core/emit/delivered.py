@@ -26,7 +26,7 @@ from mahovik.core.emit.manifest import FORMAT, NAME, Header, as_text, digest, re
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand.content import content
 from mahovik.core.stand.fields import stand_name_problem
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.identity import under_name
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.writing import write_all
@@ -98,17 +98,6 @@ def with_prefix(stand: Stand, prefix: str | None) -> Stand:
     if problem is not None:
         raise UsageError(f"prefix {prefix}: {problem}")
     return replace(stand, name=prefix)
-
-
-def under_name(stand: Stand, name: str, physics: str | None) -> Stand | None:
-    """The stand by the name that its C has, its own or that of `generate --prefix`; None for C of another stand.
-
-    `physics`: identity of the C, which the name is a part of.
-    """
-    if stand_name_problem(name) is not None:
-        return None
-    named = stand if name == stand.name else replace(stand, name=name)
-    return named if identities(named).physics == physics else None
 
 
 def stand_in(folder: Path, stand: Stand, refusal: type[MahovikError] = CheckError) -> Stand:

@@ -54,7 +54,9 @@ class _SelfTest:
             swept=SWEPT,
             listed=LISTED,
             options_every=test_inputs.OPTIONS_EVERY,
+            options_last=test_inputs.OPTIONS_EVERY - 1,
             omitted_every=test_inputs.OMITTED_EVERY,
+            omitted_last=test_inputs.OMITTED_EVERY - 1,
             own_memory=False,
             **self._trials(),
         )

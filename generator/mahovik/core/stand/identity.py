@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from typing import Any
 
+from mahovik.core.stand.fields import stand_name_problem
 from mahovik.core.stand.law import BodyLaw
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import INVERSE_MOST, Stand
@@ -54,6 +55,17 @@ def identities(stand: Stand) -> Identities:
         if not any(body["center_of_mass"]):
             body["inertia_about"] = "origin"  # the two are one point
     return Identities(_digest(form), _digest({"structure": form, "numbers": numbers}))
+
+
+def under_name(stand: Stand, name: str, physics: str | None) -> Stand | None:
+    """The stand by the name that its C has, its own or that of `generate --prefix`; None for C of another stand.
+
+    `physics`: identity of the C, which the name is a part of.
+    """
+    if stand_name_problem(name) is not None:
+        return None
+    named = stand if name == stand.name else replace(stand, name=name)
+    return named if identities(named).physics == physics else None
 
 
 def _without_defaults(law: BodyLaw) -> dict[str, Any]:

@@ -169,7 +169,8 @@ def generate(
     if check:
         check_folder(folder, named, contents)
         return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
-    refuse_overwriting(folder, named, contents, name)
+    if programme is not None:
+        refuse_overwriting(folder, named, contents, name)
     if project is None and contents.files:
         _warn(named, contents, only_)
     return _deliver(folder, named, contents, stand)
