@@ -5,6 +5,7 @@ Of a law between E0 and the carrier `CarrierProgram`; of one that acts on a body
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -43,7 +44,7 @@ def declared(data: type[Declared]) -> tuple[Field, ...]:
     return tuple(fields)
 
 
-class CarrierProgram:
+class CarrierProgram(ABC):
     """A law between E0 and the carrier: LAW of the module `program` of its folder.
 
     words        the law in the list of kinds of wrench
@@ -71,9 +72,9 @@ class CarrierProgram:
         """Members that the law adds to the table."""
         return [Field(struct.name, struct, (count,)) for struct, count, _ in self.arrays(structure)]
 
+    @abstractmethod
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
         """The numbers of its members, by name; `run` runs a function of the program."""
-        raise NotImplementedError
 
     def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, Unit]:
         """Units of a struct's members, by name, that are those of what slides or turns."""
@@ -85,9 +86,9 @@ class CarrierProgram:
         for k, row in enumerate(value):
             yield from members(f"{field.name}[{k + 1}]", field.type, row, self.units(stand, field.type, k))
 
+    @abstractmethod
     def add_functions(self, lib: FunctionSet) -> None:
         """Adds the functions that `act` calls."""
-        raise NotImplementedError
 
     def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
         """Adds its wrench, in E1 about O1, to F, in the text of a kernel. `x`: the state; `C`: the attitude (9)."""
@@ -120,7 +121,7 @@ class RunTimeInput:
     words: str
 
 
-class BodyProgram:
+class BodyProgram(ABC):
     """A law that acts on a body in its own frame: LAW of the module `program` of its folder.
 
     words     the law in the list of kinds of wrench
@@ -133,16 +134,16 @@ class BodyProgram:
     array = ""
     plural = ""
 
+    @abstractmethod
     def bodies(self, structure: Structure) -> set[int]:
         """Indices of the bodies that it acts on."""
-        raise NotImplementedError
 
     def count(self, structure: Structure) -> int:
         """Length of the array."""
         return 0
 
     def struct(self, structure: Structure) -> Struct:
-        """One element of the array."""
+        """One element of the array; laws without an array, whose count is 0, have none."""
         raise NotImplementedError
 
     def rows(self, body: Body, before: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -183,9 +184,9 @@ class BodyProgram:
         """Every real of the array, in its order, counted from 1, for simulators."""
         return iter(())
 
+    @abstractmethod
     def add_functions(self, lib: FunctionSet) -> None:
         """Adds its function, for stands that have the law."""
-        raise NotImplementedError
 
     def elements(self, lib: FunctionSet, table: Any, damper: Any, index: str = "k") -> Iterator[Any]:
         """`for fin in law.elements(lib, table, damper):` those of one body, in the text of a kernel."""

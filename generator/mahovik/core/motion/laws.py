@@ -7,6 +7,7 @@ and the ranges of what files of motions ask for.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
@@ -36,7 +37,7 @@ def out_of_range(what: str, value: float, most: float, unit: str) -> str | None:
 # -- speeds ----------------------------------------------------------------------------------------------------------
 
 
-class SpeedLaw(Data):
+class SpeedLaw(Data, ABC):
     """A law of the speed."""
 
     @property
@@ -44,13 +45,13 @@ class SpeedLaw(Data):
         """Times at which the law is not smooth, s."""
         return ()
 
+    @abstractmethod
     def motion(self, t: Array) -> Motion:
         """phi counted from its value at t = 0 (rad), phi' (rad/s), phi'' (rad/s2) at the times t (s)."""
-        raise NotImplementedError
 
     @property
     def largest(self) -> tuple[float, float]:
-        """Largest magnitudes of speed and acceleration, rad/s and rad/s2."""
+        """Largest magnitudes of speed and acceleration, rad/s and rad/s2; programmes and measured speeds have none."""
         raise NotImplementedError
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, asdict, dataclass
 from functools import cache
@@ -30,7 +31,7 @@ class Actuator:
     usual: float
 
 
-class BodyLaw(Law):
+class BodyLaw(Law, ABC):
     """A law that acts on a body in its own frame: its key is one of a body, or [[key]] where it is `mounted`.
 
     limited   members that the emitted C takes up to a largest size only
@@ -58,9 +59,9 @@ class BodyLaw(Law):
         return law if law.acts else None
 
     @classmethod
+    @abstractmethod
     def structure(cls, stand: Stand) -> dict[str, Any]:
         """What of all bodies decides the text of the C, by key."""
-        raise NotImplementedError
 
     def problem(self, body: Body) -> tuple[str, str] | None:
         """Key and words of what a body lacks for its data; None where it lacks nothing."""

@@ -42,7 +42,10 @@ class Tables:
     """
 
     def __init__(self, made: CompiledLibrary, threads: int, changes: Mapping[str, Any], n: int | None) -> None:
-        """Of the stand of a library; see `Model.tables`. Raises InputError, StandError, UsageError."""
+        """Prepares tables of the stand that `made` was compiled for, with `changes` by path, of `n` samples.
+
+        `Model.tables` says what changes may be. Raises InputError, StandError, UsageError.
+        """
         self._made, self._threads = made, threads
         self.made_of, self.real = made.source.stand, made.source.real
         self.base, self.samples = Stand.of(self.made_of), Samples.of(changes, n)

@@ -249,7 +249,7 @@ def settled_state(mechanics: Mechanics, motion: RequiredMotion, programme: Progr
             return np.asarray(start)  # the remainder is drift along free directions
     raise CheckError(
         f"{mechanics.stand.name}: with this mismatch no periodic motion is near the required one; use a smaller "
-        "mismatch, or begin on the programme: --start programme"
+        "mismatch, or begin in the required state: begin = programme"
     )
 
 
