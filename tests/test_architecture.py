@@ -97,10 +97,7 @@ def test_templates_print_and_do_not_think() -> None:
 
 
 ARITHMETIC = (ast.Add, ast.Sub, ast.Mult, ast.Div, ast.MatMult, ast.Pow, ast.Mod, ast.FloorDiv)
-SHARED = [
-    PACKAGE / f"{name}.py"
-    for name in ("contract/functions", "contract/laws", "core/stand/model", "core/stand/state", "errors")
-]
+SHARED = [PACKAGE / f"{name}.py" for name in ("contract/functions", "contract/laws", "core/stand/model", "errors")]
 """All that more than one derivation imports, by the contract `raw-data` of pyproject.toml, but `law` of the laws."""
 
 

@@ -8,9 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import BARE, random_stand, random_state
-from mahovik.core.stand.state import State
 from mahovik.proof.reference.evaluate import evaluate
 from mahovik.proof.verify.scales import scales_of
 from mahovik_bench.works import Work

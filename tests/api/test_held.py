@@ -10,8 +10,8 @@ import pytest
 
 import mahovik
 from mahovik.core.stand.hold import twists
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
+from mahovik.core.stand.stand_file import loads
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import pose_of

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import mahovik
+from mahovik.core.stand.model import State
 from mahovik.core.stand.random import random_state
-from mahovik.core.stand.state import State
 from mahovik.proof.reference import evaluate
 
 SAT = mahovik.example("sat4").replace({"task.sight.rows": [{"point": "acc1", "rows": ["wy", "vz"]}, "wz"]})

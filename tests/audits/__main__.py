@@ -9,7 +9,7 @@ import json
 import sys
 
 from audits.measure import AUDITS, ask
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.stand_file import dumps
 from mahovik.errors import StateError
 from mahovik.proof.verify.states import Request, read_line
 

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import read
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
+from mahovik.core.stand.stand_file import read
 from mahovik.proof.verify.judges import attitude
 
 Array = NDArray[np.float64]

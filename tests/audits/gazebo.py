@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from audits.audit import Array, Audit, cross, rigid_mass, rigid_products, terms, to_body
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 
 MASS, GRAVITY = 41.7, 9.81
 INERTIA = np.array([[1.23, 0.021, -0.047], [0.021, 4.17, 0.033], [-0.047, 0.033, 4.43]])

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from audits.audit import Array, Audit, stand_of, terms, to_body
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.model import State, rest_state
 
 STATES = 100
 G = 9.81

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from audits.audit import Answer, Array, Audit, merged, terms, to_body, without_added_products
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 
 LENGTH = 5.3  # m
 CENTER = 0.061  # z of the centre of gravity, m

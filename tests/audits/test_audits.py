@@ -15,7 +15,7 @@ import pytest
 from audits import npsauv
 from audits.audit import merged, without_added_products
 from audits.measure import AUDITS, measure
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.stand_file import dumps
 from toolchain.quick import quick
 
 TESTS = Path(__file__).parents[1]

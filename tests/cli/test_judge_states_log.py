@@ -14,9 +14,8 @@ import pytest
 import mahovik
 from cli.run import BRICK, refused, run
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.random import random_state
-from mahovik.core.stand.state import State, rest_state
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.coordinates import coordinates_at

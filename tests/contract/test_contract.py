@@ -15,7 +15,7 @@ from mahovik.core.program.function import Function
 from mahovik.core.program.types import DOUBLE
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Hold
-from mahovik.core.stand.read import load
+from mahovik.core.stand.stand_file import load
 from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.stands import path
 

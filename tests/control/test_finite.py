@@ -17,7 +17,7 @@ from mahovik.core.motion.programme import save_programme
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.core.stand.fields import Mat3
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.stand_file import dumps
 from mahovik.proof.verify.programme.verification import ARCSEC
 from mahovik.use.control.errors import errors_of
 from mahovik.use.control.loop import Case, close_loop

@@ -15,9 +15,9 @@ import pytest
 
 import mahovik
 from diagnose.rig import WANTS, Rig
+from mahovik.core.stand.files import parse_toml
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import read
-from mahovik.core.stand.toml import parse
+from mahovik.core.stand.stand_file import read
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, sentences
 from mahovik.proof.diagnose.search import TermSearch
 from mahovik.proof.verify.states import Request
@@ -75,12 +75,12 @@ QUICK = ("scalar last", "buoyancy", "carrier.mass", "suspension.damping[5][5]")
 
 @cache
 def diagnoser() -> Diagnoser:
-    return Diagnoser(stand(), parse(TEXT), wants=WANTS)
+    return Diagnoser(stand(), parse_toml(TEXT), wants=WANTS)
 
 
 @cache
 def stand() -> Stand:
-    return read(parse(TEXT), "rig")
+    return read(parse_toml(TEXT), "rig")
 
 
 @cache
@@ -91,7 +91,7 @@ def term_search(wrong: tuple[str, ...]) -> TermSearch:
 def with_number(path: str, value: float) -> Mapping[str, Any]:
     """The keys of the file as the program reads them, with another number."""
     file: Any = copy.deepcopy(tomllib.loads(TEXT))
-    changed = mahovik.Stand.from_dict(parse(TEXT)).replace({path: value}).to_dict()
+    changed = mahovik.Stand.from_dict(parse_toml(TEXT)).replace({path: value}).to_dict()
     file.update(json.loads(json.dumps(changed, default=float)))
     return dict(file)
 

@@ -15,8 +15,7 @@ from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.toolchain import library as library_module
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.library import Library

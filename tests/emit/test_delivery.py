@@ -11,7 +11,7 @@ from mahovik.contract.functions import ALL
 from mahovik.core.emit.delivery import ADDITIONS, delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.structure import identities
 from toolchain.tools import compile_c, run
 
 

@@ -17,7 +17,7 @@ from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import folders
-from mahovik.core.stand.read import loads
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StandError
 from mahovik.out.export.fmu import export_fmu
 from mahovik.proof.verify.selftest import problems, read_log

@@ -35,8 +35,7 @@ from export.attitudes import (
 )
 from export.programmes import check_delivered
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Hold, Stand, rest_state
 from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.proof.reference import pieces

@@ -14,7 +14,7 @@ from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.functions import Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import load
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.structure import identities
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.export.programme import ProgrammeExport, export_programme
 from toolchain.quick import quick

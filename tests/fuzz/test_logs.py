@@ -65,7 +65,7 @@ def console() -> bytes:
 
 def _selftest_log() -> str:
     """Output of a self-test without a sweep: judging it needs no compiler."""
-    from mahovik.core.stand.identity import identities
+    from mahovik.core.stand.structure import identities
 
     hashes = identities(STAND)
     head = f"mahovik selftest {STAND.name} structure {hashes.structure} physics {hashes.physics} real double"

@@ -27,7 +27,7 @@ from mahovik.core.motion.programme import load_programme, programme_text, read_p
 from mahovik.core.motion.regime import load as load_regime
 from mahovik.core.motion.servo import load_servo
 from mahovik.core.stand import load
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import rest_state
 from mahovik.errors import MotionError
 from mahovik.out.campaign.file import load_campaign
 from mahovik.out.foreign.original import read

@@ -10,7 +10,7 @@ import pytest
 
 import mahovik
 from identify.data import identified
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 from mahovik.errors import UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference

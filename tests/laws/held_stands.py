@@ -12,9 +12,8 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, dumps, loads
-from mahovik.core.stand.model import Law
+from mahovik.core.stand.model import Law, State
 from mahovik.core.stand.random import random_state
-from mahovik.core.stand.state import State
 from mahovik.errors import StandError
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend

@@ -16,8 +16,8 @@ from laws.stands import CARRIER, FADING, FINS, POD, PROPELLERS, STRIPS, bearing
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.fmu_variables import laws
 from mahovik.core.stand import dumps, loads, rest_state
+from mahovik.core.stand.files import parse_toml
 from mahovik.core.stand.numbers import StandNumbers
-from mahovik.core.stand.toml import parse
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.proof.verify.c_backend import CBackend
@@ -103,7 +103,7 @@ def test_simulators_see_numbers_with_units_and_campaigns_vary_them() -> None:
     assert parameters["control_derivative[1]"].unit.name == "N.s2/(m.rad2)"
     assert "X += value u r rudder.deflection" in parameters["control_derivative[1]"].description
     assert parameters["carrier.control_derivatives.race"].value == 2e-4
-    file = Stand.from_dict(parse(FILE))
+    file = Stand.from_dict(parse_toml(FILE))
     numbers = StandNumbers(file, file.to_dict())
     (number,) = numbers.find("main.diameter")
     assert number.value == 0.14

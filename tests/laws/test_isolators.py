@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 
 import mahovik
 from mahovik.core.stand import loads
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import rest_state
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.model import Stand, rest_state
+from mahovik.core.stand.stand_file import dumps
 from mahovik.errors import StandError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof import reference

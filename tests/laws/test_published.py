@@ -17,7 +17,7 @@ from audits.audit import momentum_products, without_added_products
 from laws.stands import CONTROL, MAIN, RUDDER, SLENDER, STILL, TEXTS, WHOLE, bearing
 from mahovik.core.lower.law_arrays import law_arrays
 from mahovik.core.stand import Stand, loads, rest_state
-from mahovik.core.stand.derivatives import Velocity
+from mahovik.core.stand.law import Velocity
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS
 from mahovik.core.stand.random import random_state
 from mahovik.laws.control.law import ControlDerivatives

@@ -14,10 +14,10 @@ mahovik.laws.__path__.append(str(Path(__file__).parent / "added"))
 rows.BODY_LAWS += ("tug",)  # type: ignore[assignment]  # the row
 
 from mahovik.core.stand import dumps, identities, loads  # noqa: E402
+from mahovik.core.stand.files import parse_toml  # noqa: E402
 from mahovik.core.stand.laws import body_laws  # noqa: E402
 from mahovik.core.stand.numbers import StandNumbers  # noqa: E402
 from mahovik.core.stand.random import Features, random_stand  # noqa: E402
-from mahovik.core.stand.toml import parse  # noqa: E402
 from mahovik.proof.second import Second  # noqa: E402
 from mahovik.proof.verify.c_backend import InterpreterBackend  # noqa: E402
 from mahovik.proof.verify.draw import draw  # noqa: E402
@@ -32,7 +32,7 @@ if __name__ == "__main__":
     assert len(tug.of(stand)) == 4
     without = replace(stand, carrier=stand.carrier.without_laws(tug))
     assert identities(stand).physics != identities(without).physics
-    assert "carrier.tug.force[2]" in {number.path for number in StandNumbers(stand, parse(dumps(stand)))}
+    assert "carrier.tug.force[2]" in {number.path for number in StandNumbers(stand, parse_toml(dumps(stand)))}
     assert with_mismatch(stand, 0.01, 1).carrier.law(tug) != stand.carrier.law(tug)
     backend = InterpreterBackend(generated(stand))
     checks = judge(stand, backend, draw(stand, 3, 5), ("forward", "torque"), second=Second(stand))

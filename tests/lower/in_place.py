@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.status import status_words
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
 

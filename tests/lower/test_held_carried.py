@@ -11,9 +11,8 @@ import pytest
 
 from lower.in_place import end_of_steps
 from mahovik.core.stand.hold import FREEDOMS, twist_of
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.model import Hold, Stand, State, rest_state
+from mahovik.core.stand.stand_file import loads
 from mahovik.proof.verify.c_backend import CBackend
 from toolchain.quick import quick
 from verify.holds import PENDULUM

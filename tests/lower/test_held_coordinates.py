@@ -16,7 +16,7 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.hold import FREEDOMS, has_coordinates
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.random import BARE, random_stand
-from mahovik.core.stand.read import loads
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
 from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.proof.second import Second

@@ -13,9 +13,9 @@ from mahovik.contract.limits import DOUBLE
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand import Stand
+from mahovik.core.stand.model import State, rest_state
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.stand_file import loads
 from mahovik.laws.friction.law import Frictions
 from mahovik.laws.stop.law import Stops
 from mahovik.proof.reference import evaluate

@@ -14,7 +14,7 @@ import pytest
 from lower.in_place import end_of_steps
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.stand import load
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import rest_state
 from mahovik.core.toolchain import library
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.proof.verify.c_backend import CBackend

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import loads
+from mahovik.core.stand.stand_file import loads
 from mahovik.use.measured.clocks import Array, Recording
 from mahovik.use.measured.read import read_recordings
 

@@ -5,9 +5,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
-from mahovik.core.stand.state import State
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.reference.bodies import PlacedBody
 from mahovik.proof.reference.pieces import Pieces

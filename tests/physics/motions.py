@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Sequence, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Sequence, Stand, State
 
 SEQUENCES: dict[Sequence, str] = {"ship": "ZYX", "aircraft": "YZX", "euler": "ZXZ"}
 """SciPy's names of the attitude sequences; capitals turn about moving axes."""

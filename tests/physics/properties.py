@@ -13,8 +13,7 @@ from hypothesis import HealthCheck, note, settings
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from mahovik.proof.verify.scales import scales_of

@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Flywheel, Mat6, MountingAxes, Stand, Vec3
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Flywheel, Mat6, MountingAxes, Stand, State, Vec3
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
 from mahovik.laws.leg.law import Legs, legs_of

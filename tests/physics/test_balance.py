@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.screw import Phi, f, spin

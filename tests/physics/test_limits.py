@@ -7,8 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Stand, State
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.array import Array
 from physics.general import isolated, rows, without_added_mass

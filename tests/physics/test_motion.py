@@ -5,8 +5,7 @@ from dataclasses import replace
 import numpy as np
 from hypothesis import given
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from physics.general import isolated, without_wrench

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, Vec3
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State, Vec3
 from mahovik.proof.reference import evaluate
 from mahovik.proof.reference.array import Array
 from physics.general import AnyBody, draw, rows, without_added_mass

@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Carrier, Instrument, MountingAngles, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Carrier, Instrument, MountingAngles, Stand, State
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference import evaluate, pieces

@@ -16,9 +16,8 @@ from mahovik.core.motion.functions import Course, Harmonics
 from mahovik.core.motion.motion_file import load_motion
 from mahovik.core.motion.required import Bounds, Objective, RequiredMotion
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import Features, random_stand
-from mahovik.core.stand.state import State
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.coordinates import answer_generalized, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand

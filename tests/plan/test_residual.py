@@ -9,9 +9,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import BARE, EVERYTHING, SEQUENCES, Features, random_stand
-from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import forward

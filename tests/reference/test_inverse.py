@@ -7,9 +7,8 @@ import pytest
 from scipy.linalg import null_space
 
 from mahovik.core.stand import loads
-from mahovik.core.stand.model import COMPONENTS, MountingAngles, Stand, Task, TaskRow
+from mahovik.core.stand.model import COMPONENTS, MountingAngles, Stand, State, Task, TaskRow, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
-from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import StateError
 from mahovik.proof.reference import evaluate, pieces
 from mahovik.proof.reference.inverse import (

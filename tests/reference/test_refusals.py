@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from mahovik.core.stand.model import Sequence as AngleSequence
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.state import rest_state
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Leg, Legs, legs_of
 from mahovik.proof import reference

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.derivatives import Velocity
+from mahovik.core.stand.law import Velocity
 from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
 from mahovik.laws.damping.law import Damping, DampingTerm
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping

@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 
 from mahovik.contract.limits import LIMITS
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand.model import Body, Stand
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.state import State
 from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference import regressor as literal
 from mahovik.proof.reference.assembly import pieces

@@ -16,9 +16,8 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.interpret import Interpreter
 from mahovik.core.program.types import DOUBLE, FLOAT, Precision
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.state import State, rest_state
 from mahovik.core.stand.structure import structure
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward

@@ -13,8 +13,8 @@ from mahovik import __version__
 from mahovik.core.derive.carrying import weight
 from mahovik.core.derive.document import Formula, Table, sections, symbol
 from mahovik.core.stand import Stand, State, load
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.random import Features, random_stand, random_state
+from mahovik.core.stand.structure import identities
 from mahovik.out.commands.report import report
 from mahovik.out.report.derivation import document
 from mahovik.proof.reference.evaluate import evaluate

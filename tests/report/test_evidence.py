@@ -15,7 +15,7 @@ from click.testing import CliRunner, Result
 import mahovik.proof.evidence as all_pieces
 from mahovik import __version__
 from mahovik.core.stand import load
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.structure import identities
 from mahovik.errors import UsageError
 from mahovik.out.command_line import main
 from mahovik.proof.evidence import PIECES, Subject, Verdict, check, conclusion, failures

@@ -16,7 +16,7 @@ from mahovik.contract.functions import wants_of
 from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand import Stand, State, load
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
-from mahovik.core.stand.read import loads
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Legs, legs_of
 from mahovik.proof import reference, rigorous

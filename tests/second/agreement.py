@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import wants_of, wants_of_carrier
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.second import Second
 from mahovik.proof.verify.check import difference

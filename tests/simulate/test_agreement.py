@@ -15,9 +15,9 @@ from mahovik import stands
 from mahovik.core.motion.laws import TorqueSpeed
 from mahovik.core.motion.regime import loads_regime, steady_regime
 from mahovik.core.stand import Stand, load, loads, rest_state
+from mahovik.core.stand.model import State
 from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
-from mahovik.core.stand.state import State
 from mahovik.errors import RefusedError, RegimeError, UsageError
 from mahovik.proof import reference
 from mahovik.use.simulate.case import Case

@@ -19,10 +19,9 @@ from cli.run import refused
 from cli.test_eval_held import pendulum_file
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.hold import twist_of
-from mahovik.core.stand.model import Hold, Stand
+from mahovik.core.stand.model import Hold, Stand, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import UsageError
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import allowed_start, home

@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from mahovik.core.stand import dumps, identities, loads, structure
-from mahovik.core.stand.definite import condition_of_twists
 from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds, no_coordinates, twists, words
 from mahovik.core.stand.model import Freedom, Hold
+from mahovik.core.stand.physical import condition_of_twists
 from mahovik.core.stand.summary import summarize
 from mahovik.proof.reference.screw import twists as literal_twists
 from mahovik.proof.second.system import twists as moving_twists

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 
 from mahovik.core.stand import dumps, identities, loads
-from mahovik.core.stand.derivatives import Velocity
+from mahovik.core.stand.law import Velocity
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand

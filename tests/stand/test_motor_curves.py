@@ -9,8 +9,8 @@ import pytest
 import mahovik
 from mahovik.core.stand import dumps, loads
 from mahovik.core.stand.capacity import momentum_capacity, torque_capacity
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.motor import Motor, mirrored
+from mahovik.core.stand.structure import identities
 from mahovik.errors import StandError
 
 RPM = math.pi / 30.0

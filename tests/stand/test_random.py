@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, limits_of
 from mahovik.core.stand import rest_state
-from mahovik.core.stand.model import Sequence, Stand
+from mahovik.core.stand.model import Sequence, Stand, State
 from mahovik.core.stand.random import EVERYTHING, EXTREMES, random_stand
-from mahovik.core.stand.state import State
 from mahovik.proof.verify.draw import LEAST_EXPONENT, draw
 
 Array = NDArray[np.float64]

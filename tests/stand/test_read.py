@@ -7,7 +7,7 @@ import math
 import pytest
 
 from mahovik.core.stand import dumps, loads
-from mahovik.core.stand.derivatives import Velocity
+from mahovik.core.stand.law import Velocity
 from mahovik.core.stand.model import Encoder, MountingAngles, MountingAxes, Point
 from mahovik.core.stand.motor import Motor
 from mahovik.laws.buoyancy.law import Buoyancy

@@ -8,10 +8,10 @@ import numpy as np
 
 import mahovik
 from mahovik.core.stand import dumps, identities, loads, structure
+from mahovik.core.stand.coordinates import places_of, row_vector
 from mahovik.core.stand.model import Task, TaskRow
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.summary import TaskSummary, summarize
-from mahovik.core.stand.task import places_of, row_vector
 from mahovik.proof.reference.motion import point_transfers
 
 STAND = """

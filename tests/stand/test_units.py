@@ -14,7 +14,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mahovik.core.stand.unit_spellings import UNITS
 from mahovik.core.stand.units import (
     ANGLE,
     DYNAMIC_UNBALANCE,
@@ -27,6 +26,7 @@ from mahovik.core.stand.units import (
     TIME,
     TORQUE,
     TORQUE_CONSTANT,
+    UNITS,
     VISCOUS,
     VOLTAGE,
     Dimension,

@@ -16,8 +16,8 @@ from scipy.spatial import ConvexHull
 from mahovik.core.stand import Stand, loads
 from mahovik.core.stand.capacity import envelope, momentum_capacity, torque_capacity
 from mahovik.core.stand.masses import mass_properties, mean_stand
+from mahovik.core.stand.model import State
 from mahovik.core.stand.random import random_stand, random_state
-from mahovik.core.stand.state import State
 from mahovik.core.stand.summary import summarize
 from mahovik.proof import reference
 

@@ -8,8 +8,8 @@ import pytest
 
 from cli.run import run
 from mahovik.core.stand import load
-from mahovik.core.stand.read import document_at
-from mahovik.core.stand.written import Written, written_numbers
+from mahovik.core.stand.numbers import Written, written_numbers
+from mahovik.core.stand.stand_file import document_at
 
 TEXT = """schema = 1
 name = "a"

@@ -10,8 +10,7 @@ import casadi as ca
 import numpy as np
 
 from mahovik.contract.laws import parts
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.evaluate import Second
 from mahovik.proof.second.rotation import Array, Expr, turn

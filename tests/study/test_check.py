@@ -14,9 +14,9 @@ import pytest
 from cli.run import run
 from lower.in_place import end_of_steps
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import rest_state
+from mahovik.core.stand.stand_file import dumps
 from mahovik.core.stand.summary import summarize
-from mahovik.core.stand.write import dumps
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import round_to_float
 from mahovik.proof.verify.scales import Scales

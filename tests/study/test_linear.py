@@ -14,9 +14,8 @@ import pytest
 import mahovik
 from mahovik.core.stand import load, loads
 from mahovik.core.stand.hold import twist_of
-from mahovik.core.stand.model import Hold, MountingAxes, Stand
+from mahovik.core.stand.model import Hold, MountingAxes, Stand, State, rest_state
 from mahovik.core.stand.random import BARE, Features, random_stand, random_state
-from mahovik.core.stand.state import State, rest_state
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array

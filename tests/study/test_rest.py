@@ -10,10 +10,9 @@ import pytest
 
 from mahovik import stands
 from mahovik.core.stand import load
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import Features, random_stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import CheckError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof import reference

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 import mahovik
 from mahovik.core.stand import Stand, load
-from mahovik.core.stand.csv_table import TableError
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.files import TableError
+from mahovik.core.stand.model import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.commands.vibration import vibration as command
 from mahovik.proof.reference import pieces

@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.model import Carrier, Mat6, Stand
-from mahovik.core.stand.read import load, loads
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Carrier, Mat6, Stand, rest_state
+from mahovik.core.stand.stand_file import load, loads
 from mahovik.errors import CheckError
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.cross_flow.law import CrossFlow

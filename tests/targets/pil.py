@@ -9,8 +9,8 @@ from functools import partial
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.literal import initialiser, real_literal
 from mahovik.core.emit.servo import servo_program_text
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.out.export.servo import ExportedServo
 from targets import programs
 

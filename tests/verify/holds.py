@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.stand.hold import FREEDOMS, twist_of
-from mahovik.core.stand.model import Freedom, Hold, Stand
+from mahovik.core.stand.model import Freedom, Hold, Stand, State
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand, random_state
-from mahovik.core.stand.state import State
 from mahovik.proof.verify.backends import NumpyBackend
 
 PIVOT = (0.3, -0.2, 0.15)

@@ -11,9 +11,8 @@ import pytest
 from export.held_servos import ARM, MASS, SPIN, WHOLE, pendulum
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.stand.model import Hold, MountingAxes, Stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Hold, MountingAxes, Stand, rest_state
+from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import NumpyBackend, turns
 from mahovik.proof.verify.c_backend import InterpreterBackend

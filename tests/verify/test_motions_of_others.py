@@ -18,8 +18,8 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.masses import inertia_about_center, pose
+from mahovik.core.stand.model import State
 from mahovik.core.stand.random import BARE, random_stand, random_state
-from mahovik.core.stand.state import State
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.judges import Mujoco, attitude, bare_stand
 from mahovik.stands import path

@@ -16,8 +16,8 @@ from random_stands import WHAT_MATTERS, random_stands
 from mahovik import stands
 from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import Stand, load, loads
+from mahovik.core.stand.model import rest_state
 from mahovik.core.stand.random import Features, random_stand
-from mahovik.core.stand.state import rest_state
 from mahovik.laws.control.law import ControlDerivatives
 from mahovik.laws.cross_flow.law import CrossFlow
 from mahovik.laws.fading.law import FadingDamping

@@ -11,9 +11,8 @@ import pytest
 
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Hold, StreamProfile
+from mahovik.core.stand.model import Hold, StreamProfile, rest_state
 from mahovik.core.stand.random import BARE, Features, random_stand
-from mahovik.core.stand.state import rest_state
 from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import InterpreterBackend

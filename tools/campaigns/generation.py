@@ -32,7 +32,7 @@ DRAW = """
 import sys
 import numpy as np
 from mahovik.core.stand.random import BARE, EVERYTHING, random_stand
-from mahovik.core.stand.write import dumps
+from mahovik.core.stand.stand_file import dumps
 kind, count = sys.argv[1], int(sys.argv[2])
 features = BARE if kind == "bare" else EVERYTHING
 print(dumps(random_stand(np.random.default_rng([1986, count]), count, features, name=f"{kind}{count}")))

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from mahovik.core.motion.required import RequiredMotion, Slew
     from mahovik.core.motion.servo import Servo
     from mahovik.core.stand.model import Stand as CoreStand
-    from mahovik.core.stand.state import State
+    from mahovik.core.stand.model import State
     from mahovik.core.stand.units import Dimension
 
 Keys = Mapping[str, Any]

@@ -8,9 +8,8 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from mahovik.core.stand import toml
-from mahovik.core.stand.content import KINDS, content
-from mahovik.core.stand.content import kind_of as kind_of_keys
+from mahovik.core.stand.files import KINDS, content, parse_toml
+from mahovik.core.stand.files import kind_of as kind_of_keys
 from mahovik.errors import FileError, UsageError
 
 _TABLE, _ZIP = "a table (CSV)", "a ZIP archive"
@@ -52,7 +51,7 @@ def kind_of(path: str | Path) -> str | None:
     for beginning, words in _BY_BEGINNING.items():
         if text.lstrip().startswith(beginning):
             return words
-    for parse in (json.loads, toml.parse):
+    for parse in (json.loads, parse_toml):
         with contextlib.suppress(ValueError, RecursionError):
             keys = parse(text)
             keys = keys if isinstance(keys, dict) else {}

@@ -13,8 +13,7 @@ from mahovik.contract.quantities import BOUNDS, RPM
 from mahovik.errors import CheckError
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.model import Stand
-    from mahovik.core.stand.state import State
+    from mahovik.core.stand.model import Stand, State
     from mahovik.use.simulate.case import Case
 
 

@@ -18,8 +18,8 @@ from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
 from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.board import build, require, run, version
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint

@@ -35,9 +35,9 @@ from mahovik.core.emit.generate import describe_bodies, generate_all
 from mahovik.core.emit.manifest import digest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
-from mahovik.core.stand.content import content
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.files import content
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.core.toolchain.static_checks import ANALYSER, CPPCHECK, DEVIATIONS, STANDING_FINDINGS, WARNINGS, version
 from mahovik.errors import UsageError

@@ -20,8 +20,7 @@ from typing import Any
 import numpy as np
 from flint import arb, arb_mat, ctx
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array

@@ -19,10 +19,9 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave, defaultCallbacks, fmi2CallbackFuncti
 from mahovik import stands
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.fmu_variables import Inputs, Kind
-from mahovik.core.stand import read
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand import load
+from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.core.stand.state import State, rest_state
 from mahovik.out.export.fmu import Fmu, export_fmu
 from mahovik.use.study.rest import rest
 
@@ -41,7 +40,7 @@ def stand(name: str) -> Stand:
         rng = np.random.default_rng(7)
         without_motors = replace(EVERYTHING, motors=False)  # friction and limits of motors act in `simulate` alone
         return random_stand(rng, 0 if name == "rigid" else 2, without_motors, name)
-    return read.load(stands.path(name))
+    return load(stands.path(name))
 
 
 @lru_cache

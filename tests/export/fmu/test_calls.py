@@ -12,7 +12,7 @@ from fmpy.fmi1 import FMICallException
 from export.fmu import fmus
 from export.fmu.fmus import Instance
 from mahovik.core.motion.regime import loads_regime
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import rest_state
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.run import simulate
 

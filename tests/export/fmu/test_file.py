@@ -21,7 +21,7 @@ from export.fmu.fmus import COMBINATIONS
 from mahovik import stands
 from mahovik.core.lower import units
 from mahovik.core.lower.fmu_variables import Inputs, Kind
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import rest_state
 from mahovik.core.toolchain.compiler import STRICT, WARNINGS
 from mahovik.laws.suspension.law import Suspension
 from mahovik.out.export.fmu import export_fmu

@@ -18,9 +18,8 @@ from export.fmu import fmus
 from mahovik.core.lower.fmu_variables import Inputs, Kind
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.hold import freedom_names, twist_of
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.read import loads
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.model import Stand, State, rest_state
+from mahovik.core.stand.stand_file import loads
 from mahovik.out.export.fmu import export_fmu
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import complete_start, home, rates

@@ -16,7 +16,7 @@ from mahovik.core.motion.motion_file import load_motion, read_motion
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.stand.identity import identities
+from mahovik.core.stand.structure import identities
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import residual_and_torque, scale_of
 from mahovik.proof.verify.programme.verification import verify_programme

@@ -26,8 +26,8 @@ from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, O
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Kind, Struct
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 TABLES = tuple(PREPARED)
 """Arguments that hold the numbers of a stand; all others depend on its structure alone."""

@@ -9,8 +9,8 @@ from typing import Any
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.generate import Generated
 from mahovik.core.lower.attitude import lower_attitude
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand, Task
+from mahovik.core.stand.structure import identities
 
 _NEEDED = ("step", "wrap")
 

@@ -22,8 +22,8 @@ from mahovik.core.program.refusal import POSITIVE
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import used_structs
 from mahovik.core.program.widen import BYTES
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.errors import UsageError
 
 

@@ -22,7 +22,7 @@ from mahovik.core.program.function import Function, Program
 from mahovik.core.program.restrictable import restrictable
 from mahovik.core.program.types import Kind, Struct
 from mahovik.core.program.walk import expressions
-from mahovik.core.stand.identity import Identities
+from mahovik.core.stand.structure import Identities
 
 _IDENTITY = (
     "The linker sees names that end in the kind of the reals and a hash of this header: a caller with the header of "

@@ -24,10 +24,10 @@ from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import FORMAT, NAME, Header, as_text, digest, read_header
 from mahovik.core.emit.names import VERIFICATION
-from mahovik.core.stand.content import content
 from mahovik.core.stand.fields import stand_name_problem
-from mahovik.core.stand.identity import under_name
+from mahovik.core.stand.files import content
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import under_name
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.writing import write_all
 

@@ -18,8 +18,8 @@ from mahovik.core.emit.templates import template
 from mahovik.core.lower.encoder import ENCODER, MOST, lower_encoder
 from mahovik.core.lower.golden import golden
 from mahovik.core.program.types import DOUBLE, FLOAT, Kind
-from mahovik.core.stand.identity import Identities, identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import Identities, identities
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 

@@ -24,8 +24,8 @@ from mahovik.core.program.expression import Const
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.walk import expressions
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 ROUTINE = "routine"
 """Set of the drivers of the routines that work on bits and of CHECKS; the other sets are those of the contract."""

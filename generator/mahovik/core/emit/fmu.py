@@ -21,8 +21,8 @@ from mahovik.core.lower.fmu_variables import Form, Variable, measured_laws
 from mahovik.core.lower.freedoms import scalar_coordinates, turns_about_point
 from mahovik.core.lower.units import DISPLAY, NONE, Unit
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 HEADERS = ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h")
 """Headers of the FMI standard 2.0, unchanged."""

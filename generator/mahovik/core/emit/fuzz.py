@@ -15,7 +15,7 @@ from mahovik.core.emit.declaration import pointer_arguments
 from mahovik.core.emit.log_format import RECORDED
 from mahovik.core.lower.test_inputs import options_plan
 from mahovik.core.program.function import Function, Program
-from mahovik.core.stand.identity import Identities
+from mahovik.core.stand.structure import Identities
 
 
 def fuzz_harness(program: Program, identities: Identities) -> str:

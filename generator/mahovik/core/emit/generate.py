@@ -19,9 +19,8 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import restrict_program
 from mahovik.core.program.types import DOUBLE, FLOAT, Struct
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure import identities, structure
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 

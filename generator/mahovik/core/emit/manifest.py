@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
 from mahovik.contract.functions import ALL
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 if TYPE_CHECKING:
     from mahovik.core.emit.generate import Generated

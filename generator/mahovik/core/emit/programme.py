@@ -16,8 +16,8 @@ from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.lower.programme import CLOCK, Course, ProgrammeProgram
 from mahovik.core.lower.programme_play import PERIODS, REFUSED, SWEEP, TICKS, Golden, GoldenCourse
 from mahovik.core.program.types import Kind, numbers
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from mahovik.core.emit.names import member
 from mahovik.core.emit.status import statuses
 from mahovik.core.program.cost import cost
 from mahovik.core.program.types import Kind, Shape, Struct
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 _VALUES = {"dt": "1e-3", "order": "4", "angles": "{ 0, 0.5, 0 }", "orientation": "{ 1, 0, 0, 0 }"}
 """Inputs of the example that are not zero."""

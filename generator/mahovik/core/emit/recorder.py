@@ -20,8 +20,8 @@ from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import stack_bound
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.errors import UsageError
 
 

@@ -17,7 +17,7 @@ from mahovik.core.lower.trials import ALL, CHANGED, Path
 from mahovik.core.program.call import Argument
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind, Shape, Struct
-from mahovik.core.stand.identity import Identities
+from mahovik.core.stand.structure import Identities
 
 _SPECIAL = {"inf": "infinite", "nan": "not_a_number"}
 """Constants of the self-test for numbers that no literal of C99 is."""

@@ -17,8 +17,8 @@ from mahovik.core.lower import servo_golden as expected
 from mahovik.core.lower.servo import ServoForm
 from mahovik.core.lower.servo_golden import Golden
 from mahovik.core.program.function import Program
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from mahovik.core.program.kernel import kernel
 from mahovik.core.program.simplify import prune
 from mahovik.core.program.types import Precision, Struct
 from mahovik.core.routines import exponential
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Structure
 
 
 class Structs(Protocol):

@@ -16,8 +16,7 @@ from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import argument, body, changed
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.stand.declare import Declared, InC
-from mahovik.core.stand.model import Body, Mat6, Stand, Vec3
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Body, Mat6, Stand, Structure, Vec3
 from mahovik.core.stand.tables import QuantityValidator
 from mahovik.core.stand.units import Dimension
 

@@ -25,9 +25,8 @@ from mahovik.core.program.interpret import Interpreter, plain
 from mahovik.core.program.kernel import Reals, result
 from mahovik.core.program.tangent import Tangents
 from mahovik.core.program.types import DOUBLE
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.core.stand.structure import structure
-from mahovik.core.stand.structure_facts import Structure
 from mahovik.errors import StateError
 
 POSE = {"position": 3, "attitude": 4, "V": 6, "C": 9}

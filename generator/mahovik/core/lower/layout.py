@@ -11,8 +11,7 @@ from mahovik.core.lower import stream
 from mahovik.core.lower.freedoms import are_closed, coordinates_struct, momenta_needed
 from mahovik.core.lower.law import BodyProgram, CarrierProgram, RunTimeInput
 from mahovik.core.program.types import Field, Kind, NamedCount, Precision, Struct
-from mahovik.core.stand.model import Task
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Structure, Task
 
 REAL, INT = Kind.REAL, Kind.INT
 WEIGHT = BOUNDS["MAX_WEIGHT"].value

@@ -15,8 +15,7 @@ from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, RANGE, Reals, reals, result
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
-from mahovik.core.stand.model import StreamProfile
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import StreamProfile, Structure
 
 REAL = Kind.REAL
 NAME = "stream_profile"

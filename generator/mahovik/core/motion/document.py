@@ -14,10 +14,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand import toml
-from mahovik.core.stand.content import kind_of, readable_text, wrong_kind
-from mahovik.core.stand.echoes import echo, list_item
-from mahovik.core.stand.fields import integer, require_bounds, text, validator, vector
+from mahovik.core.stand.fields import echo, integer, list_item, require_bounds, text, validator, vector
+from mahovik.core.stand.files import exact, kind_of, parse_toml, readable_text, wrong_kind
 from mahovik.core.stand.tables import Context, QuantityValidator
 from mahovik.core.stand.units import PLAIN, SPEED, TIME, Dimension, QuantityError, number, show
 from mahovik.errors import FileError
@@ -51,13 +49,13 @@ def parse(text: str) -> Any:
             table[key] = value
         return table
 
-    return json.loads(text, parse_float=toml.exact, object_pairs_hook=once)
+    return json.loads(text, parse_float=exact, object_pairs_hook=once)
 
 
 def kind_of_text(text: str, is_json: bool) -> str:
     """The kind of a file by its text, one of KINDS; empty where it is none."""
     try:
-        document = parse(text) if is_json else toml.parse(text)
+        document = parse(text) if is_json else parse_toml(text)
     except (RecursionError, ValueError):
         return ""
     return kind_of(document) if isinstance(document, dict) else ""
@@ -66,7 +64,7 @@ def kind_of_text(text: str, is_json: bool) -> str:
 def document_of(text: str, source: str, error: type[FileError], *kinds: str, is_json: bool = True) -> dict[str, Any]:
     """The keys of a file of schema 1, which is of one of these KINDS. Raises `error` with one line."""
     try:
-        document = parse(text) if is_json else toml.parse(text)
+        document = parse(text) if is_json else parse_toml(text)
         if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
             json.dumps(document, ensure_ascii=False, default=str).encode()
     except (RecursionError, ValueError) as problem:

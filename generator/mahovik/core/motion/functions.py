@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.motion.document import numbers_of_flywheels, six_numbers, times
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Data
+from mahovik.core.stand.tables import Data, Problems
 
 Array = NDArray[np.float64]
 

@@ -38,15 +38,22 @@ from mahovik.core.motion.required import (
     Winding,
     sight_of,
 )  # fmt: skip
-from mahovik.core.stand.content import KINDS, TABLE
-from mahovik.core.stand.coordinates import Coordinates, coordinates_of
-from mahovik.core.stand.echoes import beyond_a_turn
-from mahovik.core.stand.fields import Length3, Text, direction, require_bounds, scalar, validator, vector, vector3
+from mahovik.core.stand.coordinates import Coordinates, check_tasks, coordinates_of
+from mahovik.core.stand.fields import (
+    Length3,
+    Text,
+    beyond_a_turn,
+    direction,
+    require_bounds,
+    scalar,
+    validator,
+    vector,
+    vector3,
+)
+from mahovik.core.stand.files import KINDS, TABLE
 from mahovik.core.stand.masses import turn
 from mahovik.core.stand.model import Stand, Task, Vec3
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import NOTHING, Context, Data, QuantityValidator, Table
-from mahovik.core.stand.task import check_tasks
+from mahovik.core.stand.tables import NOTHING, Context, Data, Problems, QuantityValidator, Table
 from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TIME, Dimension, QuantityError, factor, number, show
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion

@@ -17,13 +17,12 @@ import numpy as np
 
 from mahovik.core.motion.document import any_list, choice, document_of, rows, short_integer, text_of
 from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse, Samples
-from mahovik.core.stand.content import KINDS, TABLE
 from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Text, scalar, validator, vector
+from mahovik.core.stand.files import KINDS, TABLE
 from mahovik.core.stand.masses import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import NOTHING, Context, Data, QuantityValidator, Table, keys_of
+from mahovik.core.stand.tables import NOTHING, Context, Data, Problems, QuantityValidator, Table, keys_of
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.errors import ProgrammeError
 from mahovik.writing import write

@@ -35,13 +35,11 @@ from mahovik.core.motion.laws import (
     out_of_range,
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
-from mahovik.core.stand.content import KINDS, TEXT, kind_of
-from mahovik.core.stand.csv_table import Columns, TableError, read_columns
 from mahovik.core.stand.fields import Text, scalar, validator
+from mahovik.core.stand.files import KINDS, TEXT, Columns, TableError, kind_of, read_columns
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.motor import Curve, Motor, mirrored, read_curve
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import NOTHING, Table, keys_of
+from mahovik.core.stand.tables import NOTHING, Problems, Table, keys_of
 from mahovik.core.stand.units import ANGLE, FORCE, SPEED, TIME, TORQUE, Dimension, QuantityError, number, show
 from mahovik.errors import RegimeError
 from mahovik.nearest import suggestion

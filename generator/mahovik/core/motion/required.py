@@ -12,11 +12,9 @@ import numpy as np
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.document import bound_per_flywheel, per_flywheel
 from mahovik.core.motion.functions import Array, Course, Harmonics, PlannedCourse, SampledCourse
-from mahovik.core.stand.coordinates import Coordinates, coordinates_of
+from mahovik.core.stand.coordinates import Coordinates, coordinates_of, places_of, row_vector
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Data
-from mahovik.core.stand.task import places_of, row_vector
+from mahovik.core.stand.tables import Data, Problems
 from mahovik.core.stand.units import ANGLE, ANGULAR_ACCELERATION, PLAIN, SPEED, TORQUE, QuantityError
 
 Winding = Literal["any", "spin", "rock"] | tuple[int, ...]

@@ -20,14 +20,13 @@ from mahovik.core.motion.document import (
     whole_number,
 )
 from mahovik.core.motion.laws import MAX_WRENCH
-from mahovik.core.stand.content import KINDS, TEXT
 from mahovik.core.stand.coordinates import FREE
 from mahovik.core.stand.fields import Flag, Text, require_bounds, scalar, validator
+from mahovik.core.stand.files import KINDS, TEXT
 from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.motor import UNLIMITED
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Alias, Context, Data, Default, QuantityValidator, keys_of
+from mahovik.core.stand.tables import Alias, Context, Data, Default, Problems, QuantityValidator, keys_of
 from mahovik.core.stand.units import ANGLE, PLAIN, TIME, TORQUE, Dimension, QuantityError, show
 from mahovik.errors import ServoError
 

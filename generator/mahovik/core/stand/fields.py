@@ -8,14 +8,22 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
+from decimal import Decimal
 from typing import Annotated, Any, TypeVar, cast
 
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.stand import units
 from mahovik.core.stand.columns import hypot
-from mahovik.core.stand.echoes import as_written, echo, list_item
 from mahovik.core.stand.tables import Blocks, QuantityValidator, Table
-from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, last_digit, number, show, split_value_unit
+from mahovik.core.stand.units import (
+    PLAIN,
+    Dimension,
+    QuantityError,
+    last_digit,
+    number,
+    show,
+    split_value_unit,
+)
 
 T = TypeVar("T")
 Vec3 = tuple[float, float, float]
@@ -367,3 +375,48 @@ def unit(a: Vec3) -> Vec3:
     scaled = [x / largest for x in a]
     length = hypot(*scaled)
     return (scaled[0] / length, scaled[1] / length, scaled[2] / length)
+
+
+# -- numbers as a reader wrote them: "1.5 g mm", alone or within a list ------------------------------------------------
+
+WHOLE_TURN = 2.0 * math.pi * (1.0 + 1e-6)
+"""rad, with room for rounding."""
+
+
+def text_with_unit(raw: Any) -> str | None:
+    """The text of a number or a list that has a unit in the file: "1.5 g mm", "[1, 2, 3 mm]"; None without a unit."""
+    if isinstance(raw, dict) and set(raw) == {"value", "unit"} and isinstance(raw["value"], int | Decimal | list):
+        return f"{_text(raw['value'])} {raw['unit']}"
+    if isinstance(raw, list):
+        return _text(raw) if any(map(text_with_unit, raw)) else None
+    return " ".join(raw.split()) if isinstance(raw, str) else None
+
+
+def as_written(raw: Any, unit: str) -> str:
+    """The text of a number or a list as it is in the file, in `unit`, SI, where it has no unit there."""
+    return text_with_unit(raw) or f"{_text(raw)} {unit}"
+
+
+def echo(raw: Any, value: float, unit: str) -> str | None:
+    """The text of a number that has a unit in the file, and SI: "1.5 g mm (1.5e-06 kg m)"; None without a unit."""
+    as_typed = text_with_unit(raw)
+    return None if as_typed is None else f"{as_typed} ({value:.6g} {unit})"
+
+
+def list_item(raw: Any, index: int) -> Any:
+    """An item of a list as it would stand alone: with the unit of the whole list, where that has one."""
+    if isinstance(raw, dict):
+        return {"value": raw["value"][index], "unit": raw["unit"]}
+    return raw[index]
+
+
+def _text(raw: Any) -> str:
+    return f"[{', '.join(text_with_unit(item) or _text(item) for item in raw)}]" if isinstance(raw, list) else str(raw)
+
+
+def beyond_a_turn(name: str, raw: Any) -> list[str]:
+    """A warning, in a list, of an angle or a list of them without unit, in rad, that is beyond a whole turn."""
+    values = raw if isinstance(raw, list) else [raw]
+    if text_with_unit(raw) is not None or not any(abs(x) > WHOLE_TURN for x in values):
+        return []
+    return [f"{name}: {as_written(raw, 'rad')} is beyond a whole turn: degrees without their unit?"]

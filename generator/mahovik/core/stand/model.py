@@ -11,17 +11,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from decimal import Decimal
+from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Literal, Self, TypeVar
 
 from mahovik.core.stand import units
-from mahovik.core.stand.datasheet import FlywheelForm, MountingAngles, MountingAxes
+from mahovik.core.stand.datasheet import FlywheelForm, Moments, MountingAngles, MountingAxes
 from mahovik.core.stand.declare import Declared, Inside, Note, Warns
-from mahovik.core.stand.echoes import Moments
 from mahovik.core.stand.fields import (
     ZERO3,
     ZERO6,
     AddedMass,
     Angle3,
+    Direction,
     Flag,
     Inertia3,
     Length3,
@@ -38,12 +39,13 @@ from mahovik.core.stand.fields import (
     scalar,
     validator,
     vec3,
+    vector,
     vector3,
 )
 from mahovik.core.stand.hold import TWIST_LETTERS, Freedom, FreedomKind, Hold
 from mahovik.core.stand.motor import Motor
 from mahovik.core.stand.profile import StreamProfile
-from mahovik.core.stand.tables import Alias, Default, Table
+from mahovik.core.stand.tables import Alias, Default, Table, TableError
 from mahovik.core.stand.units import QuantityError, show
 from mahovik.nearest import suggestion
 
@@ -503,3 +505,95 @@ class Stand(WithLaws):
         parts = {"instrument": self.instruments, "flywheel": self.flywheels, "point": self.points}
         counts = ", ".join(f"{len(all_)} {noun}{'' if len(all_) == 1 else 's'}" for noun, all_ in parts.items() if all_)
         return f"<Stand {self.name}: {counts or 'a rigid body'}>"
+
+
+# -- a state, and the facts that decide the C -------------------------------------------------------------------------
+
+Quaternion = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True)
+class State:
+    """State and inputs. At most one of `angles`, `quaternion` is set; neither: the carrier is aligned with E0.
+
+    position    of O1 in E0, m
+    angles      psi, theta, phi of the stand's sequence, rad
+    quaternion  w first, of x0 = C x1; unit length to rounding (it was normalised where it was read)
+    V, V_dot    twist of the carrier relative to E0 in E1, linear part first; V_dot: derivative of its components
+    phi, phi_dot, phi_ddot   flywheel phases, speeds, accelerations, one each, rad
+    tau         drive torques, one per flywheel, N m
+    wrench      run-time wrench by body name, in the body's own frame about its origin (a flywheel's turns with phi_s)
+    task        name of a task of the stand whose rows are demanded in place of V_dot; "" for none
+    demand      what it demands, one a row, m/s2 or rad/s2
+    actuators   deflections of fins (rad) and speeds of propellers (rad/s) by name, in place of those of the file
+    u, u_dot    speeds of the freedoms of a held carrier and their rates, m each, in place of V, V_dot
+    """
+
+    position: Vec3
+    angles: Vec3 | None
+    quaternion: Quaternion | None
+    V: Vec6
+    phi: tuple[float, ...]
+    phi_dot: tuple[float, ...]
+    phi_ddot: tuple[float, ...]
+    V_dot: Vec6
+    tau: tuple[float, ...]
+    wrench: Mapping[str, Vec6] = field(default_factory=lambda: MappingProxyType({}))
+    task: str = ""
+    demand: tuple[float, ...] = ()
+    u: tuple[float, ...] = ()
+    u_dot: tuple[float, ...] = ()
+    actuators: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+
+
+def rest_state(stand: Stand) -> State:
+    """The state in which every input of `stand` is zero and the carrier is aligned with E0."""
+    zeros = (0.0,) * len(stand.flywheels)
+    zero6: Vec6 = (0.0,) * 6
+    free = (0.0,) * (len(stand.hold.freedoms) if stand.hold is not None else 0)
+    return State((0.0, 0.0, 0.0), None, None, zero6, zeros, zeros, zeros, zero6, zeros, u=free, u_dot=free)
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Two stands of equal structure have the same C but for numbers.
+
+    A body's index is its place in `Stand.bodies`: 0 the carrier, then instruments, then flywheels.
+    Fixed bodies (carrier, instruments) add up to constants, so for weight and added mass only whether
+    there is any counts.
+    """
+
+    name: str
+    angles: Sequence
+    instruments: tuple[str, ...]
+    flywheels: tuple[str, ...]
+    flywheel_mounts: tuple[int, ...]
+    """Body index of each flywheel's mount."""
+    points: tuple[str, ...]
+    point_mounts: tuple[int, ...]
+    weight: bool
+    """Gravity is not zero."""
+    stream: bool
+    """The file has the key `stream` (its value may be zero: it is an input of the C)."""
+    added_mass: bool
+    wrench_inputs: tuple[int, ...]
+    phase_input: PhaseInput
+    """"sincos": functions that take sines and cosines of the phases are there as well."""
+    tasks: tuple[Task, ...] = ()
+    hold: tuple[str, ...] | None = None
+    """Freedoms of a held carrier, by their names in FREEDOMS or as turn, slide, twist; None where it is free."""
+    motor_points: int = 0
+    """Most points of a motor's curve of torque by speed, mirrored; 0 where no motor has one."""
+    stream_stations: int = 0
+    """Depths of the profile of the stream; 0 where it is uniform."""
+    laws: tuple[tuple[str, Any], ...] = ()
+    """Facts of the laws of `laws/`, by key."""
+
+    def law(self, key: str) -> Any:
+        """Fact of a law under one of its keys; None if no law has the key."""
+        return dict(self.laws).get(key)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Names by body index."""
+        return ("carrier", *self.instruments, *self.flywheels)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from mahovik.contract.laws import LAWS
 from mahovik.contract.quantities import BOUNDS, QUANTITIES, limits_of
+from mahovik.core.stand.coordinates import dependent_rows, places_of
 from mahovik.core.stand.declare import Draw, Size, rows
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.hold import twist_of, twists
@@ -32,16 +33,17 @@ from mahovik.core.stand.model import (
     MountingAngles,
     MountingAxes,
     Point,
+    Quaternion,
     Sequence,
     Stand,
+    State,
     Task,
     TaskRow,
     Vec3,
     Vec6,
+    rest_state,
 )
 from mahovik.core.stand.motor import Motor
-from mahovik.core.stand.state import Quaternion, State, rest_state
-from mahovik.core.stand.task import dependent_rows, places_of
 
 __all__ = ["BARE", "EVERYTHING", "EXTREMES", "SEQUENCES", "Features", "extreme_state", "random_stand", "random_state"]
 

@@ -21,9 +21,8 @@ from numpy.typing import NDArray
 
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, fill_record, record
 from mahovik.core.program.types import DOUBLE, FLOAT
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.core.stand.structure import structure
-from mahovik.core.stand.structure_facts import Structure
 from mahovik.core.toolchain import store
 from mahovik.core.toolchain.compiler import BITS, SHARED, WARNINGS, find_compiler, run_compiler
 from mahovik.errors import ToolchainError

@@ -16,8 +16,8 @@ from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import template
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain import process
 from mahovik.core.toolchain.compiler import BITS
 from mahovik.errors import CheckError, ToolchainError

@@ -20,8 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from mahovik import __version__
 from mahovik.core.emit.templates import folders
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.core.toolchain.compiler import find_compiler, machine, program_file
 from mahovik.errors import UsageError
 from mahovik.writing import write_all

@@ -11,9 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from mahovik.core.stand.declare import TIMES, Declared, Draw, Tables
-from mahovik.core.stand.derivatives import TermTable, Velocity, texts, velocity, without_bars
 from mahovik.core.stand.fields import letter, scalar, validator
-from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.law import BodyLaw, TermTable, Velocity, texts, velocity, without_bars
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Flywheel, Stand
 from mahovik.core.stand.tables import Default, Table, TableError
 from mahovik.core.stand.units import Dimension, QuantityError, show

@@ -11,8 +11,7 @@ from mahovik.core.lower.law import OWN_TWIST, SIX, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, member
 from mahovik.core.program.kernel import Reals, inline, let, reals
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand, Structure
 from mahovik.laws.control.law import MOST_FACTORS, Control, ControlDerivatives, Factor
 
 INT, REAL = Kind.INT, Kind.REAL

@@ -15,8 +15,7 @@ from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, member
 from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.model import Body, Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Body, Stand, Structure
 from mahovik.laws.cross_flow.law import CrossFlow
 
 INT, REAL = Kind.INT, Kind.REAL

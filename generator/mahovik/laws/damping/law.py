@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.declare import AS_MATRIX, BRAKES, TIMES, Declared, Draw, Size, Tables
-from mahovik.core.stand.derivatives import TermTable, Velocity, texts, velocity
 from mahovik.core.stand.fields import LINEAR, QUADRATIC, ZERO6, letter, matrix, one_word, validator
-from mahovik.core.stand.law import BodyLaw
+from mahovik.core.stand.law import BodyLaw, TermTable, Velocity, texts, velocity
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Body, Carrier, Mat6, Stand
 from mahovik.core.stand.tables import Default, Table
 from mahovik.core.stand.units import QuantityError, show

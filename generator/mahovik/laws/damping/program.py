@@ -13,8 +13,7 @@ from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
-from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import WRENCH_LETTERS, Body, Stand, Structure
 from mahovik.laws.damping.law import Damping
 
 INT, REAL = Kind.INT, Kind.REAL

@@ -13,8 +13,7 @@ from mahovik.core.program.kernel import Reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import ZERO6
-from mahovik.core.stand.model import Body
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Body, Structure
 from mahovik.laws.fading.law import FadingDamping
 
 LINEAR = Field("fading", Kind.REAL, (6, 6), "SI", "wrench -= exp(-fading_rate U) fading V, U = |v|")

@@ -12,8 +12,7 @@ from mahovik.core.program.kernel import Reals, argument
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.hold import wrench_columns
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.laws.friction.law import Friction, frictions_of
 
 DIRECTION = Field(

@@ -6,8 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.laws.friction.law import Friction, frictions_of
 from mahovik.proof.reference.array import Array, solve, sqrt, vector
 from mahovik.proof.reference.law import CarrierReference

@@ -9,8 +9,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import legs_of
 from mahovik.proof.second.body import CarrierEnergy, Chart

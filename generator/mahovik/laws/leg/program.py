@@ -10,8 +10,7 @@ from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, RANGE, Reals, argument, reals
 from mahovik.core.program.types import Struct
 from mahovik.core.program.vector import cross, dot
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.laws.leg.law import Leg, legs_of
 
 LEG = Struct("leg", "A spring-damper between a point of E0 and one of E1.", declared(Leg))

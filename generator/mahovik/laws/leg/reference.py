@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Leg, legs_of
 from mahovik.proof.reference.array import Array, hypot, vector

@@ -15,8 +15,7 @@ from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
-from mahovik.core.stand.model import Body, Stand, Vec3
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Body, Stand, Structure, Vec3
 from mahovik.laws.propeller.law import Propeller, Propellers
 
 INT, REAL = Kind.INT, Kind.REAL

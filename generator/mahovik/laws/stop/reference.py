@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand, State
 from mahovik.laws.stop.law import Stop, stops_of
 from mahovik.proof.reference.array import Array, larger, vector
 from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine

@@ -7,8 +7,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.second.body import CarrierEnergy
 from mahovik.proof.second.rotation import Array, Expr, by_angles, rotation_vector

@@ -13,8 +13,7 @@ from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, argument, body, reals, result
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.laws.suspension.law import Suspension
 
 SUSPENSION = Struct(

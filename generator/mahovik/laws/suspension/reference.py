@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from mahovik.core.stand.model import Sequence, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Sequence, Stand, State
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.law import CarrierReference

@@ -12,8 +12,7 @@ from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, argument, body, reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import cross
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Stand, Structure
 from mahovik.laws.torquer.law import Torquer, Torquers, mount_index
 
 MOUNT = Field("mount", Kind.INT, (), "", "index of the instrument it is mounted on; -1: the carrier")

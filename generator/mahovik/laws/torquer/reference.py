@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.laws.torquer.law import Torquers, mount_of
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.law import CarrierReference

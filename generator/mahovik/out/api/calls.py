@@ -15,10 +15,10 @@ from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.contract.status import status_words as words_of_status
 from mahovik.core.program.arrays import ArgumentLayout, ArrayFunction, Member, record
+from mahovik.core.stand.coordinates import row_name
 from mahovik.core.stand.hold import freedom_names
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import structure
-from mahovik.core.stand.task import row_name
 from mahovik.core.stand.units import show
 from mahovik.core.toolchain.compiled import Real, compile_library
 from mahovik.errors import InputError

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.core.motion.regime import Regime, steady_regime
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.toolchain.block import Block
 from mahovik.errors import InputError, RefusedError, UsageError
 from mahovik.out.api.calls import Array, Calls, OnError

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from mahovik import stands
-from mahovik.core.stand import write as writing
+from mahovik.core.stand import stand_file
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import exact, put
-from mahovik.core.stand.read import document_at, read
+from mahovik.core.stand.stand_file import document_at, read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
 from mahovik.out.file_kinds import expecting
@@ -44,7 +44,7 @@ class Stand(CoreStand):
     def to_dict(self) -> dict[str, Any]:
         """The keys of its file, as they were given; of a stand that Python code made, all in SI."""
         document: dict[str, Any] | None = self.__dict__.get("_document")
-        return deepcopy(document) if document is not None else exact(writing.document_of(self))
+        return deepcopy(document) if document is not None else exact(stand_file.document_of(self))
 
     def replace(self, changes: Mapping[str, Any]) -> Stand:
         """The stand with other values: `{"w1.unbalance.static": "2 g mm", "carrier.mass": 13.0, "gravity[2]": 0}`.
@@ -64,7 +64,7 @@ class Stand(CoreStand):
         """Write it as a stand file, in SI, with every digit. Raises UsageError."""
         from mahovik.writing import write
 
-        write(Path(path), writing.dumps(self))
+        write(Path(path), stand_file.dumps(self))
 
     def _repr_html_(self) -> str:
         from mahovik.core.stand.summary import summarize

@@ -16,8 +16,8 @@ from mahovik.core.stand.columns import Column, Run
 from mahovik.core.stand.columns import numbers as numbers_of
 from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.numbers import put
-from mahovik.core.stand.read import read
-from mahovik.core.stand.screening import doubtful_samples
+from mahovik.core.stand.physical import doubtful_samples
+from mahovik.core.stand.stand_file import read
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import show
 from mahovik.core.toolchain.block import LANES

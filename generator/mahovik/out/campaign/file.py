@@ -16,13 +16,12 @@ import numpy as np
 import mahovik
 from mahovik import stands
 from mahovik.core.motion.document import any_list, choice, document_of, text_of, whole_number
-from mahovik.core.stand.content import TEXT, is_file
 from mahovik.core.stand.fields import Text, scalar, text, validator
+from mahovik.core.stand.files import TEXT, is_file
 from mahovik.core.stand.numbers import StandNumbers
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Table, TableError
+from mahovik.core.stand.stand_file import dumps
+from mahovik.core.stand.tables import Problems, Table, TableError
 from mahovik.core.stand.units import PLAIN, QuantityError, show
-from mahovik.core.stand.write import dumps
 from mahovik.errors import CampaignError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.api.model import Model, build

@@ -17,13 +17,12 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import units
-from mahovik.core.stand.content import readable_text
 from mahovik.core.stand.fields import Text, scalar, validator
+from mahovik.core.stand.files import readable_text
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand as CoreStand
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.state import State
-from mahovik.core.stand.tables import NOTHING, Table
+from mahovik.core.stand.model import State
+from mahovik.core.stand.tables import NOTHING, Problems, Table
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.core.toolchain.block import PER_BLOCK, Block
 from mahovik.core.toolchain.compiled import compile_library

@@ -15,7 +15,7 @@ from scipy.special import ndtr, ndtri
 from mahovik.core.motion.document import any_list
 from mahovik.core.stand.fields import require_bounds, text, vector
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import PLAIN, SPEED, Dimension, QuantityError, number, show
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion

@@ -13,8 +13,8 @@ from mahovik.out.result import Result, column, columns_of
 if TYPE_CHECKING:
     from mahovik.core.stand.capacity import Capacity
     from mahovik.core.stand.model import Stand
+    from mahovik.core.stand.numbers import Written
     from mahovik.core.stand.summary import Summary
-    from mahovik.core.stand.written import Written
 
 AXES = ("x", "y", "z")
 
@@ -51,9 +51,9 @@ def check(
         return _tools()
     if stand is None:
         raise UsageError("stand: missing, expected a stand file, or --tools")
+    from mahovik.core.stand.numbers import written_numbers
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.units import SPEED, TIME
-    from mahovik.core.stand.written import written_numbers
     from mahovik.out.api.stands import Stand
     from mahovik.use.simulate.held import USUAL_STEP, long_steps, lost_increments
     from mahovik.use.study.reach import excess, task_shortfalls

@@ -226,7 +226,7 @@ def _loop_options(attitude: Any) -> Any:
 
 def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
     from mahovik.core.emit.delivered import deliver, provenance
-    from mahovik.core.stand.content import content
+    from mahovik.core.stand.files import content
 
     made_by = provenance(content(Path(source)) if isinstance(source, str | Path) else None)
     paths: list[Path] = []

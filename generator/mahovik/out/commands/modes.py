@@ -15,7 +15,7 @@ from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column, columns_of
 
 if TYPE_CHECKING:
-    from mahovik.core.stand.state import State
+    from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.campbell import Campbell
 
@@ -57,7 +57,7 @@ def modes(
         CheckError: there is no rest pose.
     """
     from mahovik.core.stand.hold import numbers_in_words
-    from mahovik.core.stand.identity import identities
+    from mahovik.core.stand.structure import identities
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify.states import state_object
     from mahovik.use.numeric.frame import uniform_stream

@@ -47,7 +47,7 @@ def replay(
         UsageError: no flight log, no such step.
         CheckError: the log is of another stand, or of another default table.
     """
-    from mahovik.core.stand.identity import under_name
+    from mahovik.core.stand.structure import under_name
     from mahovik.out.api.stands import Stand
     from mahovik.use.simulate import flight_log
     from mahovik.use.simulate import replay as replays

@@ -28,7 +28,7 @@ from mahovik.out.result import Column, Result, column, split_unit
 
 if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
-    from mahovik.core.stand.state import State
+    from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
     from mahovik.use.control.errors import Errors
     from mahovik.use.control.loop import Case as Following
@@ -139,7 +139,7 @@ def _result(
     stand: Stand, columns: Mapping[str, Any], title: str, meta: Mapping[str, Any], messages: Sequence[str], run: Any
 ) -> Result:
     """The result of a run; people see place and speeds."""
-    from mahovik.core.stand.identity import identities
+    from mahovik.core.stand.structure import identities
 
     split = [(name, *split_unit(name), values) for name, values in columns.items()]
     shown = ("t", "x", "y", "z", *(f"phi_dot {s.name}" for s in stand.flywheels[:4]))

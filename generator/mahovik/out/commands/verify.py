@@ -239,7 +239,7 @@ def _programme(
 
 def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
     """The result on the output of the self-test of a board. Raises CheckError with every problem."""
-    from mahovik.core.stand.content import TABLE, content
+    from mahovik.core.stand.files import TABLE, content
     from mahovik.proof.verify.selftest import judge_log
 
     log_verdict = judge_log(content(path, TABLE).decode("utf-8", "replace"), str(path), stand, only)

@@ -10,8 +10,8 @@ from mahovik.core.emit.generate import describe_bodies, generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.out.export.attitude import ExportedAttitude
 from mahovik.out.export.target import board_folder, exportable
 

@@ -13,8 +13,7 @@ from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.lower.fmu_variables import Inputs, Kind, Start, form
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.toolchain.compiler import build_module, module_suffix, platform_folder
 from mahovik.errors import CheckError, NoCompilerError, UsageError
 from mahovik.use.study.rest import rest

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.content import readable
+from mahovik.core.stand.files import readable
 from mahovik.core.stand.masses import cross
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError
 

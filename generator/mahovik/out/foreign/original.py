@@ -13,8 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.law import HeldLaw
-from mahovik.core.stand.model import MountingAxes
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import MountingAxes, rest_state
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.model import Array, Model, read_xml
 from mahovik.out.foreign.reader import Reader

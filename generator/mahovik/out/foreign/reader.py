@@ -14,7 +14,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, numbers

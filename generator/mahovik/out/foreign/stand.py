@@ -16,6 +16,7 @@ import numpy as np
 
 from mahovik.core.stand import loads
 from mahovik.core.stand.fields import name_problem, stand_name_problem
+from mahovik.core.stand.files import toml_text
 from mahovik.core.stand.hold import (
     FREEDOMS,
     Freedom,
@@ -30,10 +31,9 @@ from mahovik.core.stand.hold import (
 from mahovik.core.stand.masses import cross, matrix3, vec3
 from mahovik.core.stand.model import Carrier, Flywheel, Instrument, MountingAxes, Point, Stand, Vec3
 from mahovik.core.stand.motor import Motor
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.toml import text_of
+from mahovik.core.stand.stand_file import document_of
+from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import show
-from mahovik.core.stand.write import document_of
 from mahovik.errors import ForeignError, StandError
 from mahovik.nearest import suggestion
 from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, angles_of, combined
@@ -457,7 +457,7 @@ def _text(stand: Stand, tables: dict[str, Any], comments: Any, head: Sequence[st
     if "hold" in document:
         document["hold"] = document.pop("hold") | {key: x for key, x in tables["hold"].items() if x}
     lines = {name: list(map(_one_line, lines)) for name, lines in comments.items()}
-    return "\n".join(f"# {_one_line(line)}" for line in head) + "\n" + text_of(document | bodies, lines)
+    return "\n".join(f"# {_one_line(line)}" for line in head) + "\n" + toml_text(document | bodies, lines)
 
 
 def _diagonal_or_rows(matrix: Array) -> list[Any]:

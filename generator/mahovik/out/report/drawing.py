@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.coordinates import places_of
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.masses import inertia_about_center, inertia_about_origin, pose
 from mahovik.core.stand.model import Body, Flywheel, Stand
 from mahovik.core.stand.summary import summarize
-from mahovik.core.stand.task import places_of
 from mahovik.out.plots import COLOURS, GREY, STYLE, require
 
 Array = NDArray[np.float64]

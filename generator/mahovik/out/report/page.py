@@ -59,7 +59,7 @@ def page(title: str, parts: Sequence[Part], stand: Stand, files: Sequence[tuple[
     """
     from mahovik.core.emit.generate import describe_bodies
     from mahovik.core.emit.templates import template
-    from mahovik.core.stand.identity import identities
+    from mahovik.core.stand.structure import identities
 
     return template("page.html.j2").render(
         title=title,

@@ -21,8 +21,7 @@ from mahovik.contract.laws import BODY_LAWS, parts
 from mahovik.core.stand.declare import Declared, Spread
 from mahovik.core.stand.hold import FREEDOMS, freedom_labels, freedom_names, wrenches
 from mahovik.core.stand.law import HeldLaw
-from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Flywheel, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Flywheel, Stand, State
 from mahovik.proof.diagnose.numbers import pairs_explain
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.array import Array, vector

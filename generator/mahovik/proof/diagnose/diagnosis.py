@@ -10,10 +10,9 @@ import numpy as np
 
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.contract.limits import DOUBLE
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.numbers import exact
-from mahovik.core.stand.state import State
-from mahovik.core.stand.write import document_of
+from mahovik.core.stand.stand_file import document_of
 from mahovik.proof.diagnose.answers import (
     FIRST,
     Answers,

@@ -6,8 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import CheckError
 from mahovik.proof.diagnose.answers import Answers, spread_rows
 from mahovik.proof.diagnose.columns import count

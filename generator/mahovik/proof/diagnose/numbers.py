@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
-from mahovik.core.stand.read import read
+from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
 from mahovik.proof.reference.array import Array

@@ -14,8 +14,7 @@ from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, MountingAxes, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State
 from mahovik.proof.diagnose.answers import Model, Reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import mount_transfer

@@ -13,12 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import svd
 
-from mahovik.core.stand.model import WRENCH_LETTERS, Stand
+from mahovik.core.stand.model import WRENCH_LETTERS, Quaternion, Stand, State
 from mahovik.core.stand.numbers import StandNumbers, exact
 from mahovik.core.stand.random import along_freedoms
-from mahovik.core.stand.read import read
-from mahovik.core.stand.state import Quaternion, State
-from mahovik.core.stand.write import document_of
+from mahovik.core.stand.stand_file import document_of, read
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.model import Body, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.proof.reference.array import Array, stack, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, bodies_of
 from mahovik.proof.reference.law import BodyReference, CarrierReference

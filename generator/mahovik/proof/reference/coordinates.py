@@ -13,8 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, solve, stack, vector
 from mahovik.proof.reference.motion import answer_forward

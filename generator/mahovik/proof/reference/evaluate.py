@@ -9,8 +9,7 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, want_fault
-from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State, Vec6
 from mahovik.errors import StateError, count_numbers
 from mahovik.proof.reference import coordinates, inverse, momentum, motion, regressor, tasks
 from mahovik.proof.reference.array import Values, vector

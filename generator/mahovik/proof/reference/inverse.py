@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.functions import inverse_fault
-from mahovik.core.stand.model import Motor, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Motor, Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
 from mahovik.proof.reference.motion import bias, forward, torque

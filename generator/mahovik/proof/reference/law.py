@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.core.stand.model import Body, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.rotation import Pose
 

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve_symmetric, times, transpose, vector
 from mahovik.proof.reference.bodies import Bodies, instrument_transfer, mount_transfer

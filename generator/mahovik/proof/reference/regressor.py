@@ -13,8 +13,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from mahovik.core.stand.model import Body, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.proof.reference.array import Array, Values, vector
 from mahovik.proof.reference.assembly import pieces
 from mahovik.proof.reference.motion import forward, reaction, torque

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Flywheel, MountingAngles, Sequence, Stand, State
 from mahovik.proof.reference.array import Array, angle_over_sine, cos, estimate, hypot, sin, vector
 from mahovik.proof.reference.screw import E, cross
 

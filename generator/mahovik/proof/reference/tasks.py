@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.model import COMPONENTS, Stand, Task
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import COMPONENTS, Stand, State, Task
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve_symmetric, vector
 from mahovik.proof.reference.inverse import (

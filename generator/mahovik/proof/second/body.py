@@ -22,8 +22,7 @@ from typing import Any
 
 import casadi as ca
 
-from mahovik.core.stand.model import Body, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Body, Stand, State
 from mahovik.proof.second.rotation import Array, Expr, angular_velocity, directional_derivative, elementary, turn
 
 SIZE = 25

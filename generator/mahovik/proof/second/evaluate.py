@@ -11,8 +11,7 @@ import numpy as np
 
 from mahovik.contract.functions import hold_fault, want_fault, wants_of
 from mahovik.contract.laws import parts
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.second import system as equations
 from mahovik.proof.second.body import CarrierEnergy

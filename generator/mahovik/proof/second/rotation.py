@@ -10,8 +10,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence, Vec3
-from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.model import MountingAngles, MountingAxes, Quaternion, Sequence, State, Vec3
 
 Array = NDArray[np.float64]
 

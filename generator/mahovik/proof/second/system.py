@@ -16,8 +16,7 @@ import casadi as ca
 import numpy as np
 
 from mahovik.contract.laws import BODY_LAWS, parts
-from mahovik.core.stand.model import Body, Hold, Stand, Vec6
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Body, Hold, Stand, State, Vec6
 from mahovik.errors import StateError, count_numbers
 from mahovik.proof.second import body as one
 from mahovik.proof.second.body import BodyEnergy, CarrierEnergy, Chart, inertial_acceleration

@@ -22,8 +22,7 @@ from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.lower.test_inputs import first_of
 from mahovik.core.program.arrays import ArgumentLayout, record
 from mahovik.core.program.types import DOUBLE, FLOAT
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.structure import structure
 from mahovik.core.toolchain.compiled import Real, compile_library
 from mahovik.errors import StateError

@@ -15,8 +15,8 @@ from mahovik.core.emit.manifest import read_header
 from mahovik.core.lower.layout import Layout, run_time_inputs
 from mahovik.core.program.function import Program
 from mahovik.core.program.interpret import Interpreter
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.verify.backends import ProgramBackend, public_names

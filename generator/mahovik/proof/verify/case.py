@@ -10,8 +10,7 @@ import numpy as np
 
 from mahovik.contract.limits import Limits
 from mahovik.contract.status import status_words
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array
 from mahovik.proof.second import Second

@@ -13,8 +13,8 @@ import numpy as np
 
 from mahovik.contract.limits import MOST_SCALE, MOST_SKIPPED
 from mahovik.contract.quantities import FLOORS
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.proof.verify.states import Request, state_line
 
 FLOOR = 1e-290

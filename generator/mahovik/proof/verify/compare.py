@@ -14,7 +14,7 @@ from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.limits import Limits
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.program.types import DOUBLE, FLOAT
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 from mahovik.errors import StateError
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.check import Check, difference

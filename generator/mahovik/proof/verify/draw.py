@@ -13,9 +13,8 @@ from mahovik.contract.laws import parts
 from mahovik.contract.limits import PERTURBATION
 from mahovik.contract.quantities import limits_of
 from mahovik.core.stand.hold import twist_of
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
-from mahovik.core.stand.state import State
 from mahovik.errors import UsageError, whole_number
 from mahovik.proof.reference.law import CarrierReference
 from mahovik.proof.verify.scales import Scales

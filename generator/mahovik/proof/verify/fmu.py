@@ -31,11 +31,10 @@ from typing import Any
 import numpy as np
 
 from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, Key, answers_of
-from mahovik.core.stand import read
-from mahovik.core.stand.content import readable_text
+from mahovik.core.stand import load
+from mahovik.core.stand.files import readable_text
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms, twists
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import DataError, MahovikError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
@@ -279,7 +278,7 @@ def main(folder: str, map_file: str, stand_file: str) -> None:
     """Answer the lines of standard input."""
     output = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)  # what the FMU prints is no answer
-    stand = read.load(stand_file)
+    stand = load(stand_file)
     backend = FmuBackend(Path(folder), read_map(Path(map_file), stand), stand)
     for line, _ in evaluate_lines(stand, backend, sys.stdin.buffer):
         print(line, file=output, flush=True)

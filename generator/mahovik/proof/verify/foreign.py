@@ -23,9 +23,8 @@ from mahovik.contract.evaluation import ANSWERS, MAY_BE_LEFT_OUT, STATE, answers
 from mahovik.contract.functions import wants_of_carrier
 from mahovik.contract.limits import DOUBLE, Limits, uniform
 from mahovik.contract.status import BITS, STATUS_VALUES
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import random_state
-from mahovik.core.stand.state import State
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import coupled

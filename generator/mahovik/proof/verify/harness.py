@@ -9,8 +9,7 @@ from typing import Any
 
 from mahovik.contract.functions import TASK_WANTS
 from mahovik.contract.limits import DOUBLE, LIMITS, Limits
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.errors import StateError
 from mahovik.proof.second import Second

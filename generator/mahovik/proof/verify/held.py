@@ -11,8 +11,7 @@ from typing import cast
 import numpy as np
 
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twists, words
-from mahovik.core.stand.model import Hold, Sequence, Stand, Vec3
-from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.model import Hold, Quaternion, Sequence, Stand, State, Vec3
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of

@@ -19,13 +19,11 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from mahovik.contract.limits import DOUBLE
-from mahovik.core.stand.definite import least_eigenvalue
 from mahovik.core.stand.hold import is_closed, twists
 from mahovik.core.stand.laws import body_laws, carrier_laws
 from mahovik.core.stand.masses import inertia_about_center, pose
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.physical import LEAST_EIGENVALUE
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Hold, Stand, State
+from mahovik.core.stand.physical import LEAST_EIGENVALUE, least_eigenvalue
 from mahovik.errors import UsageError
 from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend

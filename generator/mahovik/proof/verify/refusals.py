@@ -17,7 +17,7 @@ from mahovik.contract.quantities import BOUNDS, EXPORTED, QUANTITIES, TABLES, UN
 from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.types import Struct
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import State
 from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check

@@ -12,8 +12,7 @@ from flint import arb
 
 from mahovik.contract.functions import wants_of
 from mahovik.contract.limits import LIMITS
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import rigorous
 from mahovik.proof.reference.array import Array

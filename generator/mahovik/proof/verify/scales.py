@@ -17,9 +17,8 @@ import numpy as np
 from mahovik.contract.limits import PERTURBATION, PERTURBATIONS, RESTING
 from mahovik.contract.quantities import BESIDE, FLOORS
 from mahovik.core.lower.limits import THRESHOLDS
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import random_state
-from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, times, transpose, vector

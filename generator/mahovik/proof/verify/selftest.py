@@ -17,8 +17,8 @@ from mahovik import __version__
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.golden import CASES, tested_functions
-from mahovik.core.stand.identity import identities, under_name
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities, under_name
 from mahovik.core.toolchain.board import build, build_version, run, selftest_main
 from mahovik.core.toolchain.process import side_by_side
 from mahovik.core.toolchain.targets import TARGETS, Target

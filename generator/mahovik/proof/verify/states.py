@@ -18,8 +18,7 @@ from mahovik.contract.quantities import QUANTITIES, UNIT_LENGTH
 from mahovik.core.stand.hold import has_coordinates, no_coordinates, twist_of
 from mahovik.core.stand.law import Actuator, BodyLaw
 from mahovik.core.stand.laws import body_laws
-from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.model import Quaternion, Stand, State, Vec6
 from mahovik.core.stand.units import show
 from mahovik.errors import StateError, count_numbers
 from mahovik.nearest import suggestion

@@ -32,10 +32,9 @@ import numpy as np
 from scipy.optimize import linprog
 
 from mahovik.core.motion.document import parse, text_of
-from mahovik.core.stand.content import TEXT
 from mahovik.core.stand.fields import Flag
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Table
+from mahovik.core.stand.files import TEXT
+from mahovik.core.stand.tables import Problems, Table
 from mahovik.core.stand.units import PLAIN, QuantityError
 from mahovik.errors import BalanceError, CheckError
 from mahovik.use.balance.pieces import Choice, read_choices

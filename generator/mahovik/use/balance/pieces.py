@@ -19,8 +19,7 @@ from scipy.optimize import Bounds, LinearConstraint, milp
 from mahovik.core.motion.document import whole_number
 from mahovik.core.stand.fields import Flag, validator
 from mahovik.core.stand.numbers import exact
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Table, TableError
+from mahovik.core.stand.tables import Problems, Table, TableError
 from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show
 from mahovik.errors import CheckError
 from mahovik.use.numeric.se3 import Complex

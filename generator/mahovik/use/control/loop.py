@@ -27,9 +27,8 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
 from mahovik.core.stand.motor import steepness
-from mahovik.core.stand.state import State, rest_state
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.core.toolchain.library import Library, uniform_data

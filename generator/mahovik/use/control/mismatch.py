@@ -13,7 +13,7 @@ from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.masses import inertia_about_center, placement
 from mahovik.core.stand.model import Body, Flywheel, Instrument, Law, MountingAxes, Stand, Vec3
 from mahovik.core.stand.physical import check_body, check_stand
-from mahovik.core.stand.problems import Problems
+from mahovik.core.stand.tables import Problems
 from mahovik.errors import UsageError, whole_number
 
 MOST = 0.2

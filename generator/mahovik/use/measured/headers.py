@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from mahovik.core.stand.csv_table import split_head
+from mahovik.core.stand.files import split_head
 from mahovik.core.stand.hold import freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand
 from mahovik.core.stand.units import (

@@ -15,7 +15,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from mahovik.core.stand.content import TABLE, content
+from mahovik.core.stand.files import TABLE, content
 from mahovik.core.stand.model import Stand
 from mahovik.errors import DataError, UsageError
 from mahovik.use.measured.clocks import GAP, Array, Recording, count, join

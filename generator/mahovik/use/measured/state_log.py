@@ -17,8 +17,7 @@ from scipy.interpolate import make_interp_spline
 
 from mahovik.contract.evaluation import needs_of
 from mahovik.core.stand.hold import twists
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.core.stand.units import (
     QuantityError,
     factor,

@@ -21,7 +21,7 @@ from scipy.optimize import least_squares
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
-from mahovik.core.stand.read import read
+from mahovik.core.stand.stand_file import read
 from mahovik.core.stand.units import QuantityError, number
 from mahovik.errors import MotionError, StandError, StateError
 from mahovik.use.numeric.mechanics import Mechanics

@@ -23,8 +23,7 @@ import numpy as np
 from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.stand.model import Stand, Vec6
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Stand, Vec6, rest_state
 from mahovik.errors import UsageError
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.objective import Cost

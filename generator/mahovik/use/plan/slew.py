@@ -26,9 +26,9 @@ from mahovik.core.motion.functions import Angles, Course, PlannedCourse, Samples
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import SINGULAR, Slew, rows_of
+from mahovik.core.stand.coordinates import places_of
 from mahovik.core.stand.masses import mean_stand
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.task import places_of
 from mahovik.errors import StateError
 from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics

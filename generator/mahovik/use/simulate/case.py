@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 from mahovik.contract.evaluation import STATE
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.regime import Regime
-from mahovik.core.stand.content import readable_text
-from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.state import State
+from mahovik.core.stand.files import readable_text
+from mahovik.core.stand.model import Stand, State, Vec3, Vec6
 from mahovik.core.stand.units import show
 from mahovik.errors import StateError, UsageError
 from mahovik.nearest import suggestion

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.emit.log_format import CHANGING, FORMAT, MAGIC, STEP
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.stand.content import FLIGHT, content
+from mahovik.core.stand.files import FLIGHT, content
 from mahovik.errors import UsageError
 
 Reals = NDArray[np.floating[Any]]

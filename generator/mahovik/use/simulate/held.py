@@ -22,8 +22,7 @@ from mahovik.core.stand.hold import (
 )
 from mahovik.core.stand.law import CarrierLaw
 from mahovik.core.stand.masses import inertia_about_origin
-from mahovik.core.stand.model import Hold, Stand, Vec3
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.model import Hold, Stand, State, Vec3, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array

@@ -8,8 +8,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from mahovik.core.stand.hold import has_coordinates
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import coordinates_at, rates_at

@@ -18,8 +18,8 @@ from mahovik.core.emit.log_format import state_hash, table_bytes, table_from_byt
 from mahovik.core.emit.manifest import read_header
 from mahovik.core.emit.recorder import source_hash
 from mahovik.core.lower.golden import fnv1a
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.states import encode

@@ -10,9 +10,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.core.stand.model import COMPONENTS, Stand, Task, TaskRow
-from mahovik.core.stand.state import rest_state
-from mahovik.core.stand.task import row_name
+from mahovik.core.stand.coordinates import row_name
+from mahovik.core.stand.model import COMPONENTS, Stand, Task, TaskRow, rest_state
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.array import Array
 from mahovik.proof.reference.bodies import bodies_of

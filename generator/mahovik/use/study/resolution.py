@@ -17,8 +17,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, Stand, Vec6
-from mahovik.core.stand.state import State, rest_state
+from mahovik.core.stand.model import Flywheel, Stand, State, Vec6, rest_state
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, times
 from mahovik.proof.reference.bodies import Bodies, bodies_of

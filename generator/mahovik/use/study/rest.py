@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.hold import freedom_words, is_closed, twists
 from mahovik.core.stand.laws import carrier_laws
-from mahovik.core.stand.model import Stand, Vec3, Vec6
-from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.model import Quaternion, Stand, State, Vec3, Vec6
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
 from mahovik.proof.reference.bodies import bodies_of

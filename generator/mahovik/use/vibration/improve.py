@@ -18,9 +18,8 @@ import numpy as np
 from scipy.optimize import least_squares, linprog
 
 from mahovik.core.stand.hold import twists
-from mahovik.core.stand.model import Stand
+from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.motor import UNLIMITED
-from mahovik.core.stand.state import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.screw import f

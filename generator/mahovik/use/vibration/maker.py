@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.stand.csv_table import TEXT, read_columns
+from mahovik.core.stand.files import WORDS, read_columns
 from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.lines import SAME
@@ -55,7 +55,7 @@ SENSES = ("forward", "backward", "unknown")
 
 def read_harmonics(path: Path) -> Harmonics:
     """A table of harmonics; without a sense order 1 turns forward, others in an unknown one. Raises TableError."""
-    known = {"order": PLAIN, "tolerance": PLAIN, "sense": TEXT}
+    known = {"order": PLAIN, "tolerance": PLAIN, "sense": WORDS}
     known |= {part: MOMENT if "moment" in part else FORCE for part in PARTS}
     columns = read_columns(path, known, ["order"])
     order = columns.numbers["order"]
@@ -145,7 +145,7 @@ class InnerModes:
 
 def read_inner_modes(path: Path) -> InnerModes:
     """A table of internal modes, a row per kind. Raises TableError."""
-    known = {"mode": TEXT, "frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "polar ratio": PLAIN}
+    known = {"mode": WORDS, "frequency": Dimension("a frequency", "Hz"), "damping": PLAIN, "polar ratio": PLAIN}
     columns = read_columns(path, known, ["mode", "frequency", "damping"])
     modes: dict[str, tuple[float, float]] = {}
     polar = 0.0

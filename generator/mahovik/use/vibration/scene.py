@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.numeric.course import Chart, wrench
 from mahovik.use.numeric.frame import Frame, Twists, in_fluid, uniform_stream

@@ -28,8 +28,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Stand, State
 from mahovik.errors import CheckError
 from mahovik.use.numeric.residual import Drive
 from mahovik.use.numeric.se3 import Array, Complex

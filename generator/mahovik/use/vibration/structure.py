@@ -17,7 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
-from mahovik.core.stand.csv_table import TableError, read_columns
+from mahovik.core.stand.files import TableError, read_columns
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.use.numeric.se3 import Array, Complex

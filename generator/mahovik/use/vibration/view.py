@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.stand.csv_table import TableError, read_columns
+from mahovik.core.stand.files import TableError, read_columns
 from mahovik.core.stand.hold import freedom_names, twists, wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import PLAIN, Dimension

@@ -9,8 +9,7 @@ from mahovik.core.lower.law import WRENCH, BodyProgram, declared
 from mahovik.core.program.kernel import Reals
 from mahovik.core.program.types import Field, Struct
 from mahovik.core.stand.fields import ZERO3
-from mahovik.core.stand.model import Body
-from mahovik.core.stand.structure_facts import Structure
+from mahovik.core.stand.model import Body, Structure
 
 from .law import Tug  # noqa: TID252  # its package is that of the laws
 

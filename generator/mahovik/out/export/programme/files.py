@@ -25,9 +25,8 @@ from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.fields import name_problem
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import structure
+from mahovik.core.stand.structure import identities, structure
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.out.export.programme.accuracy import Errors, errors, free_torques
 from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table

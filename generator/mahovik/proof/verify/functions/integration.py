@@ -14,7 +14,7 @@ import numpy as np
 from mahovik.contract.limits import RESTING
 from mahovik.contract.quantities import BOUNDS
 from mahovik.contract.status import STATUS_VALUES, status_words
-from mahovik.core.stand.state import Quaternion, State
+from mahovik.core.stand.model import Quaternion, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array

@@ -22,9 +22,8 @@ from mahovik.contract.status import status_bits, status_words
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.fields import Mat3, Vec6
-from mahovik.core.stand.model import COMPONENTS, Stand
+from mahovik.core.stand.model import COMPONENTS, Stand, State
 from mahovik.core.stand.motor import Motor
-from mahovik.core.stand.state import State
 from mahovik.errors import StateError
 from mahovik.proof.reference.array import Array, Values, solve, vector
 from mahovik.proof.reference.assembly import pieces

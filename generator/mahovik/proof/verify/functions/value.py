@@ -18,11 +18,9 @@ import numpy as np
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.quantities import limits_of
 from mahovik.core.lower.values import parameters_of
-from mahovik.core.stand.model import Stand, Vec3, Vec6
+from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
 from mahovik.core.stand.numbers import StandNumbers, exact
-from mahovik.core.stand.read import read
-from mahovik.core.stand.state import State, rest_state
-from mahovik.core.stand.write import document_of
+from mahovik.core.stand.stand_file import document_of, read
 from mahovik.errors import StandError, StateError
 from mahovik.proof import reference
 from mahovik.proof.reference.array import Array, Values, vector

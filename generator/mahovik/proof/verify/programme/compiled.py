@@ -18,8 +18,8 @@ import numpy as np
 from mahovik.contract.limits import LIMITS, Limits
 from mahovik.contract.status import status_words
 from mahovik.core.motion.functions import Angles
-from mahovik.core.stand.identity import identities
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.array import Array, Values

@@ -18,8 +18,7 @@ from mahovik.core.motion.functions import Angles, Course
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.model import Stand
-from mahovik.core.stand.state import rest_state
+from mahovik.core.stand.model import Stand, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces

@@ -14,9 +14,9 @@ from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand.coordinates import FREE, coordinates_of
-from mahovik.core.stand.identity import identities, under_name
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import UNLIMITED, available_torque, required_torque
+from mahovik.core.stand.structure import identities, under_name
 from mahovik.errors import StateError, above_zero
 from mahovik.proof.reference.array import Array, vector
 from mahovik.proof.reference.rotation import rotation_vector

@@ -13,8 +13,7 @@ import numpy as np
 
 from mahovik.core.stand.hold import freedom_names, is_closed, twists
 from mahovik.core.stand.masses import pose, transfer
-from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.stand.state import State
+from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.motion import point_transfers

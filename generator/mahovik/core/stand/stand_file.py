@@ -1,19 +1,20 @@
-"""Stand file -> Stand. Every problem of the file is found before any is reported."""
+"""Stand file -> Stand, and back. Every problem of a file is found before any is reported."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Generic, TypeVar
 
 from mahovik.core.stand import physical
-from mahovik.core.stand.content import kind_of, readable_text, wrong_kind
-from mahovik.core.stand.datasheet import FlywheelForm, thin_disc
-from mahovik.core.stand.echoes import Moments, moments_of
+from mahovik.core.stand.coordinates import check_tasks, name_of_task_problem
+from mahovik.core.stand.datasheet import FlywheelForm, Moments, moments_of, thin_disc
 from mahovik.core.stand.fields import ZERO3
-from mahovik.core.stand.law import BodyLaw, CarrierLaw
+from mahovik.core.stand.files import kind_of, parse_toml, readable_text, toml_text, wrong_kind
+from mahovik.core.stand.law import BodyLaw, CarrierLaw, HeldLaw
 from mahovik.core.stand.laws import (
     arrays,
     body_laws,
@@ -38,10 +39,7 @@ from mahovik.core.stand.model import (
     StreamProfile,
     Task,
 )
-from mahovik.core.stand.problems import Problems
-from mahovik.core.stand.tables import Table, keys_of, read_table
-from mahovik.core.stand.task import check_tasks, name_of_task_problem
-from mahovik.core.stand.toml import parse
+from mahovik.core.stand.tables import Problems, Table, keys_of, read_table
 from mahovik.core.stand.units import show
 from mahovik.errors import StandError
 from mahovik.nearest import nearest, suggestion
@@ -79,7 +77,7 @@ def document_at(path: str | Path) -> dict[str, Any]:
 def _document(text: str, source: str) -> dict[str, Any]:
     """The keys of a stand file's text. Raises StandError where it is none."""
     try:
-        document = parse(text)
+        document = parse_toml(text)
     except (RecursionError, ValueError) as error:
         if text.lstrip().startswith("{"):
             raise StandError(
@@ -298,3 +296,45 @@ def _check_names(problems: Problems, document: dict[str, Any]) -> None:
             else:
                 reason = f"unknown {show(mount)}{suggestion(mount, mounts)}"
             problems.add(f"{key} {show(name)}", "mount", reason)
+
+
+# -- Stand -> stand file in SI, every float with all its digits: reading it back gives the same Stand ------------------
+
+_NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
+
+
+def document_of(stand: Stand) -> dict[str, Any]:
+    """The keys of a stand file, in SI."""
+    header = Header(**{f.name: getattr(stand, f.name) for f in fields(Header)})
+    laws = [law for kind in carrier_laws() if (law := stand.law(kind)) is not None]
+    held = {law.key: [item.as_keys() for item in law.items] for law in laws if isinstance(law, HeldLaw)}
+    document = {"schema": 1, **header.as_keys()}
+    tables: dict[str, Any] = {}
+    for law in (law for law in laws if law.key not in held):
+        if law.item is not None:
+            document |= law.as_keys()
+        tables |= law.as_tables()
+    if stand.profile is not None:
+        document["stream_profile"] = stand.profile.as_keys()
+    document |= {"carrier": stand.carrier.as_keys(), **tables}
+    if stand.hold is not None:
+        document["hold"] = stand.hold.as_keys() | held
+    document |= {
+        "instrument": [instrument.as_keys() for instrument in stand.instruments],
+        "flywheel": [flywheel.as_keys() for flywheel in stand.flywheels],
+        "point": [point.as_keys() for point in stand.points],
+    }
+    for kind in mounted_laws():
+        document[kind.key] = [
+            {"mount": body.name, **item.as_keys()} for _, body, law in kind.of(stand) for item in law.items
+        ]
+    document["task"] = {task.name: task.as_keys() for task in stand.tasks}
+    return {key: value for key, value in document.items() if value not in ([], {})}
+
+
+def dumps(stand: Stand, comments: Mapping[str, Sequence[str]] = _NONE) -> str:
+    """The stand as TOML text. `loads(dumps(stand)) == stand`, except all-zero parts, which are absent.
+
+    `comments`: lines over the table of a body or point, by its name.
+    """
+    return toml_text(document_of(stand), comments)
