@@ -13,8 +13,8 @@ import casadi as ca
 import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Stand
-from mahovik.proof.reference.bodies import spatial_inertia
-from mahovik.proof.reference.rotation import flywheel_mounting
+from mahovik.proof.reference.algebra import flywheel_mounting
+from mahovik.proof.reference.pieces import spatial_inertia
 from mahovik_bench.cases import Array
 
 PHASES = 2.0 * np.pi * np.arange(5) / 5

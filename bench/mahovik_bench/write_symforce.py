@@ -18,8 +18,8 @@ symforce.set_epsilon_to_number()
 import symforce.symbolic as sf  # noqa: E402 - after the epsilon
 from symforce import codegen, values  # noqa: E402 - after the epsilon
 
-from mahovik.proof.reference.bodies import spatial_inertia  # noqa: E402 - after the epsilon
-from mahovik.proof.reference.rotation import flywheel_mounting  # noqa: E402 - after the epsilon
+from mahovik.proof.reference.algebra import flywheel_mounting  # noqa: E402 - after the epsilon
+from mahovik.proof.reference.pieces import spatial_inertia  # noqa: E402 - after the epsilon
 from mahovik_bench.cases import case  # noqa: E402 - after the epsilon
 
 ZERO = sf.Matrix(3, 3)

@@ -14,10 +14,10 @@ from mahovik.core.stand.model import WRENCH_LETTERS
 from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
-from mahovik.proof.reference.bodies import PlacedBody
+from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.motion import bias
-from mahovik.proof.reference.screw import twists
+from mahovik.proof.reference.pieces import PlacedBody
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.scales import scales_of
 from mahovik.proof.verify.states import Request

@@ -18,9 +18,9 @@ from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.random import random_state
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
+from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.motion import bias
-from mahovik.proof.reference.screw import twists
 from mahovik.proof.verify.held import onto_hold, quaternion_of
 from verify.holds import PENDULUM
 

@@ -39,7 +39,7 @@ from mahovik.core.stand.model import Hold, Stand, rest_state
 from mahovik.errors import UsageError
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.pieces import momentum
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions, design_attitude
 from toolchain.quick import quick

@@ -38,8 +38,8 @@ from mahovik.laws.friction.reference import wrench as friction_wrench
 from mahovik.laws.stop.law import Stops, stops_of
 from mahovik.laws.stop.reference import wrench as stop_wrench
 from mahovik.proof import reference
+from mahovik.proof.reference.algebra import Pose, carrier_rotation
 from mahovik.proof.reference.coordinates import coordinate
-from mahovik.proof.reference.rotation import Pose, carrier_rotation
 from mahovik.use.simulate.held import home, long_steps, move
 from second.agreement import differences, expectations
 from toolchain.quick import quick

@@ -18,7 +18,7 @@ from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.core.stand.random import BARE, random_stand
 from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
-from mahovik.proof.reference.rotation import quaternion_rotation
+from mahovik.proof.reference.algebra import quaternion_rotation
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend

@@ -16,7 +16,7 @@ from mahovik.core.program.types import DOUBLE, Precision
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.structure import structure
-from mahovik.proof.reference.rotation import attitude, quaternion_rotation
+from mahovik.proof.reference.algebra import attitude, quaternion_rotation
 from mahovik.stands import path
 
 OK, LIMITED, NOT_FINITE, RANGE, BAD_ARGUMENT = 0, 4, -1, -2, -5

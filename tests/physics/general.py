@@ -8,8 +8,7 @@ import numpy as np
 from mahovik.core.stand.model import Body, Stand, State
 from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.laws.suspension.law import Suspension
-from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.pieces import Pieces
+from mahovik.proof.reference.pieces import Pieces, PlacedBody
 
 AnyBody = TypeVar("AnyBody", bound=Body)
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from mahovik.core.stand import dumps
 from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from mahovik.proof.verify.scales import scales_of
 from mahovik.proof.verify.states import Request, state_line
 from physics.general import AnyBody, rows

@@ -9,8 +9,7 @@ from mahovik.core.stand.model import Flywheel, Mat6, MountingAxes, Stand, State,
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
 from mahovik.laws.leg.law import Legs, legs_of
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.rotation import flywheel_mounting
+from mahovik.proof.reference.algebra import Array, flywheel_mounting
 from physics.general import rows
 from physics.motions import cross, rotation, vec, with_rotation
 

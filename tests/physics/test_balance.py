@@ -10,8 +10,7 @@ import pytest
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.screw import Phi, f, spin
+from mahovik.proof.reference.algebra import Array, Phi, f, spin
 from physics.general import draw, placed
 from physics.motions import motion, rate, rotation, vec
 

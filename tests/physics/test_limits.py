@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Flywheel, Instrument, MountingAngles, Stand, State
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from physics.general import isolated, rows, without_added_mass
 from physics.motions import cross, rotation, vec
 from physics.properties import PROPERTY, assert_near, cases, scale, value

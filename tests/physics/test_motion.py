@@ -7,7 +7,7 @@ from hypothesis import given
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.proof.reference import evaluate
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from physics.general import isolated, without_wrench
 from physics.motions import motion, rate, vec
 from physics.properties import PROPERTY, assert_near, cases, of_a_motion, scale

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State, Vec3
 from mahovik.proof.reference import evaluate
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from physics.general import AnyBody, draw, rows, without_added_mass
 from physics.motions import motion, rotation, second_rate, vec
 

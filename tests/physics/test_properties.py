@@ -15,7 +15,7 @@ from mahovik.core.stand.model import Carrier, Instrument, MountingAngles, Stand,
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
 from mahovik.proof.reference import evaluate, pieces
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from mahovik.proof.reference.motion import flywheel_accelerations
 from physics.general import isolated, placed, without_wrench
 from physics.motions import vec

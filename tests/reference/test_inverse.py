@@ -18,8 +18,9 @@ from mahovik.proof.reference.inverse import (
     inverse,
     inverse_root,
     least_error,
+    scaled_task,
+    task_rows,
 )
-from mahovik.proof.reference.tasks import scaled_task, task_rows
 from mahovik.proof.second import Second
 from physics.general import draw, isolated, rows
 

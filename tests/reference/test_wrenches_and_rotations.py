@@ -12,7 +12,7 @@ from mahovik.core.stand.model import MountingAngles, MountingAxes, Sequence
 from mahovik.laws.damping.law import Damping, DampingTerm
 from mahovik.laws.damping.reference import damping_terms, linear_damping, quadratic_damping
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.rotation import C1, attitude, carrier_rotation, flywheel_mounting, rotation_vector
+from mahovik.proof.reference.algebra import C1, attitude, carrier_rotation, flywheel_mounting, rotation_vector
 from physics.general import draw, rows, suspension_of
 from physics.motions import SEQUENCES, rotation
 

@@ -17,10 +17,8 @@ from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Body, Stand, State
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.laws.damping.law import Damping
-from mahovik.proof.reference import regressor as literal
-from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.bodies import bodies_of, spatial_inertia
-from mahovik.proof.reference.pieces import mass_matrix
+from mahovik.proof.reference.evaluate import answer_regressor, pieces, required_loads
+from mahovik.proof.reference.pieces import bodies_of, mass_matrix, spatial_inertia
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.case import Case, ordinary
@@ -105,8 +103,8 @@ def test_columns_times_parameters_are_the_equations(data: st.DataObject) -> None
     stand = with_columns_alone(data.draw(some_stands(max_flywheels=3)))
     state: State = replace(data.draw(states(stand)), wrench={})
     at = pieces(stand, state)
-    Y, pi = literal.answer_regressor(at, stand, state), dict(parameters(stand))
-    expected = literal.required_loads(stand, state)
+    Y, pi = answer_regressor(at, stand, state), dict(parameters(stand))
+    expected = required_loads(stand, state)
     terms = [Y["Y_carrier"] * pi["Y_carrier"]]
     if stand.flywheels:
         terms += list(Y["Y_flywheel"] * pi["Y_flywheel"][:, None, :])

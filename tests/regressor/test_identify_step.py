@@ -19,7 +19,7 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand, State, rest_state
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.core.stand.structure import structure
-from mahovik.proof.reference.assembly import pieces
+from mahovik.proof.reference.evaluate import pieces
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.functions.value import covariance

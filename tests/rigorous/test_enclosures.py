@@ -20,8 +20,17 @@ from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Legs, legs_of
 from mahovik.proof import reference, rigorous
-from mahovik.proof.reference.array import angle_over_sine, hypot, larger, smaller, with_sign
-from mahovik.proof.reference.rotation import C1, C3, quaternion_rotation, rotation_vector
+from mahovik.proof.reference.algebra import (
+    C1,
+    C3,
+    angle_over_sine,
+    hypot,
+    larger,
+    quaternion_rotation,
+    rotation_vector,
+    smaller,
+    with_sign,
+)
 from mahovik.proof.rigorous import BITS, MOST_BITS, Ball, enclose, with_balls
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.draw import draw

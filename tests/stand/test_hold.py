@@ -14,7 +14,7 @@ from mahovik.core.stand.hold import FREEDOMS, has_coordinates, is_closed, kinds,
 from mahovik.core.stand.model import Freedom, Hold
 from mahovik.core.stand.physical import condition_of_twists
 from mahovik.core.stand.summary import summarize
-from mahovik.proof.reference.screw import twists as literal_twists
+from mahovik.proof.reference.algebra import twists as literal_twists
 from mahovik.proof.second.system import twists as moving_twists
 
 STAND = """

@@ -11,10 +11,8 @@ import numpy as np
 
 from mahovik.contract.laws import parts
 from mahovik.core.stand.model import Stand, State
-from mahovik.proof.second.body import CarrierEnergy
-from mahovik.proof.second.evaluate import Second
-from mahovik.proof.second.rotation import Array, Expr, turn
-from mahovik.proof.second.system import point_names
+from mahovik.proof.second.body import Array, CarrierEnergy, Expr, turn
+from mahovik.proof.second.system import Second, point_names
 
 
 class Matrices(NamedTuple):

@@ -18,9 +18,8 @@ from mahovik.core.stand.model import Hold, MountingAxes, Stand, State, rest_stat
 from mahovik.core.stand.random import BARE, Features, random_stand, random_state
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array, carrier_rotation
 from mahovik.proof.reference.motion import coupled
-from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.proof.verify.states import state_object
 from mahovik.stands import path
 from mahovik.use.simulate.held import home, move, rates

@@ -16,7 +16,7 @@ from mahovik.core.stand.stand_file import loads
 from mahovik.errors import CheckError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof import reference
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.algebra import carrier_rotation
 from mahovik.use.study.rest import rest
 from physics.general import rows, suspension_of
 from verify.holds import PENDULUM

@@ -19,8 +19,8 @@ from mahovik.core.stand.model import rest_state
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.commands.vibration import vibration as command
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.momentum import momentum, momentum_in_E0
 from mahovik.proof.reference.motion import mounts
+from mahovik.proof.reference.pieces import momentum, momentum_in_E0
 from mahovik.stands import path
 from mahovik.use.study.linear.model import places
 from mahovik.use.vibration import steady as steady_motions

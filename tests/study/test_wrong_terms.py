@@ -25,12 +25,10 @@ from mahovik.proof import reference
 from mahovik.proof.diagnose.diagnosis import Diagnosis, as_object, sentences
 from mahovik.proof.diagnose.search import TermSearch, TermSearchResult
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.assembly import body_wrenches
-from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.reference.law import LawParts
+from mahovik.proof.reference.algebra import twists
+from mahovik.proof.reference.evaluate import body_wrenches, held_state
 from mahovik.proof.reference.motion import bias, torque
-from mahovik.proof.reference.pieces import body_wrench
-from mahovik.proof.reference.screw import twists
+from mahovik.proof.reference.pieces import LawParts, body_wrench
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.draw import with_drawn_actuators

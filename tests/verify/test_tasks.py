@@ -18,7 +18,7 @@ from mahovik.contract.limits import LIMITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
-from mahovik.proof.reference.tasks import TaskRows, task_rows
+from mahovik.proof.reference.inverse import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend

@@ -87,7 +87,7 @@ def warn_of_turn(stand: Stand, state: State | None = None) -> None:
     """
     import numpy as np
 
-    from mahovik.proof.reference.rotation import carrier_rotation
+    from mahovik.proof.reference.algebra import carrier_rotation
     from mahovik.use.simulate.held import home
 
     if state is None:

@@ -23,7 +23,7 @@ from flint import arb, arb_mat, ctx
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 
 Balls = dict[str, Any]
 """Balls of Arb by the names of the contract: one, or nested lists of them."""

@@ -16,7 +16,7 @@ from mahovik.core.motion.required import Bounds
 from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError
 from mahovik.laws.suspension.law import Suspension
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import displacement, free_acceleration, moment, rest_near
 from mahovik.proof.verify.programme.verification import ProgrammeCase

@@ -18,8 +18,7 @@ from mahovik.core.motion.required import Bounds, Slew
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES
-from mahovik.proof.reference.rotation import attitude
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.algebra import attitude, cross
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
 from mahovik.proof.verify.programme.verification import ProgrammeCase, verify_programme

@@ -6,8 +6,7 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.buoyancy.law import Buoyancy
-from mahovik.proof.second.body import BodyEnergy, MovingBody, Potential
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr, MovingBody, Potential
 
 
 def numbers(body: Body) -> tuple[float, ...]:

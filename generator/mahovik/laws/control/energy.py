@@ -6,8 +6,7 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.control.law import Control, ControlDerivatives, Factor
-from mahovik.proof.second.body import BodyEnergy
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

@@ -9,8 +9,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.control.law import Control, ControlDerivatives, Factor
-from mahovik.proof.reference.array import Array, sqrt
-from mahovik.proof.reference.law import BodyReference
+from mahovik.proof.reference.algebra import Array, sqrt
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, law: ControlDerivatives, gravity: Array, V_r: Array) -> dict[str, Array]:

@@ -9,8 +9,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.law import CrossFlow
-from mahovik.proof.second.body import BodyEnergy
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

@@ -9,8 +9,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.law import CrossFlow
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.law import LawParts, LawTerm
+from mahovik.proof.reference.algebra import Array
+from mahovik.proof.reference.pieces import LawParts, LawTerm
 
 PLANES = (("v", "x r", "drag_y"), ("w", "x q", "drag_z"))
 """Velocities across, at the origin and by turning, and the coefficients of the drag that they alone would have."""

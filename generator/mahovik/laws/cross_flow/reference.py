@@ -8,8 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.cross_flow.law import CrossFlow
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import BodyReference
+from mahovik.proof.reference.algebra import Array, vector
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, law: CrossFlow, gravity: Array, V_r: Array) -> dict[str, Array]:

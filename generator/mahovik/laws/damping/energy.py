@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.law import Damping, DampingTerm
-from mahovik.proof.second.body import BodyEnergy
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

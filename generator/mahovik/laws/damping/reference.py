@@ -6,10 +6,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.damping.law import Damping
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.bodies import added_mass
-from mahovik.proof.reference.law import BodyReference
-from mahovik.proof.reference.screw import Phi
+from mahovik.proof.reference.algebra import Array, Phi, vector
+from mahovik.proof.reference.pieces import BodyReference, added_mass
 
 
 def wrenches(body: Body, damping: Damping, gravity: Array, V_r: Array) -> dict[str, Array]:

@@ -6,8 +6,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fading.law import FadingDamping
-from mahovik.proof.reference.array import Array, exp, vector
-from mahovik.proof.reference.law import BodyReference
+from mahovik.proof.reference.algebra import Array, exp, vector
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, law: FadingDamping, gravity: Array, V_r: Array) -> dict[str, Array]:

@@ -8,9 +8,19 @@ import numpy as np
 
 from mahovik.core.stand.model import Body
 from mahovik.laws.fin.law import Fin, Fins
-from mahovik.proof.reference.array import Array, arctan2, larger, pi_like, smaller, sqrt, vector, with_sign
-from mahovik.proof.reference.law import BodyReference
-from mahovik.proof.reference.screw import cross, force_at
+from mahovik.proof.reference.algebra import (
+    Array,
+    arctan2,
+    cross,
+    force_at,
+    larger,
+    pi_like,
+    smaller,
+    sqrt,
+    vector,
+    with_sign,
+)
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, law: Fins, gravity: Array, V_r: Array) -> dict[str, Array]:

@@ -7,8 +7,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.laws.friction.law import Friction, frictions_of
-from mahovik.proof.second.body import CarrierEnergy
-from mahovik.proof.second.rotation import Expr, unit
+from mahovik.proof.second.body import CarrierEnergy, Expr, unit
 
 
 def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:

@@ -8,10 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.laws.friction.law import Friction, frictions_of
-from mahovik.proof.reference.array import Array, solve, sqrt, vector
-from mahovik.proof.reference.law import CarrierReference
-from mahovik.proof.reference.rotation import Pose
-from mahovik.proof.reference.screw import E, twists, wrench_to_parent
+from mahovik.proof.reference.algebra import Array, E, Pose, solve, sqrt, twists, vector, wrench_to_parent
+from mahovik.proof.reference.pieces import CarrierReference
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

@@ -12,8 +12,7 @@ import numpy as np
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import legs_of
-from mahovik.proof.second.body import CarrierEnergy, Chart
-from mahovik.proof.second.rotation import Array, Expr, turn
+from mahovik.proof.second.body import Array, CarrierEnergy, Chart, Expr, turn
 
 SHORTEST = 1e-9
 """m; a shorter leg has no direction."""

@@ -5,10 +5,8 @@ from __future__ import annotations
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Leg, legs_of
-from mahovik.proof.reference.array import Array, hypot, vector
-from mahovik.proof.reference.law import CarrierReference
-from mahovik.proof.reference.rotation import Pose
-from mahovik.proof.reference.screw import cross, force_at
+from mahovik.proof.reference.algebra import Array, Pose, cross, force_at, hypot, vector
+from mahovik.proof.reference.pieces import CarrierReference
 
 SHORTEST = 1e-9  # m; a shorter leg has no direction
 

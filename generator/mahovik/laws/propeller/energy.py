@@ -8,8 +8,7 @@ import casadi as ca
 
 from mahovik.core.stand.model import Body, Vec3
 from mahovik.laws.propeller.law import Propeller, Propellers
-from mahovik.proof.second.body import BodyEnergy
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr
 
 
 def wrench(body: Body, V_r: Expr) -> Expr | None:

@@ -8,9 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Body, Vec3
 from mahovik.laws.propeller.law import Propeller, Propellers
-from mahovik.proof.reference.array import Array, pi_like, vector
-from mahovik.proof.reference.law import BodyReference
-from mahovik.proof.reference.screw import cross, force_at
+from mahovik.proof.reference.algebra import Array, cross, force_at, pi_like, vector
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, law: Propellers, gravity: Array, V_r: Array) -> dict[str, Array]:

@@ -6,9 +6,8 @@ import casadi as ca
 
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.laws.stop.law import Stop, stops_of
-from mahovik.proof.second.body import CarrierEnergy
+from mahovik.proof.second.body import CarrierEnergy, Expr, by_angles, unit
 from mahovik.proof.second.coordinates import coordinate
-from mahovik.proof.second.rotation import Expr, by_angles, unit
 
 
 def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:

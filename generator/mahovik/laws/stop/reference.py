@@ -8,11 +8,9 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand, State
 from mahovik.laws.stop.law import Stop, stops_of
-from mahovik.proof.reference.array import Array, larger, vector
+from mahovik.proof.reference.algebra import Array, Pose, attitude, carrier_rotation, force_at, larger, unit, vector
 from mahovik.proof.reference.coordinates import coordinate, sine_and_cosine
-from mahovik.proof.reference.law import CarrierReference
-from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation
-from mahovik.proof.reference.screw import force_at, unit
+from mahovik.proof.reference.pieces import CarrierReference
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

@@ -9,8 +9,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.laws.suspension.law import Suspension
-from mahovik.proof.second.body import CarrierEnergy
-from mahovik.proof.second.rotation import Array, Expr, by_angles, rotation_vector
+from mahovik.proof.second.body import Array, CarrierEnergy, Expr, by_angles, rotation_vector
 
 SMALL = 0.02
 """rad: a rotation vector below it is differentiated as a series, exact to rounding there."""

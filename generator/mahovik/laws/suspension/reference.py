@@ -8,9 +8,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Sequence, Stand, State
 from mahovik.laws.suspension.law import Suspension
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import CarrierReference
-from mahovik.proof.reference.rotation import Pose, attitude, carrier_rotation, rotation_vector
+from mahovik.proof.reference.algebra import Array, Pose, attitude, carrier_rotation, rotation_vector, vector
+from mahovik.proof.reference.pieces import CarrierReference
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

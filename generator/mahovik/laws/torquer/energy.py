@@ -9,8 +9,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand
 from mahovik.laws.torquer.law import Torquers, mount_of
-from mahovik.proof.second.body import CarrierEnergy, Chart
-from mahovik.proof.second.rotation import Expr, fixed_rotation, turn
+from mahovik.proof.second.body import CarrierEnergy, Chart, Expr, fixed_rotation, turn
 
 
 def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:

@@ -6,10 +6,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.laws.torquer.law import Torquers, mount_of
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import CarrierReference
-from mahovik.proof.reference.rotation import Pose, fixed_rotation
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.algebra import Array, Pose, cross, fixed_rotation, vector
+from mahovik.proof.reference.pieces import CarrierReference
 
 
 def wrenches(stand: Stand, state: State, at: Pose) -> dict[str, Array]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from mahovik.core.stand.model import Body
-from mahovik.proof.second.body import BodyEnergy, MovingBody, Potential
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr, MovingBody, Potential
 
 
 def numbers(body: Body) -> tuple[float, ...]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from mahovik.core.stand.model import Body
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import BodyReference
-from mahovik.proof.reference.screw import force_at
+from mahovik.proof.reference.algebra import Array, force_at, vector
+from mahovik.proof.reference.pieces import BodyReference
 
 
 def wrenches(body: Body, _: None, gravity: Array, V_r: Array) -> dict[str, Array]:

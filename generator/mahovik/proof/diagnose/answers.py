@@ -17,7 +17,7 @@ from mahovik.core.stand.random import in_layer, random_state, random_wrenches
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.algebra import Array, Values
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program

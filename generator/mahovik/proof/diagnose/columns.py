@@ -24,13 +24,9 @@ from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Flywheel, Stand, State
 from mahovik.proof.diagnose.numbers import pairs_explain
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.assembly import body_wrenches
-from mahovik.proof.reference.bodies import PlacedBody
-from mahovik.proof.reference.law import CarrierReference, LawParts, LawTerm
-from mahovik.proof.reference.pieces import body_wrench
-from mahovik.proof.reference.rotation import C1, Pose
-from mahovik.proof.reference.screw import Phi, T, block_diagonal, f, force_at, spin, twists
+from mahovik.proof.reference.algebra import C1, Array, Phi, Pose, T, block_diagonal, f, force_at, spin, twists, vector
+from mahovik.proof.reference.evaluate import body_wrenches
+from mahovik.proof.reference.pieces import CarrierReference, LawParts, LawTerm, PlacedBody, body_wrench
 
 LEAST = 1e-12
 """Length below which a direction is none."""

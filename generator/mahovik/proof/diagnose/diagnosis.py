@@ -26,9 +26,7 @@ from mahovik.proof.diagnose.answers import (
 from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
 from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
 from mahovik.proof.diagnose.search import TermSearchResult, WrongTerm
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.rotation import carrier_rotation
-from mahovik.proof.reference.screw import wrench_to_parent
+from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request

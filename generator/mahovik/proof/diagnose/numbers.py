@@ -14,7 +14,7 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 
 STEP = 1e-5
 """Part of the size of a number by which it is changed for a derivative."""

@@ -16,9 +16,8 @@ import numpy as np
 
 from mahovik.core.stand.model import Flywheel, MountingAxes, Stand, State
 from mahovik.proof.diagnose.answers import Model, Reference
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import mount_transfer
-from mahovik.proof.reference.rotation import C1, carrier_rotation, flywheel_mounting
+from mahovik.proof.reference.algebra import C1, Array, carrier_rotation, flywheel_mounting
+from mahovik.proof.reference.pieces import mount_transfer
 from mahovik.proof.verify.held import freedom_rates, quaternion_of
 from mahovik.proof.verify.states import stand_at
 

@@ -33,10 +33,9 @@ from mahovik.proof.diagnose.columns import (
     products,
 )
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import LawTerm
-from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.algebra import Array, vector
 from mahovik.proof.reference.motion import bias, mounts, reaction, torque
+from mahovik.proof.reference.pieces import LawTerm, momentum
 from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.states import Request, stand_at

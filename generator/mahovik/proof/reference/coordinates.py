@@ -15,21 +15,33 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Stand, State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, arctan2, cos, sin, solve, stack, vector
-from mahovik.proof.reference.motion import answer_forward
-from mahovik.proof.reference.pieces import Pieces, velocity_matrix
-from mahovik.proof.reference.rotation import (
+from mahovik.proof.reference.algebra import (
     AXES,
     ELEMENTARY,
+    Array,
+    E,
     Pose,
+    T,
+    Values,
     about,
+    arctan2,
     attitude,
+    blocks,
     carrier_rotation,
+    cos,
+    cross,
     quaternion_of,
     quaternion_rotation,
+    sin,
     skew_part,
+    solve,
+    stack,
+    unit,
+    vector,
+    zero,
 )
-from mahovik.proof.reference.screw import E, T, blocks, cross, unit, zero
+from mahovik.proof.reference.motion import answer_forward
+from mahovik.proof.reference.pieces import Pieces, velocity_matrix
 
 SINGULAR = 1e-6
 """|cos theta| (Euler: |sin theta|) below this is an error of `generalized`."""

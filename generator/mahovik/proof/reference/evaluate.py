@@ -1,30 +1,244 @@
-"""Evaluation of a state, as `mahovik eval` asks for it: which equations answer which `want`."""
+"""The pieces put together at a state, with the wrenches (7) that act there; answers to the wants of `eval`."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, cast
+from types import MappingProxyType
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from mahovik.contract.functions import TASK_CONFLICTS, TASK_TAKERS, want_fault
-from mahovik.core.stand.model import Stand, State, Vec6
+from mahovik.contract.laws import BODY_LAWS, parts
+from mahovik.core.stand.model import Body, Stand, State, Vec6
 from mahovik.errors import StateError, count_numbers
-from mahovik.proof.reference import coordinates, inverse, momentum, motion, regressor, tasks
-from mahovik.proof.reference.array import Values, vector
-from mahovik.proof.reference.assembly import pieces
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.screw import twists
+from mahovik.proof.reference import coordinates, inverse, motion
+from mahovik.proof.reference.algebra import (
+    Array,
+    E,
+    Pose,
+    Values,
+    carrier_rotation,
+    stack,
+    times,
+    transpose,
+    twists,
+    vector,
+    wrench_to_parent,
+    zero,
+)
+from mahovik.proof.reference.motion import forward, reaction, torque
+from mahovik.proof.reference.pieces import (
+    Bodies,
+    BodyReference,
+    CarrierReference,
+    Kinds,
+    Pieces,
+    bodies_of,
+    body_wrench,
+    center_of_mass,
+    center_of_mass_velocity,
+    coupling,
+    coupling_bias,
+    kinetic_energy,
+    mass_matrix,
+    mass_matrix_rates,
+    momentum,
+    momentum_in_E0,
+    stream_at,
+    velocity_matrix,
+)
+
+# -- the pieces at a state, and (7) ------------------------------------------------------------------------------------
+
+
+def pieces(stand: Stand, state: State, bodies: Bodies | None = None) -> Pieces:
+    """The pieces of `stand` at `state`. StateError where a law is undefined.
+
+    `bodies`: `bodies_of` the stand, where the caller has them already.
+    """
+    C, V = carrier_rotation(stand, state), vector(state.V)
+    u = C.T @ stream_at(stand, state.position)
+    V_r = V - np.concatenate([u, np.zeros(3)])
+    k = (bodies or bodies_of(stand)).at_phases(state.phi, state.phi_dot)
+    s = k.flywheels
+    K_bodies, Lambda, K_dot = mass_matrix(k), k.Lambda.sum(axis=0), mass_matrix_rates(s).sum(axis=0)
+    K, gravity, pose = K_bodies + Lambda, C.T @ vector(stand.gravity), Pose(vector(state.position), C, V)
+    terms = external_wrenches(stand, state, pose, gravity, V_r, k)
+    P = {name: body_wrench(kinds) for name, kinds in terms.items()}
+    return Pieces(
+        C=C,
+        L1=wrench_to_parent(pose.O1, C),
+        S=twists(stand.hold),
+        V=V,
+        V_r=V_r,
+        bodies=k,
+        K_bodies=K_bodies,
+        Lambda=Lambda,
+        K=K,
+        K_dot=K_dot,
+        M=velocity_matrix(K, K_dot, V_r),
+        I=coupling(s),
+        J=coupling_bias(s, V_r),
+        terms=terms,
+        P=P,
+        F=times(k.L, stack(list(P.values()), 6)).sum(axis=0),  # (7)
+        gravity=gravity,
+        u=u,
+    )
+
+
+def external_wrenches(
+    stand: Stand, state: State, at: Pose, gravity: Array, V_r: Array, bodies: Bodies
+) -> dict[str, Kinds]:
+    """Every wrench of (7) by body name and kind. The laws between E0 and the carrier count among the carrier's.
+
+    `gravity` (3) and `V_r` (6, twist of E1 relative to the fluid) in E1.
+    """
+    P: dict[str, Kinds] = {}
+    gravities, twists = transpose(bodies.L[:, :3, :3]) @ gravity, bodies.twists(V_r)
+    for body, gravity_there, V_r_there in zip(bodies.bodies, gravities, twists, strict=True):
+        P[body.name] = body_wrenches(body, gravity_there, V_r_there, run_time_wrench(state, body))
+    for law in parts("reference", CarrierReference):
+        P[stand.carrier.name] = {**P[stand.carrier.name], **law.wrenches(stand, state, at)}
+    return P
+
+
+def body_wrenches(body: Body, gravity: Array, V_r: Array, run_time: Array) -> Kinds:
+    """Wrenches on one body by kind. `gravity` (3, m/s2), `V_r` (6, relative to the fluid) in its frame.
+
+    `run_time` (6) is the wrench of the caller.
+    """
+    kinds: dict[str, Array] = {}
+    data = {None: None} | {type(law): law for law in body.laws}
+    for law in parts("reference", BodyReference, BODY_LAWS):
+        if law.data in data:
+            kinds |= law.wrenches(body, data[law.data], gravity, V_r)
+    return kinds | {"run-time": run_time}
+
+
+def run_time_wrench(state: State, body: Body) -> Array:
+    """The caller's wrench (6; N, N m) on a body, in its own frame about its origin."""
+    return vector(state.wrench.get(body.name, (0.0,) * 6))
+
+
+# -- the regressor -----------------------------------------------------------------------------------------------------
+
+_MOMENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+"""Order of the moments of inertia: 11, 22, 33, 12, 13, 23."""
+
+AnyBody = TypeVar("AnyBody", bound=Body)
+
+
+def required_loads(stand: Stand, state: State) -> Array:
+    """K V_r* + M V_r + I phi'' + J phi' - F, and tau (6 + N): what the motion of the state takes besides F."""
+    at, V_dot, phi_ddot = pieces(stand, state), vector(state.V_dot), vector(state.phi_ddot)
+    return np.concatenate([reaction(at, V_dot, phi_ddot), torque(at, V_dot, phi_ddot)])
+
+
+def _one_body(stand: Stand, name: str, mass: float, center: Array, J: Array, Lambda: Array | None = None) -> Stand:
+    """The stand with its places alone, but for one body's mass, centre and J (3x3) about its origin, or added mass.
+
+    No law acts but weight; nothing holds the carrier.
+    """
+
+    def bare(body: AnyBody) -> AnyBody:
+        m, rc, inertia = (mass, center, J) if body.name == name else (0.0, zero[0], zero)
+        numbers = {"mass": m, "center_of_mass": _nested(rc), "inertia": _nested(inertia)}
+        return replace(body, laws=(), inertia_about="origin", **numbers)
+
+    return replace(
+        stand,
+        laws=(),
+        carrier=replace(bare(stand.carrier), added_mass=None if Lambda is None else _nested(Lambda)),
+        instruments=tuple(replace(bare(p), added_mass=None) for p in stand.instruments),
+        flywheels=tuple(bare(s) for s in stand.flywheels),
+        hold=None,
+    )
+
+
+def _nested(numbers: Array) -> Any:
+    """A vector or a matrix as the stand has it."""
+    return tuple(tuple(row.tolist()) if row.ndim else float(row) for row in numbers)
+
+
+def _unit(i: int, j: int, size: int) -> Array:
+    """Symmetric matrix with 1 at i, j."""
+    unit = np.zeros((size, size))
+    unit[i, j] = unit[j, i] = 1.0
+    return unit
+
+
+def body_columns(stand: Stand, state: State, name: str) -> Array:
+    """The ten columns of a body (6 + N x 10): mass, first moment, J about its origin, in its own frame."""
+
+    def loads(mass: float, center: Array, J: Array) -> Array:
+        return required_loads(_one_body(stand, name, mass, center, J), state)
+
+    mass = loads(1.0, zero[0], zero)
+    first = [loads(1.0, axis, zero) - mass for axis in E]
+    return np.column_stack([mass, *first, *(loads(0.0, zero[0], _unit(i, j, 3)) for i, j in _MOMENTS)])
+
+
+def added_mass_columns(stand: Stand, state: State) -> Array:
+    """Columns of the upper half of the added mass (6 x 21), row by row; both halves change together."""
+    units = [_unit(i, j, 6) for i in range(6) for j in range(i, 6)]
+    return np.column_stack(
+        [required_loads(_one_body(stand, stand.carrier.name, 0.0, zero[0], zero, L), state)[:6] for L in units]
+    )
+
+
+def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
+    """Columns by the names of the C; those of the added mass only if the stand has it.
+
+    Linear damping A of the carrier takes A V_r, quadratic damping A (V_r |V_r|): row i has A[i][j] times number j.
+    """
+    state = replace(state, wrench=MappingProxyType({}))
+    values: Values = {"Y_carrier": body_columns(stand, state, stand.carrier.name)[:6]}
+    if stand.flywheels:
+        columns = np.stack([body_columns(stand, state, s.name) for s in stand.flywheels])
+        values["Y_flywheel"] = columns[:, :6]
+        values["Y_drive"] = np.array([of_wheel[6 + s] for s, of_wheel in enumerate(columns)])
+    if stand.carrier.added_mass is not None or any(p.added_mass is not None for p in stand.instruments):
+        values["Y_added_mass"] = added_mass_columns(stand, state)
+    return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}
+
+
+# Recursive least squares of static unbalances, in the covariance form, all channels at once.
+
+
+def slopes(stand: Stand, state: State) -> Array:
+    """-K^-1 Y (6x2N): K V* = F - ... - Y u, so that an unbalance u changes V* by this."""
+    columns = [body_columns(stand, state, s.name)[:6, 2:4] for s in stand.flywheels]
+    return np.asarray(-np.linalg.solve(pieces(stand, state).K, np.hstack(columns)))
+
+
+def identify_step(
+    stand: Stand, state: State, noise: Array, forget: float, unbalance: Array, covariance: Array
+) -> tuple[Array, Array]:
+    """Static unbalances (2N; kg m) and their covariance (2Nx2N) after one sample, from those before it.
+
+    m rc along axes 2 and 3 of each flywheel, to be added. V_dot of the state is measured, with standard deviations
+    `noise` (6).
+    """
+    H = slopes(stand, state)
+    excess = vector(state.V_dot) - forward(pieces(stand, state), vector(state.phi_ddot))
+    P = covariance * (1.0 + forget)
+    gain = P @ H.T @ np.linalg.inv(H @ P @ H.T + np.diag(noise**2))
+    return unbalance + gain @ (excess - H @ unbalance), P - gain @ H @ P
+
+
+# -- answers -----------------------------------------------------------------------------------------------------------
 
 ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
     "matrices": lambda at, stand, state: {name: getattr(at, name) for name in ("K", "K_dot", "M", "I", "J", "F")},
     "momentum": lambda at, stand, state: {
-        "Z": momentum.momentum(at),
-        "Z0": momentum.momentum_in_E0(at),
-        "energy": momentum.kinetic_energy(at),
-        "center_of_mass": momentum.center_of_mass(at),
-        "center_of_mass_velocity": momentum.center_of_mass_velocity(at, stand),
+        "Z": momentum(at),
+        "Z0": momentum_in_E0(at),
+        "energy": kinetic_energy(at),
+        "center_of_mass": center_of_mass(at),
+        "center_of_mass_velocity": center_of_mass_velocity(at, stand),
     },
     "forward": motion.answer_forward,
     "torque": lambda at, stand, state: {"tau": motion.torque(at, vector(state.V_dot), vector(state.phi_ddot))},
@@ -33,7 +247,7 @@ ANSWERS: Mapping[str, Callable[[Pieces, Stand, State], Values]] = {
     "reaction": motion.answer_reaction,
     "points": lambda at, stand, state: {"points": motion.points(at, stand, vector(state.V_dot))},
     "generalized": coordinates.answer_generalized,
-    "regressor": regressor.answer_regressor,
+    "regressor": answer_regressor,
 }
 """The answer to each want by the pieces, the stand and the state: values by the names of the contract."""
 
@@ -97,7 +311,7 @@ def evaluate(
         check_task_want(want, state.task)
         moved, choose = state, inverse.answer_inverse
         if state.task:
-            choose = tasks.answer_torque_for if "torque_for" in want else tasks.answer_task
+            choose = inverse.answer_torque_for if "torque_for" in want else inverse.answer_task
         chosen = choose(at, stand, state, cuts) if state.task or "inverse" in want else {}
         if state.task:
             moved = replace(state, V_dot=tuple(chosen["V_dot"]), phi_ddot=tuple(chosen["phi_ddot"]))

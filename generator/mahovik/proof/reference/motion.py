@@ -11,11 +11,23 @@ import numpy as np
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, solve_symmetric, times, transpose, vector
-from mahovik.proof.reference.bodies import Bodies, instrument_transfer, mount_transfer
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.rotation import C1, fixed_rotation
-from mahovik.proof.reference.screw import Phi, block_diagonal, cross, f, spin, wrench_to_parent
+from mahovik.proof.reference.algebra import (
+    C1,
+    Array,
+    Phi,
+    Values,
+    block_diagonal,
+    cross,
+    f,
+    fixed_rotation,
+    solve_symmetric,
+    spin,
+    times,
+    transpose,
+    vector,
+    wrench_to_parent,
+)
+from mahovik.proof.reference.pieces import Bodies, Pieces, instrument_transfer, mount_transfer
 
 
 def bias(at: Pieces) -> Array:

@@ -17,7 +17,7 @@ import numpy as np
 
 from mahovik.core.stand.model import Freedom, Hold, Sequence, Vec3
 from mahovik.errors import StateError
-from mahovik.proof.second.rotation import (
+from mahovik.proof.second.body import (
     Array,
     Expr,
     angular_velocity,

@@ -20,7 +20,7 @@ import casadi as ca
 import numpy as np
 
 from mahovik.core.stand.model import Stand, Vec3
-from mahovik.proof.second.rotation import Array, by_angles, rotation_vector
+from mahovik.proof.second.body import Array, by_angles, rotation_vector
 from mahovik.proof.second.system import added_mass, columns, places, twists
 
 Table = Mapping[str, Any]

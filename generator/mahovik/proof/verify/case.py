@@ -12,7 +12,7 @@ from mahovik.contract.limits import Limits
 from mahovik.contract.status import status_words
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.scales import Scales

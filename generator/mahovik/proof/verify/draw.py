@@ -16,7 +16,7 @@ from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from mahovik.errors import UsageError, whole_number
-from mahovik.proof.reference.law import CarrierReference
+from mahovik.proof.reference.pieces import CarrierReference
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
 

@@ -27,8 +27,8 @@ from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import random_state
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.proof.reference.inverse import task_rows
 from mahovik.proof.reference.motion import coupled
-from mahovik.proof.reference.tasks import task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend
 from mahovik.proof.verify.case import ordinary

@@ -13,10 +13,9 @@ import numpy as np
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twists, words
 from mahovik.core.stand.model import Hold, Quaternion, Sequence, Stand, State, Vec3
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import AXES, Array, attitude, carrier_rotation
+from mahovik.proof.reference.algebra import quaternion_of as quaternion
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of
-from mahovik.proof.reference.rotation import AXES, attitude, carrier_rotation
-from mahovik.proof.reference.rotation import quaternion_of as quaternion
 
 ALLOWED = 1e-6
 """m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""

@@ -15,7 +15,7 @@ from mahovik.contract.limits import LIMITS
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError, UsageError
 from mahovik.proof import rigorous
-from mahovik.proof.reference.array import Array
+from mahovik.proof.reference.algebra import Array
 from mahovik.proof.verify.backends import public_names
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Report, report

@@ -21,12 +21,10 @@ from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.random import random_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array, Values, times, transpose, vector
-from mahovik.proof.reference.bodies import Bodies, bodies_of
+from mahovik.proof.reference.algebra import Array, Values, times, transpose, twists, vector
 from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.inverse import Cuts, inverse_root, scaled_demand
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.screw import twists
+from mahovik.proof.reference.pieces import Bodies, Pieces, bodies_of
 from mahovik.proof.verify.states import stand_at
 
 ORDINARY = 2

@@ -32,8 +32,7 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
-from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.pieces import coupling, mass_matrix, spin_inertia
+from mahovik.proof.reference.pieces import bodies_of, coupling, mass_matrix, spin_inertia
 from mahovik.use.numeric.se3 import Array, Complex
 
 NONE = BOUNDS["MAX_WRENCH"].value

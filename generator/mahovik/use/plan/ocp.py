@@ -129,7 +129,7 @@ def node_function(stand: Stand, problem: Problem, cost: Cost) -> Any:
     """
     import casadi as ca
 
-    from mahovik.proof.second.evaluate import Second
+    from mahovik.proof.second.system import Second
 
     second, N, Omega = Second(stand), problem.N, cost.Omega
     system = second.system
@@ -157,7 +157,7 @@ def carrier_inputs(stand: Stand, motion: RequiredMotion, bias: Array, t: Array) 
     """Inputs (P, M) of the second derivation that the carrier's motion prescribes at times t (M, s)."""
     from scipy.spatial.transform import Rotation
 
-    from mahovik.proof.second.evaluate import Second
+    from mahovik.proof.second.system import Second
     from mahovik.proof.verify.programme.mechanics import carrier_at
 
     second, columns, rest = Second(stand), [], rest_state(stand)

@@ -11,9 +11,9 @@ from mahovik.core.stand.hold import has_coordinates
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.reference.algebra import quaternion_rotation
 from mahovik.proof.reference.coordinates import coordinates_at, rates_at
 from mahovik.proof.reference.motion import rates
-from mahovik.proof.reference.rotation import quaternion_rotation
 from mahovik.use.simulate.case import Array, Case
 from mahovik.use.simulate.course import NEEDS, Moments
 

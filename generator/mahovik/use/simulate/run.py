@@ -13,7 +13,7 @@ from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.core.toolchain.block import Block
 from mahovik.core.toolchain.compiled import compile_library
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.rotation import carrier_rotation, quaternion_of
+from mahovik.proof.reference.algebra import carrier_rotation, quaternion_of
 from mahovik.use.measured.headers import AXES, CARRIER, RATES, sensors, state_columns, with_units
 from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused

@@ -13,12 +13,10 @@ import numpy as np
 from mahovik.core.stand.coordinates import row_name
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, TaskRow, rest_state
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.inverse import CUTS, least_error, shares_of
+from mahovik.proof.reference.algebra import Array
+from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows
 from mahovik.proof.reference.motion import forward, torque
-from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_rows
+from mahovik.proof.reference.pieces import Pieces, bodies_of
 
 WHOLE = Task("", tuple(TaskRow("", component) for component in COMPONENTS))
 """(12) as a whole, a task of all six components of V*."""

@@ -19,16 +19,17 @@ import numpy as np
 
 from mahovik.core.stand.model import Flywheel, Stand, State, Vec6, rest_state
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array, times
-from mahovik.proof.reference.bodies import Bodies, bodies_of
-from mahovik.proof.reference.momentum import momentum
+from mahovik.proof.reference.algebra import Array, times
 from mahovik.proof.reference.motion import bias
 from mahovik.proof.reference.pieces import (
+    Bodies,
     Pieces,
+    bodies_of,
     coupling,
     coupling_bias,
     mass_matrices,
     mass_matrix_rates,
+    momentum,
     velocity_matrix,
 )
 from mahovik.proof.verify.scales import Scales

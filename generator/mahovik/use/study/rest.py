@@ -15,10 +15,9 @@ from mahovik.core.stand.laws import carrier_laws
 from mahovik.core.stand.model import Quaternion, Stand, State, Vec3, Vec6
 from mahovik.errors import CheckError, StateError
 from mahovik.proof.reference import Pieces, pieces
-from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.algebra import attitude, carrier_rotation, rotation_vector
 from mahovik.proof.reference.motion import bias
-from mahovik.proof.reference.pieces import stream_at
-from mahovik.proof.reference.rotation import attitude, carrier_rotation, rotation_vector
+from mahovik.proof.reference.pieces import bodies_of, stream_at
 from mahovik.use.simulate.held import displacement, home, move
 
 Array = NDArray[np.float64]

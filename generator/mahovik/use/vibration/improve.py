@@ -22,7 +22,7 @@ from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.motor import UNLIMITED
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
-from mahovik.proof.reference.screw import f
+from mahovik.proof.reference.algebra import f
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.band import EDGE, in_band, read_band, read_frequency
 from mahovik.use.vibration.campbell import natural_at

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand, State
-from mahovik.proof.reference.rotation import carrier_rotation
+from mahovik.proof.reference.algebra import carrier_rotation
 from mahovik.use.numeric.course import Chart, wrench
 from mahovik.use.numeric.frame import Frame, Twists, in_fluid, uniform_stream
 from mahovik.use.numeric.mechanics import Mechanics

@@ -5,8 +5,7 @@ from __future__ import annotations
 import casadi as ca
 
 from mahovik.core.stand.model import Body
-from mahovik.proof.second.body import BodyEnergy
-from mahovik.proof.second.rotation import Expr
+from mahovik.proof.second.body import BodyEnergy, Expr
 
 from .law import Tug  # noqa: TID252  # its package is that of the laws
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from mahovik.core.stand.model import Body
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.law import BodyReference
-from mahovik.proof.reference.screw import force_at
+from mahovik.proof.reference.algebra import Array, force_at, vector
+from mahovik.proof.reference.pieces import BodyReference
 
 from .law import Tug  # noqa: TID252  # its package is that of the laws
 

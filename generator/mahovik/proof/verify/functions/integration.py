@@ -17,11 +17,9 @@ from mahovik.contract.status import STATUS_VALUES, status_words
 from mahovik.core.stand.model import Quaternion, State
 from mahovik.errors import StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.algebra import Array, cross, quaternion_of, quaternion_rotation, skew_part
 from mahovik.proof.reference.motion import coupled, forward
-from mahovik.proof.reference.rotation import quaternion_of, quaternion_rotation, skew_part
-from mahovik.proof.reference.screw import cross
+from mahovik.proof.reference.pieces import bodies_of
 from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.compare import Rows
 

@@ -25,19 +25,23 @@ from mahovik.core.stand.fields import Mat3, Vec6
 from mahovik.core.stand.model import COMPONENTS, Stand, State
 from mahovik.core.stand.motor import Motor
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array, Values, solve, vector
-from mahovik.proof.reference.assembly import pieces
+from mahovik.proof.reference.algebra import Array, Values, solve, vector
+from mahovik.proof.reference.evaluate import pieces
 from mahovik.proof.reference.inverse import (
     ScaledDemand,
+    TaskRows,
     largest_damping,
     normal_matrix,
     scaled_demand,
+    scaled_task,
     shares_of,
+    task_of,
+    task_rows,
+    torque_demand,
     weighted_solution,
 )
 from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
-from mahovik.proof.reference.tasks import TaskRows, scaled_task, task_of, task_rows, torque_demand
 from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.compare import Rows

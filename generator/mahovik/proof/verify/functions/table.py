@@ -26,7 +26,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.regressor import answer_regressor
+from mahovik.proof.reference.evaluate import answer_regressor
 from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Rows

@@ -23,14 +23,21 @@ from mahovik.core.stand.numbers import StandNumbers, exact
 from mahovik.core.stand.stand_file import document_of, read
 from mahovik.errors import StandError, StateError
 from mahovik.proof import reference
-from mahovik.proof.reference.array import Array, Values, vector
+from mahovik.proof.reference.algebra import (
+    C1,
+    Array,
+    Values,
+    attitude,
+    block_diagonal,
+    quaternion_rotation,
+    twists,
+    vector,
+)
 from mahovik.proof.reference.coordinates import check_attitude, kinematic_matrix, kinematic_matrix_rate, pose_of
+from mahovik.proof.reference.evaluate import identify_step, slopes
 from mahovik.proof.reference.motion import coupled
-from mahovik.proof.reference.regressor import identify_step, slopes
-from mahovik.proof.reference.rotation import C1, attitude, quaternion_rotation
-from mahovik.proof.reference.screw import block_diagonal, twists
 from mahovik.proof.second import Second
-from mahovik.proof.second.evaluate import Derivatives
+from mahovik.proof.second.system import Derivatives
 from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.compare import Rows

@@ -22,7 +22,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
 from mahovik.core.toolchain.library import Library
 from mahovik.errors import StateError, UsageError
-from mahovik.proof.reference.array import Array, Values
+from mahovik.proof.reference.algebra import Array, Values
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.programme.mechanics import largest

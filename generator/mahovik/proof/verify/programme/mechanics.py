@@ -22,13 +22,11 @@ from mahovik.core.stand.model import Stand, rest_state
 from mahovik.errors import StateError
 from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.bodies import bodies_of
+from mahovik.proof.reference.algebra import Array, attitude, cross, rotation_vector, twists, vector
 from mahovik.proof.reference.coordinates import check_attitude, kinematic_matrix, kinematic_matrix_rate
 from mahovik.proof.reference.inverse import demand
 from mahovik.proof.reference.motion import forward, torque
-from mahovik.proof.reference.rotation import attitude, rotation_vector
-from mahovik.proof.reference.screw import cross, twists
+from mahovik.proof.reference.pieces import bodies_of
 
 
 def largest(values: Array) -> float:

@@ -18,10 +18,8 @@ from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import UNLIMITED, available_torque, required_torque
 from mahovik.core.stand.structure import identities, under_name
 from mahovik.errors import StateError, above_zero
-from mahovik.proof.reference.array import Array, vector
-from mahovik.proof.reference.rotation import rotation_vector
-from mahovik.proof.reference.screw import cross
-from mahovik.proof.reference.tasks import task_rows
+from mahovik.proof.reference.algebra import Array, cross, rotation_vector, vector
+from mahovik.proof.reference.inverse import task_rows
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import (
     STEP_ERROR,

@@ -16,9 +16,8 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.bodies import bodies_of
-from mahovik.proof.reference.pieces import spin_inertia
+from mahovik.proof.reference.algebra import Array
+from mahovik.proof.reference.pieces import bodies_of, spin_inertia
 from mahovik.proof.verify.compare import Rows
 from mahovik.proof.verify.held import turns_of
 from mahovik.proof.verify.programme.compiled import Part

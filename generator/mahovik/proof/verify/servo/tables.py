@@ -26,8 +26,7 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError
-from mahovik.proof.reference.array import Array
-from mahovik.proof.reference.screw import twists
+from mahovik.proof.reference.algebra import Array, twists
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import free_acceleration, moment
 from mahovik.proof.verify.servo import law

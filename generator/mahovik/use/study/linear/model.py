@@ -16,8 +16,8 @@ from mahovik.core.stand.masses import pose, transfer
 from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.nearest import suggestion
+from mahovik.proof.reference.algebra import carrier_rotation
 from mahovik.proof.reference.motion import point_transfers
-from mahovik.proof.reference.rotation import carrier_rotation
 from mahovik.use.numeric.frame import Twists, in_fluid
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import (
