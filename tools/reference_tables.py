@@ -20,7 +20,7 @@ from mahovik.core.emit.declaration import purpose_with_number
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.motion.motion_file import MotionTable, SlewTable
-from mahovik.core.motion.programme import ProgrammeTable
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.regime import DrivenTable
 from mahovik.core.program.call import Argument
 from mahovik.core.program.cost import cost, stack_bound
@@ -84,7 +84,7 @@ def entries(*classes: type) -> dict[str, str]:
 Rows = Callable[[], Iterable[tuple[str, ...]]]
 
 
-def key_rows(keys: type[Table], data: type, known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
+def key_rows(keys: type, data: type, known: type[Table] | None = None) -> Iterator[tuple[str, ...]]:
     """A row for each key of a table of the file, as its class declares it; without those that `known` has likewise.
 
     Raises KeyError where a docstring has no entry for a key.
@@ -203,7 +203,7 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["regime"] = partial(key_rows, DrivenTable, DrivenTable)
     rows["motion"] = partial(key_rows, MotionTable, MotionTable)
     rows["slew"] = partial(key_rows, SlewTable, SlewTable)
-    rows["programme"] = partial(key_rows, ProgrammeTable, ProgrammeTable)
+    rows["programme"] = partial(key_rows, Programme, Programme)
     rows["quantity"] = partial(key_rows, QuantityTable, QuantityTable)
     return {f"keys {key}": partial(key_table, make_rows) for key, make_rows in rows.items()}
 

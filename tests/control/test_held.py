@@ -21,7 +21,6 @@ from mahovik.use.control.loop import Case, coordinates, starting_state
 from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
 from mahovik.use.numeric.frame import Frame
-from mahovik.use.plan.certificate import make_programme
 from plan.held_stands import HOLDS, stand, wheel
 
 SERVO = """
@@ -50,7 +49,7 @@ def swinging(stand: Stand) -> tuple[RequiredMotion, Programme]:
     moment = np.array([2.0 * WEIGHT * (-1.0) ** ((n - 1) // 2) * jv(n, SWING) if n % 2 else 0.0 for n in k])
     moment[0] -= INERTIA * SWING * OMEGA**2
     cos = (moment / 0.01 / (OMEGA * k) ** 2)[:, None]
-    programme = make_programme(
+    programme = Programme.of(
         stand, required.name, required.span, np.zeros(1), (0,), Fourier(np.zeros(1), cos, np.zeros_like(cos)), {}
     )
     return required, programme

@@ -117,7 +117,7 @@ def test_encoders_count_and_keep_the_sign() -> None:
 def test_a_finite_programme_is_not_tabulated_again() -> None:
     stand, motion, programme = shaker()
     with pytest.raises(UsageError, match="finite"):
-        type(wanted()).of(stand, motion, replace(programme, periodic=False), 64)
+        type(wanted()).of(stand, motion, replace(programme, period=None, duration=1.0), 64)
 
 
 SHARE = 0.01

@@ -17,7 +17,7 @@ from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Trim, read_servo
-from mahovik.core.stand import identities, loads
+from mahovik.core.stand import loads
 from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.errors import ServoError, UsageError
@@ -42,7 +42,7 @@ def corrected(programme: Programme, term: int, size: float) -> Programme:
     cos, sin = np.zeros((2, 2)), np.zeros((2, 2))
     cos[: len(programme.course.cos)], sin[: len(programme.course.sin)] = programme.course.cos, programme.course.sin
     mean = programme.course.mean + coefficients[0]
-    return replace(programme, course=Fourier(mean, cos + coefficients[1::2], sin + coefficients[2::2]))
+    return programme.with_course(Fourier(mean, cos + coefficients[1::2], sin + coefficients[2::2]))
 
 
 def heave(orbit: Orbit, mechanics: Mechanics, programme: Programme, start: np.ndarray) -> np.ndarray:
@@ -109,11 +109,7 @@ def required(stand: Stand, period: float, **more: object) -> RequiredMotion:
 
 def programme_of(stand: Stand, wanted: RequiredMotion, phi: Fourier, winding: tuple[int, ...]) -> Programme:
     """A programme of these angles, with the identities of the stand."""
-    hashes, names = identities(stand), tuple(wheel.name for wheel in stand.flywheels)
-    bias = np.zeros_like(wanted.mean)
-    return Programme(
-        stand.name, hashes.structure, hashes.physics, "move", names, True, wanted.span, bias, winding, phi,
-    )  # fmt: skip
+    return Programme.of(stand, "move", wanted.span, np.zeros_like(wanted.mean), winding, phi)
 
 
 def trim_of(stand: Stand, keys: str) -> Trim:

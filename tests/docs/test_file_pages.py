@@ -11,7 +11,6 @@ import pytest
 
 from docs.pages import ROOT, blocks, rows
 from mahovik.core.motion.motion_file import (
-    BoundsTable,
     MotionTable,
     SlewEnd,
     SlewStart,
@@ -19,8 +18,8 @@ from mahovik.core.motion.motion_file import (
     read_motion,
     read_motion_or_slew,
 )
-from mahovik.core.motion.programme import ProgrammeTable
-from mahovik.core.motion.required import Objective, Slew
+from mahovik.core.motion.programme import Programme
+from mahovik.core.motion.required import Bounds, Objective, Slew
 from mahovik.core.stand import load
 from mahovik.core.stand.tables import keys_of
 from mahovik.out.campaign.designs import DESIGNS
@@ -59,11 +58,11 @@ def test_a_table_has_the_keys_of_the_reader(page: str, head: str, keys: set[str]
 
 
 def test_keys_of_motions_programmes_and_slews_are_documented() -> None:
-    motion = {*fields(MotionTable, BoundsTable, Objective), "schema"}
+    motion = {*fields(MotionTable, Bounds, Objective), "schema"}
     slew = fields(SlewTable, SlewStart, SlewEnd)
     text = (DOCS / "planning.md").read_text(encoding="utf-8")
     documented = set(re.findall(r"`(\w+)`", text))
-    assert motion | slew | fields(ProgrammeTable) - {"report"} <= documented
+    assert motion | slew | fields(Programme) - {"report"} <= documented
 
 
 def test_units_of_signals_are_those_of_the_code() -> None:

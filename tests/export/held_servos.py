@@ -12,7 +12,7 @@ from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import Servo, read_servo
-from mahovik.core.stand import identities, loads
+from mahovik.core.stand import loads
 from mahovik.core.stand.model import Stand
 from mahovik.out.export.servo import ExportedServo, export_servo
 
@@ -80,14 +80,10 @@ def programme(stand: Stand | None = None) -> Programme:
     k = np.arange(1, HARMONICS + 1)
     cos = -2 * np.fft.rfft(phi_ddot).real[k] / 64 / (k * omega) ** 2
     held = stand or pendulum()
-    hashes = identities(held)
     sin = np.zeros((HARMONICS, 1))
     sin[0] = -(FRICTION if held == hung() else 0.0) * SWAY / (omega * SPIN)
     course = Fourier(np.zeros(1), cos[:, None], sin)
-    return Programme(
-        held.name, hashes.structure, hashes.physics, "sway", ("w",), True, PERIOD, np.zeros(1), (0,), course,
-        coordinates=("pitch",),
-    )  # fmt: skip
+    return Programme.of(held, "sway", PERIOD, np.zeros(1), (0,), course)
 
 
 def servo(text: str = "", stand: Stand | None = None) -> Servo:

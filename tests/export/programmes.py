@@ -19,7 +19,7 @@ from mahovik.core.motion.functions import Fourier, Samples
 from mahovik.core.motion.motion_file import load_motion
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.stand import identities, load
+from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.laws.suspension.law import Suspension
 from mahovik.out.export.programme import ProgrammeExport, export_programme
@@ -41,11 +41,7 @@ def motion() -> RequiredMotion:
 
 
 def _programme(course: Fourier | Samples, name: str = "shaker2_spin") -> Programme:
-    hashes = identities(stand())
-    names = tuple(w.name for w in stand().flywheels)
-    return Programme(
-        stand().name, hashes.structure, hashes.physics, name, names, True, PERIOD, np.zeros(6), (1, -1), course
-    )
+    return Programme.of(stand(), name, PERIOD, np.zeros(6), (1, -1), course)
 
 
 @cache
@@ -74,7 +70,7 @@ def swaying(harmonics: int = 12) -> Programme:
 def sampled() -> Programme:
     """`swaying` by a table of times that are not equally far from one another."""
     t = PERIOD * (np.arange(200) + 0.3 * np.sin(np.arange(200))) / 200
-    return replace(swaying(), course=Samples(t, *swaying().at(t)))
+    return swaying().with_course(Samples(t, *swaying().at(t)))
 
 
 def finite_course(duration: float, end: float = 40.0) -> Samples:
@@ -90,7 +86,7 @@ def finite_course(duration: float, end: float = 40.0) -> Samples:
 @cache
 def finite() -> Programme:
     """A finite programme."""
-    return replace(swaying(), periodic=False, span=0.8, winding=(0, 0), course=finite_course(0.8))
+    return Programme.of(stand(), swaying().motion, 0.8, np.zeros(6), None, finite_course(0.8))
 
 
 @cache

@@ -14,7 +14,6 @@ from mahovik.core.lower.programme_play import Player
 from mahovik.core.motion.functions import Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import load
-from mahovik.core.stand.structure import identities
 from mahovik.errors import CheckError, UsageError
 from mahovik.out.export.programme import ProgrammeExport, export_programme
 from toolchain.quick import quick
@@ -121,16 +120,16 @@ def test_torques_of_run_up_and_run_down_are_those_of_a_free_carrier() -> None:
 
 
 def test_a_programme_of_another_stand_or_motion_is_refused() -> None:
-    other = replace(spin(), physics="00000000")
+    other = replace(spin(), stand=replace(spin().stand, physics="00000000"))
     with pytest.raises(CheckError, match=r"of another stand.*plan again"):
         export_programme(stand(), other)
     with pytest.raises(CheckError, match="of another motion"):
         export_programme(stand(), replace(spin(), motion="shaker2_z"), motion())
     with pytest.raises(CheckError, match=r"period is 0\.04 s, of the motion 0\.05 s"):
-        export_programme(stand(), replace(spin(), span=0.04), motion())
+        export_programme(stand(), replace(spin(), period=0.04), motion())
     with pytest.raises(CheckError, match="does not give the motion"):
         export_programme(stand(), swaying(), motion())
-    beside = replace(spin(), course=Fourier(mean(), np.full((1, 2), 1e-5), np.zeros((1, 2))))
+    beside = spin().with_course(Fourier(mean(), np.full((1, 2), 1e-5), np.zeros((1, 2))))
     with pytest.raises(CheckError, match="does not give the motion"):
         export_programme(stand(), beside, motion())
 
@@ -140,7 +139,7 @@ def test_what_means_nothing_is_refused() -> None:
         with pytest.raises(UsageError, match="expected a number above 0"):
             export_programme(stand(), spin(), limit=limit)
     with pytest.raises(UsageError, match="a finite programme"):
-        export_programme(stand(), replace(spin(), periodic=False), kind="fourier")
+        export_programme(stand(), replace(spin(), period=None, duration=0.05), kind="fourier")
 
 
 SPAN = 10.0
@@ -157,11 +156,7 @@ def even_programme(speed: float, gained: float) -> Programme:
         np.outer(law(x), share) * gained + speed * np.sign(share),
         np.outer(law.deriv()(x) / SPAN, share) * gained,
     ]
-    hashes = identities(stand)
-    return Programme(
-        stand.name, hashes.structure, hashes.physics, "even", tuple(wheel.name for wheel in stand.flywheels), False,
-        SPAN, np.zeros(6), (0, 0, 0, 0), Samples(x * SPAN, *columns),
-    )  # fmt: skip
+    return Programme.of(stand, "even", SPAN, np.zeros(6), None, Samples(x * SPAN, *columns))
 
 
 @pytest.mark.parametrize(("real", "angle"), [("double", 1e-9), ("float", 2e-4)])

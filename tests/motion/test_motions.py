@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from mahovik import stands
 from mahovik.core.motion.functions import Harmonics, PlannedCourse, Samples
 from mahovik.core.motion.motion_file import load_motion, read_motion, read_motion_or_slew
 from mahovik.core.motion.programme import Programme, programme_text, read_programme
-from mahovik.core.motion.required import Slew
+from mahovik.core.motion.required import Deviation, Slew
 from mahovik.core.stand import Stand
 from mahovik.core.stand import load as load_stand
 from mahovik.errors import MotionError, ProgrammeError
@@ -204,7 +205,7 @@ def test_finite_motions_that_do_not_are_refused(shape: Any, words: str) -> None:
 def test_deviation_on_the_way() -> None:
     """It has units; a component that is left out has no bound."""
     motion = read_motion(json.dumps({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "2 mm"}}}), SHAKER)
-    assert motion.bounds.deviation == (2e-3, math.inf)
+    assert motion.bounds.deviation == Deviation(2e-3)
     (line,) = problems({**PLAIN, "runup": 1, "bounds": {"deviation": {"linear": "0.09 mm", "angular": 1}}})
     assert line == "bounds, deviation: linear: 9e-05 m is below the deviation of the motion itself, 0.0001 m"
 
@@ -212,7 +213,7 @@ def test_deviation_on_the_way() -> None:
 def test_start_of_a_finite_motion() -> None:
     start = {"phi": ["90 deg", -1], "phi_dot": -50}
     bounds = read_motion(json.dumps(finite(bounds={"start": start, "speed": 100})), SHAKER).bounds
-    assert (bounds.start_phi, bounds.start_phi_dot) == ((math.pi / 2, -1.0), (-50.0, -50.0))
+    assert (bounds.start.phi, bounds.start.phi_dot) == ((math.pi / 2, -1.0), (-50.0, -50.0))
     (first, _) = problems(finite(bounds={"start": start, "speed": 10}))
     assert first == "bounds, start: phi_dot[0]: -50 rad/s is outside speed_min, speed: 0 to 10"
 
@@ -326,14 +327,12 @@ def test_a_slew_has_a_course_only_with_its_programme() -> None:
     rng = np.random.default_rng(0)
     table_rows = [rng.normal(size=(3, 4)) for _ in range(3)]
     carrier = PlannedCourse(t, *(0.1 * rng.normal(size=(3, 6)) for _ in range(3)))
-    names = tuple(s.name for s in load_stand(stands.path("sat4")).flywheels)
-    programme = Programme(
-        "sat4", "a", "b", "s", names, False, 2.0, np.zeros(6), (0,) * 4, Samples(t, *table_rows), carrier=carrier
-    )
+    made = Programme.of(load_stand(stands.path("sat4")), "s", 2.0, np.zeros(6), None, Samples(t, *table_rows))
+    programme = replace(made, carrier=carrier)
     again = read_programme(programme_text(programme))
     assert again.carrier is not None and programme_text(again) == programme_text(programme)
     motion = read_motion(text, sat4(), "m.json", again)
-    assert motion.span == 2.0 and motion.slew is not None and motion.bounds.start_phi_dot == (0.0,) * 4
+    assert motion.span == 2.0 and motion.slew is not None and motion.bounds.start.phi_dot == (0.0,) * 4
     for course, planned in zip(motion.at(t), (carrier.q, carrier.q_dot, carrier.q_ddot), strict=True):
         assert course == pytest.approx(planned, abs=1e-12)
     broken = json.loads(programme_text(programme))

@@ -79,7 +79,7 @@ def test_a_finite_programme_is_verified_by_the_reference(tmp_path: Path) -> None
     """It is planned from given angles, written, read and verified."""
     stand, motion = move()
     angles = tuple(0.3 * k for k in range(8))
-    motion = replace(motion, bounds=replace(motion.bounds, start_phi=angles))
+    motion = replace(motion, bounds=replace(motion.bounds, start=replace(motion.bounds.start, phi=angles)))
     plan = plan_motion(stand, motion, PlanOptions(verify=False))
     assert plan.status == "OK"
     save_programme(plan.programmes[0], tmp_path / "p.json")

@@ -12,13 +12,13 @@ import pytest
 
 from mahovik.core.motion.functions import Angles, Fourier
 from mahovik.core.motion.motion_file import read_motion
+from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, RequiredMotion
 from mahovik.core.stand import Stand, load
 from mahovik.errors import UsageError
 from mahovik.stands import path
 from mahovik.use.numeric.residual import prescribe, residual, torques
 from mahovik.use.plan import ocp
-from mahovik.use.plan.certificate import make_programme
 from mahovik.use.plan.objective import Cost, Rows
 from mahovik.use.plan.ocp import Mesh, carrier_inputs, node_function, plan_ocp, solve
 from mahovik.use.plan.outcome import PlanOptions
@@ -88,7 +88,7 @@ def test_wheels_share_the_moment_as_they_reach_the_axle() -> None:
     problem = of_held(tilted(), 0.3)
     T, t = problem.motion.span, np.linspace(0.0, problem.motion.span, 201)
     course = Fourier(np.zeros(2), np.array([[1.0, 0.0]]), np.zeros((1, 2)))  # the second wheel does nothing at first
-    start = make_programme(
+    start = Programme.of(
         problem.stand,
         problem.motion.name,
         problem.motion.span,

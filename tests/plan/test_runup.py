@@ -19,7 +19,7 @@ from scipy.integrate import DOP853, solve_ivp
 from mahovik.core.motion.functions import Course, Fourier
 from mahovik.core.motion.motion_file import read_motion
 from mahovik.core.motion.programme import Programme, RunUpTable
-from mahovik.core.motion.required import Bounds, RequiredMotion
+from mahovik.core.motion.required import Bounds, Deviation, RequiredMotion
 from mahovik.core.stand import Stand
 from mahovik.errors import MahovikError
 from mahovik.proof.reference.motion import rates
@@ -38,7 +38,7 @@ from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import drive
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan import runup as runups
-from mahovik.use.plan.certificate import drop_refused_tables, failed_items, make_programme
+from mahovik.use.plan.certificate import drop_refused_tables, failed_items
 from mahovik.use.plan.outcome import Budget, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.runup import shortcomings, with_runup
@@ -60,7 +60,7 @@ def spinning(bounds: Bounds = NONE) -> tuple[Stand, RequiredMotion, Programme]:
     return (
         stand,
         motion,
-        make_programme(stand, motion.name, motion.span, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {}),
+        Programme.of(stand, motion.name, motion.span, np.array([0, 0, -6.463e-11, 0, 0, 0]), (1, -1), course, {}),
     )
 
 
@@ -117,7 +117,7 @@ def test_momentum_that_nothing_takes_up_is_told() -> None:
     stand, motion = example("demo3")
     motion = replace(motion, runup=0.1)
     course = Fourier(np.zeros(3), np.zeros((0, 3)), np.zeros((0, 3)))
-    programme = make_programme(stand, motion.name, motion.span, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
+    programme = Programme.of(stand, motion.name, motion.span, np.zeros(6), (2, -3, 1), course, {"kind": "spin"})
     made = with_runup(stand, motion, programme)
     assert made.runup is None and made.rundown is None
     assert all("cannot absorb the momentum" in line for line in shortcomings(made))
@@ -242,7 +242,7 @@ def shaken(bounds: Bounds, apart: float = 0.0) -> tuple[Stand, RequiredMotion, P
     required = replace(read_motion(json.dumps(document), stand, "m.json"), runup=HELD_LASTS, bounds=bounds)
     mean = cmath.phase(response) + apart / 2 * np.array([1.0, -1.0])
     course = Fourier(mean, np.zeros((0, 2)), np.zeros((0, 2)))
-    programme = make_programme(
+    programme = Programme.of(
         stand, required.name, required.span, np.array([-MASS * 9.81 / STIFFNESS]), (1, 1), course, {}
     )
     return stand, required, programme
@@ -282,7 +282,7 @@ def test_a_shaker_goes_through_its_resonance_by_the_closed_formula(up: bool) -> 
 
 @pytest.mark.slow
 def test_the_verification_takes_the_tables_and_refuses_wrong_ones() -> None:
-    stand, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=(0.2, math.inf)))
+    stand, required, _ = shaken(Bounds(torque=(1e3, 1e3), deviation=Deviation(0.2)))
     checks = ProgrammeCase.of(stand, required, made()).runups()
     assert not any(item.failed for item in checks)
     names = {item.quantity for item in checks}

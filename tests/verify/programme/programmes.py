@@ -16,7 +16,6 @@ from mahovik.core.motion.motion_file import load_motion, read_motion
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.stand.structure import identities
 from mahovik.proof.verify.check import Check
 from mahovik.proof.verify.programme.mechanics import residual_and_torque, scale_of
 from mahovik.proof.verify.programme.verification import verify_programme
@@ -28,19 +27,7 @@ def programme_of(
     stand: Stand, motion: RequiredMotion, course: Fourier | Samples, winding: tuple[int, ...], bias: np.ndarray
 ) -> Programme:
     """A programme with the identities of the stand."""
-    hashes, names = identities(stand), tuple(s.name for s in stand.flywheels)
-    return Programme(
-        stand.name,
-        hashes.structure,
-        hashes.physics,
-        motion.name,
-        names,
-        motion.periodic,
-        motion.span,
-        bias,
-        winding,
-        course,
-    )
+    return Programme.of(stand, motion.name, motion.span, bias, winding if motion.periodic else None, course)
 
 
 def solved(stand: Stand, motion: RequiredMotion, winding: tuple[int, ...], mean: list[float], H: int, M: int) -> Case:

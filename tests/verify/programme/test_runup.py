@@ -12,7 +12,7 @@ import pytest
 from mahovik import stands
 from mahovik.core.motion.functions import Samples
 from mahovik.core.motion.programme import RunUpTable
-from mahovik.core.motion.required import Bounds
+from mahovik.core.motion.required import Bounds, Deviation
 from mahovik.core.stand import Stand, load
 from mahovik.errors import StateError
 from mahovik.laws.suspension.law import Suspension
@@ -114,7 +114,7 @@ def test_nothing_accelerates_there(name: str, free: int) -> None:
 
 def test_a_bound_on_the_deviation() -> None:
     """The twins' carrier is held still and strays by nothing."""
-    findings = checks(runup=twins_run_up(), bounds=Bounds(deviation=(1e-3, np.inf)))
+    findings = checks(runup=twins_run_up(), bounds=Bounds(deviation=Deviation(1e-3)))
     assert not findings["run-up bound deviation"].failed and findings["run-up bound deviation"].value < 1e-6
 
 

@@ -40,11 +40,11 @@ def between_nodes() -> Fourier:
 
 
 CHANGES: dict[str, Callable[[], dict[str, Any]]] = {
-    "a coefficient": lambda: {"course": fourier(cos=1e-5)},
-    "a mean angle": lambda: {"course": fourier(mean=(1e-5, 0.0))},
-    "a time shift": lambda: {"course": fourier(mean=(1e-5, -1e-5))},
-    "a wrong sign": lambda: {"course": Fourier(-fourier().mean, np.zeros((0, 2)), np.zeros((0, 2)))},
-    "between the nodes": lambda: {"course": between_nodes()},
+    "a coefficient": lambda: {"fourier": fourier(cos=1e-5)},
+    "a mean angle": lambda: {"fourier": fourier(mean=(1e-5, 0.0))},
+    "a time shift": lambda: {"fourier": fourier(mean=(1e-5, -1e-5))},
+    "a wrong sign": lambda: {"fourier": Fourier(-fourier().mean, np.zeros((0, 2)), np.zeros((0, 2)))},
+    "between the nodes": lambda: {"fourier": between_nodes()},
     "a winding": lambda: {"winding": (2, -1)},
     "a bias along": lambda: {"bias": shifted(z=1e-6)},
     "a bias about": lambda: {"bias": shifted(phi=1e-4)},
@@ -59,7 +59,7 @@ def test_a_changed_programme_leaves_a_residual(change: str) -> None:
 
 def test_all_items_that_a_change_offends_are_named() -> None:
     _, _, programme = shaker()
-    assert offended(replace(programme, course=fourier(cos=1e-4))) == {"residual", "simulation"}
+    assert offended(replace(programme, fourier=fourier(cos=1e-4))) == {"residual", "simulation"}
     assert offended(replace(programme, winding=(-1, 1))) == {"winding", "residual", "simulation"}
     moved = replace(programme, bias=shifted(z=1e-6))
     for free, offends in ((True, set()), (False, {"bias"})):
@@ -90,13 +90,22 @@ def test_bounds_are_kept_or_named(bounds: Bounds, offends: set[str]) -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"physics": "00000000"}, "programme of another stand: physics is 00000000, of the stand "),
-        ({"structure": "00000000"}, "programme of another stand: structure is 00000000, of the stand "),
-        ({"stand": "bench8"}, "programme of another stand: name is bench8, of the stand "),
+        (
+            {"stand": replace(shaker()[2].stand, physics="00000000")},
+            "programme of another stand: physics is 00000000, of the stand ",
+        ),
+        (
+            {"stand": replace(shaker()[2].stand, structure="00000000")},
+            "programme of another stand: structure is 00000000, of the stand ",
+        ),
+        (
+            {"stand": replace(shaker()[2].stand, name="bench8")},
+            "programme of another stand: name is bench8, of the stand ",
+        ),
         ({"flywheels": ("w1", "w2")}, "flywheels is w1, w2, of the stand left, right"),
         ({"motion": "shaker2_z"}, "shaker2_z"),
-        ({"periodic": False}, "kind is finite, of the motion periodic"),
-        ({"span": 0.051}, "period is 0.051 s, of the motion 0.05 s"),
+        ({"period": None, "duration": 0.05}, "kind is finite, of the motion periodic"),
+        ({"period": 0.051}, "period is 0.051 s, of the motion 0.05 s"),
     ],
 )
 def test_a_programme_of_another_stand_or_motion_says_so(change: dict[str, Any], words: str) -> None:
@@ -112,13 +121,13 @@ def test_a_row_that_its_neighbours_do_not_foretell(column: str, row: int, name: 
     samples = tabled()
     changed = getattr(samples, column).copy()
     changed[row, 1] += {"phi": 0.1, "phi_dot": 10.0, "phi_ddot": 1.0}[column]
-    programme = replace(shaker()[2], course=replace(samples, **{column: changed}))
+    programme = shaker()[2].with_course(replace(samples, **{column: changed}))
     assert name in failed(case(programme).table())
 
 
 def test_a_carrier_that_is_thrown_off_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(verification, "FURTHEST", 2.5)
-    findings = case(replace(shaker()[2], course=fourier(mean=(1.0, 1.0)))).simulation()
+    findings = case(shaker()[2].with_course(fourier(mean=(1.0, 1.0)))).simulation()
     assert findings.failed
     assert "2.5 amplitudes from the required motion at t = 0.0" in findings.words
 

@@ -14,7 +14,7 @@ from mahovik import stands
 from mahovik.core.motion.functions import Fourier, Harmonics
 from mahovik.core.motion.motion_file import motion_of_slew, read_motion
 from mahovik.core.motion.programme import Programme
-from mahovik.core.motion.required import Bounds, Slew
+from mahovik.core.motion.required import Bounds, Slew, Start
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.model import Sequence
 from mahovik.core.stand.random import SEQUENCES
@@ -44,13 +44,13 @@ def test_a_right_programme_passes() -> None:
 
 def test_the_same_as_a_table_passes() -> None:
     stand, motion, programme = shaker()
-    assert failed(verify_programme(stand, motion, replace(programme, course=tabled()))) == set()
+    assert failed(verify_programme(stand, motion, programme.with_course(tabled()))) == set()
 
 
 def test_a_carrier_that_is_held_still() -> None:
     stand, motion, programme = twins()
     assert failed(verify_programme(stand, motion, programme)) == set()
-    one_way = replace(programme, course=Fourier(np.zeros(2), np.array([[0.01, 0.0]]), np.zeros((1, 2))))
+    one_way = programme.with_course(Fourier(np.zeros(2), np.array([[0.01, 0.0]]), np.zeros((1, 2))))
     assert failed(verify_programme(stand, motion, one_way)) == {"residual", "simulation"}
 
 
@@ -61,21 +61,18 @@ def still_from_rest() -> Case:
     samples = {"t": np.linspace(0.0, table.duration, 12).tolist(), "q": [[0.0] * 6] * 12}
     document = {"schema": 1, "name": "hold", "type": "finite", "duration": table.duration, "samples": samples}
     motion = read_motion(json.dumps(document), stand)
-    finite = replace(
-        programme, motion="hold", periodic=False, span=table.duration, winding=(0, 0), course=table.samples
-    )
-    return stand, motion, finite
+    return stand, motion, Programme.of(stand, "hold", table.duration, programme.bias, None, table.samples)
 
 
 @pytest.mark.slow
 def test_a_finite_programme() -> None:
     stand, motion, programme = still_from_rest()
     phi = programme.at(np.zeros(1)).phi[0]
-    wanted = replace(motion, bounds=Bounds(start_phi=tuple(phi), start_phi_dot=(0.0, 0.0)))
+    wanted = replace(motion, bounds=Bounds(start=Start(tuple(phi), (0.0, 0.0))))
     checks = verify_programme(stand, wanted, programme)
     assert failed(checks) == set()
     assert {"start phi", "start phi_dot", "table", "simulation"} <= {check.quantity for check in checks}
-    elsewhere = replace(motion, bounds=Bounds(start_phi=(phi[0] + 0.1, phi[1]), start_phi_dot=(0.0, 0.5)))
+    elsewhere = replace(motion, bounds=Bounds(start=Start((phi[0] + 0.1, phi[1]), (0.0, 0.5))))
     assert failed(ProgrammeCase.of(stand, elsewhere, programme).beginning()) == {
         "start phi",
         "start phi_dot",

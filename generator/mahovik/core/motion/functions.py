@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, NamedTuple
@@ -9,8 +10,9 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.motion.document import numbers_of_flywheels, six_numbers, times
-from mahovik.core.stand.tables import Data, Problems
+from mahovik.core.stand.fields import any_list, echo, list_item, rows, validator, vector
+from mahovik.core.stand.tables import Context, Data, Problems, QuantityValidator
+from mahovik.core.stand.units import PLAIN, TIME, Dimension, QuantityError, number
 
 Array = NDArray[np.float64]
 
@@ -19,6 +21,70 @@ Motion = tuple[Array, Array, Array]
 
 _PRESENT = 1e-9
 """Smallest harmonic of a spline that counts, as a part of the largest."""
+
+
+# -- types of keys: one that depends on the stand finds the number of its flywheels in the context, as `flywheels` -----
+
+
+def per_flywheel(
+    dimension: Dimension, check: Callable[[float, Any], object] = lambda value, raw: None
+) -> QuantityValidator:
+    """A validator of one number for all flywheels, or a list with one for each.
+
+    `check` takes a number in SI and as it stands in the file, and raises QuantityError.
+    """
+
+    def read(raw: Any, context: Context) -> tuple[float, ...]:
+        N = context["flywheels"]
+        if isinstance(raw, list) or (isinstance(raw, dict) and isinstance(raw.get("value"), list)):
+            values = vector(raw, (N,), dimension)
+            for i, value in enumerate(values):
+                try:
+                    check(value, list_item(raw, i))
+                except QuantityError as error:
+                    raise QuantityError(f"[{i}]: {error}") from None
+            return values
+        check(value := number(raw, dimension), raw)
+        return (value,) * int(N)
+
+    return QuantityValidator(read)
+
+
+def bound_per_flywheel(dimension: Dimension, zero: bool = False) -> QuantityValidator:
+    """A validator of a magnitude that is not exceeded, for all flywheels or for each; `zero`: it may be zero."""
+
+    def check(value: float, raw: Any) -> None:
+        if value < 0.0 or (value == 0.0 and not zero):
+            written = echo(raw, value, dimension.si) or f"{value:g}"
+            raise QuantityError(f"{written} is not above 0: a bound is a magnitude")
+
+    return per_flywheel(dimension, check)
+
+
+def numbers_of_flywheels(axes: int) -> QuantityValidator:
+    """A validator of an array (N) of plain numbers, or with two axes (M, N)."""
+
+    def read(raw: Any, context: Context) -> Any:
+        lengths = (context["flywheels"],)
+        if axes == 1:
+            return np.array(vector(raw, lengths, PLAIN), dtype=np.float64)
+        numbers = rows(raw, lambda row: vector(row, lengths, PLAIN))
+        return np.array(numbers, dtype=np.float64).reshape(len(numbers), *lengths)
+
+    return QuantityValidator(read)
+
+
+def six_numbers() -> QuantityValidator:
+    """A validator of an array (M, 6) of plain numbers."""
+    return validator(lambda raw: np.array(rows(raw, lambda row: vector(row, (6,), PLAIN))).reshape(-1, 6))
+
+
+def times() -> QuantityValidator:
+    """A validator of an array (M) of times, s."""
+    return validator(lambda raw: np.array(vector(raw, (len(any_list(raw)),), TIME)))
+
+
+# -- functions ---------------------------------------------------------------------------------------------------------
 
 
 class Course(NamedTuple):

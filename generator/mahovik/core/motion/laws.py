@@ -14,9 +14,8 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
-from mahovik.core.motion.document import FREQUENCY, choice
 from mahovik.core.motion.functions import Array, Motion
-from mahovik.core.stand.fields import scalar, validator
+from mahovik.core.stand.fields import FREQUENCY, choice, scalar, validator
 from mahovik.core.stand.motor import Curve, Motor, Number, drive, friction, on_curve, slip, steepest, steepness, tanh
 from mahovik.core.stand.tables import Alias, Data, Default, TableError
 from mahovik.core.stand.units import ANGLE, SPEED, TIME, TORQUE, QuantityError, number

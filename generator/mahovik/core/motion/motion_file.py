@@ -14,28 +14,26 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 
-from mahovik.core.motion.document import (
-    bound_per_flywheel,
-    choice,
-    document_of,
-    per_flywheel,
-    rows,
-    short_integer,
-    text_of,
+from mahovik.core.motion.functions import (
+    Array,
+    Harmonics,
+    SampledCourse,
+    quintic_spline,
     times,
 )
-from mahovik.core.motion.functions import Array, Harmonics, SampledCourse, quintic_spline
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import (
     Bounds,
-    Each,
+    Deviation,
     FlywheelBounds,
     Goal,
     Kind,
     Objective,
     RequiredMotion,
     Slew,
+    Start,
     Winding,
+    numbers_of_pose,
     sight_of,
 )  # fmt: skip
 from mahovik.core.stand.coordinates import Coordinates, check_tasks, coordinates_of
@@ -43,18 +41,21 @@ from mahovik.core.stand.fields import (
     Length3,
     Text,
     beyond_a_turn,
+    choice,
     direction,
     require_bounds,
+    rows,
     scalar,
+    short_integer,
     validator,
     vector,
     vector3,
 )
-from mahovik.core.stand.files import KINDS, TABLE
+from mahovik.core.stand.files import KINDS, TABLE, document_of, text_of
 from mahovik.core.stand.masses import turn
 from mahovik.core.stand.model import Stand, Task, Vec3
 from mahovik.core.stand.tables import NOTHING, Context, Data, Problems, QuantityValidator, Table
-from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, SPEED, TIME, Dimension, QuantityError, factor, number, show
+from mahovik.core.stand.units import ANGLE, LENGTH, PLAIN, TIME, Dimension, QuantityError, factor, number, show
 from mahovik.errors import MotionError
 from mahovik.nearest import suggestion
 
@@ -72,33 +73,9 @@ NO_SLEW = (
 # -- rows ------------------------------------------------------------------------------------------------------------
 
 
-def _row(raw: Any, context: Context, more: str = "") -> tuple[float, ...]:
-    """A row in SI. Raises QuantityError."""
-    coordinates, units = context["coordinates"], context["units"]
-    if not isinstance(raw, list) or len(raw) != coordinates.count:
-        expected = coordinates.words if coordinates.held else f"6 numbers{more}"
-        raise QuantityError(f"expected {expected}, found {len(raw) if isinstance(raw, list) else show(raw)}")
-    values = []
-    for i, (item, dimension) in enumerate(zip(raw, coordinates.dimensions, strict=True)):
-        try:
-            values.append(number(item, dimension, units.get(dimension)))
-        except QuantityError as error:
-            raise QuantityError(f"[{i}]: {error}") from None
-    return tuple(values)
-
-
 def _poses(raw: Any, context: Context) -> tuple[tuple[float, ...], ...]:
     """Rows in SI. Raises QuantityError."""
-    return rows(raw, lambda row: _row(row, context))
-
-
-def _magnitudes(raw: Any, context: Context) -> tuple[float, ...]:
-    """A row of bounds, each with a unit of its own or in SI. Raises QuantityError."""
-    values = _row(raw, {**context, "units": {}}, " (m, rad)")
-    for i, value in enumerate(values):
-        if value < 0.0:
-            raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
-    return values
+    return rows(raw, lambda row: numbers_of_pose(row, context))
 
 
 def _flags(raw: Any, context: Context) -> tuple[bool, ...]:
@@ -170,7 +147,7 @@ def _path_lists(raw: Any) -> tuple[tuple[str, ...], ...]:
     return tuple(map(tuple, lists))
 
 
-Row = Annotated[tuple[float, ...] | None, QuantityValidator(_row)]
+Row = Annotated[tuple[float, ...] | None, QuantityValidator(numbers_of_pose)]
 Span = Annotated[float | None, validator(_span, TIME, least=1e-6, most=1e6)]
 
 
@@ -195,42 +172,6 @@ class SamplesTable(Table):
 
     t: Annotated[Any, times()]
     q: Annotated[tuple[tuple[float, ...], ...], QuantityValidator(_poses)]
-
-
-@dataclass(frozen=True)
-class StartTable(Data):
-    """`bounds.start` of a finite motion, and the flywheels at the `start` of a slew."""
-
-    phi: Annotated[Each, per_flywheel(ANGLE)] = None
-    phi_dot: Annotated[Each, per_flywheel(SPEED)] = None
-
-
-class DeviationTable(Table):
-    """`bounds.deviation` of the carrier during run-up and run-down."""
-
-    linear: Annotated[float, scalar(LENGTH, above=0.0)] = math.inf
-    angular: Annotated[float, scalar(ANGLE, above=0.0)] = math.inf
-
-
-@dataclass(frozen=True)
-class BoundsTable(FlywheelBounds):
-    """`bounds`."""
-
-    speed_min: Annotated[Each, bound_per_flywheel(SPEED, zero=True)] = None
-    angle: Annotated[Each, bound_per_flywheel(ANGLE)] = None
-    bias: Annotated[Each, QuantityValidator(_magnitudes)] = None
-    deviation: DeviationTable | None = None
-    start: StartTable | None = None
-
-    def bounds(self) -> Bounds:
-        """The bounds as data."""
-        start, deviation = self.start or StartTable(), self.deviation
-        return Bounds(
-            **{key: getattr(self, key) for key in ("speed", "acceleration", "torque", "speed_min", "angle", "bias")},
-            deviation=None if deviation is None else (deviation.linear, deviation.angular),
-            start_phi=start.phi,
-            start_phi_dot=start.phi_dot,
-        )
 
 
 class MotionTable(Table):
@@ -269,7 +210,7 @@ class MotionTable(Table):
     samples: SamplesTable | None = None
     winding: Annotated[Winding, QuantityValidator(_winding)] = "any"
     runup: Annotated[float | None, scalar(TIME, above=0.0)] = None
-    bounds: BoundsTable = BoundsTable()
+    bounds: Bounds = Bounds()
     objective: Objective = Objective()
     free: Annotated[Mapping[str, Any], validator(_intervals)] = NOTHING
     same: Annotated[tuple[tuple[str, ...], ...], validator(_path_lists)] = ()
@@ -351,8 +292,8 @@ def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Pr
         problems.add(f"expected one of harmonics, samples, found {' and '.join(there) or 'none'}")
     if table is None:
         raise MotionError(problems.lines)
-    _compare(table, stand, problems)
-    bounds, periodic = table.bounds.bounds(), table.type == "periodic"
+    _compare(table, "start" in document.get("bounds", {}), stand, problems)
+    bounds, periodic = table.bounds, table.type == "periodic"
     span = table.period if periodic else table.duration
     if span is not None:
         bounds.contradictions(problems, table.winding, span if periodic else None)
@@ -367,14 +308,14 @@ def _read_course(document: dict[str, Any], stand: Stand, name: str, problems: Pr
     return _checked(motion, stand, problems)
 
 
-def _compare(table: MotionTable, stand: Stand, problems: Problems) -> None:
+def _compare(table: MotionTable, has_start: bool, stand: Stand, problems: Problems) -> None:
     """Note keys that contradict each other or the stand."""
-    if table.type == "periodic" and table.bounds.start is not None:
+    if table.type == "periodic" and has_start:
         problems.add("bounds", "start", 'not allowed with type "periodic", which begins where it ends')
     if (deviation := table.bounds.deviation) is not None:
         if table.runup is None:
             problems.add("bounds", "deviation", "needs `runup`: it bounds the carrier on the way there and back")
-        if not deviation.present:
+        if deviation.limits == Deviation().limits:
             problems.add("bounds", "deviation", "expected linear, angular, or both")
     missing = [
         f'"{s.name}"'
@@ -551,7 +492,7 @@ class Attitude(Data):
 
 
 @dataclass(frozen=True)
-class SlewStart(Attitude, StartTable):
+class SlewStart(Attitude, Start):
     """`start`: at rest."""
 
     position: Length3 = (0.0, 0.0, 0.0)
@@ -706,6 +647,6 @@ def motion_of_slew(slew: Slew, programme: Programme) -> RequiredMotion:
     none = (0.0,) * len(slew.phi)
     return RequiredMotion(
         slew.name, False, programme.span, np.zeros(6), programme.carrier, (False,) * 6, "any",
-        Bounds(**vars(slew.bounds), start_phi=slew.phi, start_phi_dot=slew.phi_dot),
+        Bounds(**vars(slew.bounds), start=Start(slew.phi, slew.phi_dot)),
         Objective(none, none, none, none), None, slew,
     )  # fmt: skip

@@ -8,26 +8,29 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
 
 import numpy as np
 
-from mahovik.core.motion.document import any_list, choice, document_of, rows, short_integer, text_of
 from mahovik.core.motion.functions import Angles, Array, Fourier, PlannedCourse, Samples
-from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Text, scalar, validator, vector
-from mahovik.core.stand.files import KINDS, TABLE
+from mahovik.core.stand.coordinates import FREE, coordinates_of
+from mahovik.core.stand.fields import Text, any_list, choice, rows, scalar, short_integer, validator, vector
+from mahovik.core.stand.files import KINDS, TABLE, document_of, text_of
 from mahovik.core.stand.masses import Unbalance, mean_stand
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.tables import NOTHING, Context, Data, Problems, QuantityValidator, Table, keys_of
+from mahovik.core.stand.structure import identities
+from mahovik.core.stand.tables import NOTHING, Context, Data, Default, Problems, QuantityValidator, keys_of
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
 from mahovik.errors import ProgrammeError
 from mahovik.writing import write
 
 _DURATION = scalar(TIME, above=0.0)
+
+NO_SHIFT = 1e-15
+"""m, rad: a smaller shift of the mean counts as none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,40 +45,131 @@ class RunUpTable(Data):
         return self.samples.at(np.asarray(t, dtype=np.float64))
 
 
-@dataclass(frozen=True, eq=False)
-class Programme:
-    """phi_s(t) for the flywheels of a stand that makes its carrier follow a required motion, (12)-(13).
+def _names(raw: Any) -> tuple[str, ...]:
+    if not all(isinstance(name, str) for name in any_list(raw)):
+        raise QuantityError("expected names")
+    if not raw:
+        raise QuantityError("expected at least one name")
+    return tuple(raw)
 
-    stand, structure, physics   the stand's name and identities (stand.identity)
-    motion      name of the required motion
-    flywheels   their names, in the stand's order
-    periodic, span   period (or duration of a finite programme), s
-    bias        6; m, rad: shift of the motion's mean; of a held carrier in its coordinates
-    coordinates names of those of a held carrier; empty: the six of a free one
-    winding     turns per period of each flywheel; zeros of a finite programme
-    course      Fourier (periodic only) or Samples
-    runup, rundown   from rest to t = 0, and back
-    report      figures of the search, as JSON holds them
-    carrier     course of the carrier that was found, of a slew; else None
-    unbalance   resisted: (12) holds for the stand; averaged: for its mean stand
+
+def _turns(raw: Any, context: Context) -> tuple[int, ...]:
+    N = context["flywheels"]
+    if isinstance(raw, list) and len(raw) != N:
+        raise QuantityError(f"expected {N} whole numbers, one per flywheel, found {len(raw)}")
+    return rows(raw, short_integer)
+
+
+def _bias(raw: Any) -> Array:
+    """Any number of numbers."""
+    return np.array(vector(raw, (len(raw) if isinstance(raw, list) else len(FREE),), PLAIN))
+
+
+def _report(raw: Any) -> dict[str, Any]:
+    """Figures of the search without exact decimals."""
+    if not isinstance(raw, dict):
+        raise QuantityError(f"expected an object, found {show(raw)}")
+    return {key: _inexact(value) for key, value in raw.items()}
+
+
+def _inexact(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _inexact(part) for key, part in value.items()}
+    if isinstance(value, list):
+        return [_inexact(part) for part in value]
+    return value if value is None or isinstance(value, bool | int | str) else float(value)
+
+
+@dataclass(frozen=True)
+class ProgrammedStand(Data):
+    """`stand` of a programme: name and identities (`structure.identities`)."""
+
+    name: Text
+    structure: Text
+    physics: Text
+
+
+@dataclass(frozen=True, eq=False)
+class Programme(Data):
+    """phi_s(t) for the flywheels of a stand that makes its carrier follow a required motion, (12)-(13), and its file.
+
+    stand        `name`, `structure`, `physics` of the stand
+    motion       name of the motion
+    flywheels    their names in order
+    period       of a periodic programme
+    duration     of a finite one
+    bias         shift of the mean: six numbers (m, rad), or one for each freedom
+    coordinates  names of the freedoms of a held carrier
+    winding      turns a period of each flywheel
+    fourier      `mean` (a number a flywheel), `cos`, `sin` (a row a harmonic, from the first); rad: `phi_s = 2 pi
+                 winding_s t/T + mean_s + sum_k cos_sk cos(2 pi k t/T) + sin_sk sin(2 pi k t/T)`
+    samples      in place of `fourier`: `t`, and `phi`, `phi_dot`, `phi_ddot`, one row a time, quintic Hermite between;
+                 s, rad
+    runup        `duration` and `samples`; ends at the programme's `t = 0`, up to whole turns
+    rundown      `duration` and `samples`, from there to rest
+    carrier      of a slew: `t`, `q`, `q_dot`, `q_ddot`, the course that was found
+    unbalance    `"averaged"`: (12) holds for the mean stand
+    report       figures of the search, among them peaks with friction; nothing reads them again
     """
 
-    stand: str
-    structure: str
-    physics: str
-    motion: str
-    flywheels: tuple[str, ...]
-    periodic: bool
-    span: float
-    bias: Array
-    winding: tuple[int, ...]
-    course: Fourier | Samples
+    stand: ProgrammedStand
+    motion: Text
+    flywheels: Annotated[tuple[str, ...], validator(_names)]
+    period: Annotated[float | None, _DURATION, Default(None)]
+    duration: Annotated[float | None, _DURATION, Default(None)]
+    bias: Annotated[Array, validator(_bias, shape="numbers")]
+    coordinates: Annotated[tuple[str, ...], validator(_names)] = ()
+    winding: Annotated[tuple[int, ...], QuantityValidator(_turns)] = ()
+    fourier: Fourier | None = None
+    samples: Samples | None = None
     runup: RunUpTable | None = None
     rundown: RunUpTable | None = None
-    report: Mapping[str, Any] = field(default_factory=dict)
     carrier: PlannedCourse | None = None
-    coordinates: tuple[str, ...] = ()
-    unbalance: Unbalance = "resisted"
+    unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "resisted"
+    report: Annotated[Mapping[str, Any], validator(_report), Default(NOTHING)] = field(default_factory=dict)
+
+    @staticmethod
+    def of(
+        stand: Stand, motion: str, span: float, bias: Array, winding: tuple[int, ...] | None, course: Fourier | Samples,
+        report: Mapping[str, Any] = NOTHING,
+    ) -> Programme:  # fmt: skip
+        """The programme of a stand for a motion of this name; `winding`: of a periodic one, None: it is finite."""
+        hashes = identities(stand)
+        return Programme(
+            ProgrammedStand(stand.name, hashes.structure, hashes.physics),
+            motion,
+            tuple(s.name for s in stand.flywheels),
+            None if winding is None else float(span),
+            float(span) if winding is None else None,
+            np.where(np.abs(bias) < NO_SHIFT, 0.0, bias),
+            () if stand.hold is None else coordinates_of(stand).names,
+            winding or (0,) * len(stand.flywheels),
+            report=report,
+        ).with_course(course)
+
+    def with_course(self, course: Fourier | Samples) -> Programme:
+        """The programme with another course."""
+        of = (course, None) if isinstance(course, Fourier) else (None, course)
+        return replace(self, fourier=of[0], samples=of[1])
+
+    @property
+    def periodic(self) -> bool:
+        """Whether it repeats; a finite one ends."""
+        return self.period is not None
+
+    @property
+    def span(self) -> float:
+        """Period, or duration of a finite programme, s."""
+        span = self.duration if self.period is None else self.period
+        assert span is not None
+        return span
+
+    @property
+    def course(self) -> Fourier | Samples:
+        """Of a finite programme always samples."""
+        course = self.fourier or self.samples
+        assert course is not None
+        return course
 
     def planned_for(self, stand: Stand) -> Stand:
         """The stand whose equations the programme keeps: the given one, or its mean stand."""
@@ -107,89 +201,7 @@ class Programme:
         return self.course.over_whole_period(self.span, self._turn)
 
 
-# -- reading ---------------------------------------------------------------------------------------------------------
-
-
-def _names(raw: Any) -> tuple[str, ...]:
-    if not all(isinstance(name, str) for name in any_list(raw)):
-        raise QuantityError("expected names")
-    if not raw:
-        raise QuantityError("expected at least one name")
-    return tuple(raw)
-
-
-def _turns(raw: Any, context: Context) -> tuple[int, ...]:
-    N = context["flywheels"]
-    if isinstance(raw, list) and len(raw) != N:
-        raise QuantityError(f"expected {N} whole numbers, one per flywheel, found {len(raw)}")
-    return rows(raw, short_integer)
-
-
-def _bias(raw: Any) -> tuple[float, ...]:
-    """Any number of numbers."""
-    return vector(raw, (len(raw) if isinstance(raw, list) else len(FREE),), PLAIN)
-
-
-def _report(raw: Any) -> dict[str, Any]:
-    """Figures of the search without exact decimals."""
-    if not isinstance(raw, dict):
-        raise QuantityError(f"expected an object, found {show(raw)}")
-    return {key: _inexact(value) for key, value in raw.items()}
-
-
-def _inexact(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _inexact(part) for key, part in value.items()}
-    if isinstance(value, list):
-        return [_inexact(part) for part in value]
-    return value if value is None or isinstance(value, bool | int | str) else float(value)
-
-
-class IdentityTable(Table):
-    """`stand`: name and identities of the stand."""
-
-    name: Text
-    structure: Text
-    physics: Text
-
-
-class ProgrammeTable(Table):
-    """A programme file.
-
-    stand        `name`, `structure`, `physics` of the stand
-    motion       name of the motion
-    flywheels    their names in order
-    period       of a periodic programme
-    duration     of a finite one
-    bias         shift of the mean: six numbers (m, rad), or one for each freedom
-    coordinates  names of the freedoms of a held carrier
-    winding      turns a period of each flywheel
-    fourier      `mean` (a number a flywheel), `cos`, `sin` (a row a harmonic, from the first); rad: `phi_s = 2 pi
-                 winding_s t/T + mean_s + sum_k cos_sk cos(2 pi k t/T) + sin_sk sin(2 pi k t/T)`
-    samples      in place of `fourier`: `t`, and `phi`, `phi_dot`, `phi_ddot`, one row a time, quintic Hermite between;
-                 s, rad
-    runup        `duration` and `samples`; ends at the programme's `t = 0`, up to whole turns
-    rundown      `duration` and `samples`, from there to rest
-    carrier      of a slew: `t`, `q`, `q_dot`, `q_ddot`, the course that was found
-    unbalance    `"averaged"`: (12) holds for the mean stand
-    report       figures of the search, among them peaks with friction; nothing reads them again
-    """
-
-    stand: IdentityTable
-    motion: Text
-    flywheels: Annotated[tuple[str, ...], validator(_names)]
-    period: Annotated[float | None, _DURATION] = None
-    duration: Annotated[float | None, _DURATION] = None
-    bias: Annotated[tuple[float, ...], validator(_bias)]
-    coordinates: Annotated[tuple[str, ...], validator(_names)] = ()
-    winding: Annotated[tuple[int, ...] | None, QuantityValidator(_turns)] = None
-    fourier: Fourier | None = None
-    samples: Samples | None = None
-    runup: RunUpTable | None = None
-    rundown: RunUpTable | None = None
-    carrier: PlannedCourse | None = None
-    unbalance: Annotated[Unbalance, choice("averaged", "resisted")] = "resisted"
-    report: Annotated[Mapping[str, Any], validator(_report)] = NOTHING
+# -- reading -----------------------------------------------------------------------------------------------------------
 
 
 def load_programme(path: str | Path) -> Programme:
@@ -203,55 +215,41 @@ def read_programme(text: str, source: str = "programme") -> Programme:
     document = document_of(text, source, ProgrammeError, "programme")
     problems, names = Problems(source), document.get("flywheels")
     N = len(names) if isinstance(names, list) else 0
-    table = problems.valid(ProgrammeTable, document, flywheels=N)
+    programme = problems.valid(Programme, document, flywheels=N)
     for pair in (("period", "duration"), ("fourier", "samples")):
         there = [key for key in pair if key in document]
         if len(there) != 1:
             problems.add(f"expected one of {', '.join(pair)}, found {' and '.join(there) or 'none'}")
-    if table is None or problems.lines:
+    if programme is not None and not problems.lines:
+        _check(programme, problems)
+    if programme is None or problems.lines:
         raise ProgrammeError(problems.lines)
-    periodic, span, course = table.period is not None, table.period or table.duration, table.fourier or table.samples
-    assert span is not None and course is not None
-    _check(table, span, periodic, problems)
-    if problems.lines:
-        raise ProgrammeError(problems.lines)
-    kept = ("motion", "flywheels", "runup", "rundown", "report", "carrier", "coordinates", "unbalance")
-    return Programme(
-        stand=table.stand.name,
-        structure=table.stand.structure,
-        physics=table.stand.physics,
-        periodic=periodic,
-        span=span,
-        bias=np.array(table.bias),
-        winding=table.winding or (0,) * N,
-        course=course,
-        **{key: getattr(table, key) for key in kept},
-    )
+    return replace(programme, winding=programme.winding or (0,) * N)
 
 
-def _check(table: ProgrammeTable, span: float, periodic: bool, problems: Problems) -> None:
+def _check(programme: Programme, problems: Problems) -> None:
     """Note keys that do not go together."""
-    count = len(table.coordinates or FREE)
-    if len(table.bias) != count:
-        problems.add("bias", f"expected {count} numbers, found {len(table.bias)}")
-    if periodic and table.winding is None:
+    count, periodic = len(programme.coordinates or FREE), programme.periodic
+    if len(programme.bias) != count:
+        problems.add("bias", f"expected {count} numbers, found {len(programme.bias)}")
+    if periodic and not programme.winding:
         problems.add("winding", "required, but missing")
-    if not periodic and any(table.winding or ()):
+    if not periodic and any(programme.winding):
         problems.add("winding", "not allowed with `duration`: winding is turns per period")
-    if table.samples is not None:
-        table.samples.check(problems, span, periodic, "samples")
-    elif table.fourier is not None and not periodic:
+    if programme.samples is not None:
+        programme.samples.check(problems, programme.span, periodic, "samples")
+    elif not periodic:
         problems.add("fourier", "not allowed with `duration`: a finite programme has `samples`")
-    elif table.fourier is not None and len(table.fourier.cos) != len(table.fourier.sin):
-        sines, cosines = len(table.fourier.sin), len(table.fourier.cos)
+    elif programme.fourier is not None and len(programme.fourier.cos) != len(programme.fourier.sin):
+        sines, cosines = len(programme.fourier.sin), len(programme.fourier.cos)
         problems.add("fourier", "sin", f"{sines} harmonics, but cos has {cosines}")
-    for key, run in (("runup", table.runup), ("rundown", table.rundown)):
+    for key, run in (("runup", programme.runup), ("rundown", programme.rundown)):
         if run is not None:
             run.samples.check(problems, run.duration, False, key, "samples")
-    if table.carrier is not None and periodic:
+    if programme.carrier is not None and periodic:
         problems.add("carrier", "t", "not allowed with `period`")
-    elif table.carrier is not None:
-        table.carrier.check(problems, span, False, "carrier")
+    elif programme.carrier is not None:
+        programme.carrier.check(problems, programme.span, False, "carrier")
 
 
 # -- writing ---------------------------------------------------------------------------------------------------------
@@ -264,24 +262,11 @@ def save_programme(programme: Programme, path: str | Path) -> None:
 
 def programme_text(programme: Programme) -> str:
     """The file's text. Raises ValueError where a number is not finite."""
-    course = programme.course
-    parts = {
-        "schema": 1,
-        "stand": {"name": programme.stand, "structure": programme.structure, "physics": programme.physics},
-        "motion": programme.motion,
-        "flywheels": programme.flywheels,
-        "period" if programme.periodic else "duration": float(programme.span),
-        "bias": programme.bias,
-        "coordinates": programme.coordinates or None,
-        "winding": list(map(int, programme.winding)) if programme.periodic else None,
-        "fourier" if isinstance(course, Fourier) else "samples": course,
-        "runup": programme.runup,
-        "rundown": programme.rundown,
-        "carrier": programme.carrier,
-        "unbalance": None if programme.unbalance == "resisted" else programme.unbalance,
-        "report": programme.report or None,
-    }
-    return _layout({key: _plain(value) for key, value in parts.items() if value is not None}, 0) + "\n"
+    parts = _plain(programme)
+    for key, left_out in (("winding", not programme.periodic), ("unbalance", programme.unbalance == "resisted")):
+        if left_out:
+            del parts[key]
+    return _layout({"schema": 1, **{key: part for key, part in parts.items() if part not in (None, [], {})}}, 0) + "\n"
 
 
 def _plain(value: Any) -> Any:

@@ -14,7 +14,6 @@ from typing import Annotated, Any, cast
 
 import numpy as np
 
-from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.motion.functions import Array, Fourier, Motion
 from mahovik.core.motion.laws import (
     MAX_PHASE,
@@ -36,7 +35,7 @@ from mahovik.core.motion.laws import (
 )  # fmt: skip
 from mahovik.core.motion.programme import Programme, read_programme
 from mahovik.core.stand.fields import Text, scalar, validator
-from mahovik.core.stand.files import KINDS, TEXT, Columns, TableError, kind_of, read_columns
+from mahovik.core.stand.files import KINDS, TEXT, Columns, TableError, document_of, kind_of, read_columns, text_of
 from mahovik.core.stand.model import WRENCH_LETTERS, Stand, Vec6
 from mahovik.core.stand.motor import Curve, Motor, mirrored, read_curve
 from mahovik.core.stand.tables import NOTHING, Problems, Table, keys_of
@@ -174,7 +173,8 @@ def programme_regime(programme: Programme) -> Regime:
     driven, columns = [], vars(course) if isinstance(course, Fourier) else course.columns
     for s, name in enumerate(programme.flywheels):
         alone = replace(course, **{key: column[..., s : s + 1] for key, column in columns.items()})
-        law = Programmed(replace(programme, flywheels=(name,), winding=programme.winding[s : s + 1], course=alone))
+        one = replace(programme, flywheels=(name,), winding=programme.winding[s : s + 1])
+        law = Programmed(one.with_course(alone))
         driven.append(FlywheelRegime(name, law, law.begin))
     return Regime(programme.motion, tuple(driven), {})
 

@@ -10,12 +10,30 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from mahovik.contract.quantities import BOUNDS
-from mahovik.core.motion.document import bound_per_flywheel, per_flywheel
-from mahovik.core.motion.functions import Array, Course, Harmonics, PlannedCourse, SampledCourse
+from mahovik.core.motion.functions import (
+    Array,
+    Course,
+    Harmonics,
+    PlannedCourse,
+    SampledCourse,
+    bound_per_flywheel,
+    per_flywheel,
+)
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of, places_of, row_vector
+from mahovik.core.stand.fields import scalar
 from mahovik.core.stand.model import COMPONENTS, Stand, Task, Vec3
-from mahovik.core.stand.tables import Data, Problems
-from mahovik.core.stand.units import ANGLE, ANGULAR_ACCELERATION, PLAIN, SPEED, TORQUE, QuantityError
+from mahovik.core.stand.tables import Context, Data, Problems, QuantityValidator
+from mahovik.core.stand.units import (
+    ANGLE,
+    ANGULAR_ACCELERATION,
+    LENGTH,
+    PLAIN,
+    SPEED,
+    TORQUE,
+    QuantityError,
+    number,
+    show,
+)
 
 Winding = Literal["any", "spin", "rock"] | tuple[int, ...]
 Kind = Literal["attitude", "sight", "still"]
@@ -43,6 +61,51 @@ class FlywheelBounds(Data):
     torque: Annotated[Each, bound_per_flywheel(TORQUE)] = None
 
 
+def numbers_of_pose(raw: Any, context: Context, more: str = "") -> tuple[float, ...]:
+    """A row, a number for each coordinate of the pose, in SI. Raises QuantityError."""
+    coordinates, units = context["coordinates"], context["units"]
+    if not isinstance(raw, list) or len(raw) != coordinates.count:
+        expected = coordinates.words if coordinates.held else f"6 numbers{more}"
+        raise QuantityError(f"expected {expected}, found {len(raw) if isinstance(raw, list) else show(raw)}")
+    values = []
+    for i, (item, dimension) in enumerate(zip(raw, coordinates.dimensions, strict=True)):
+        try:
+            values.append(number(item, dimension, units.get(dimension)))
+        except QuantityError as error:
+            raise QuantityError(f"[{i}]: {error}") from None
+    return tuple(values)
+
+
+def _magnitudes(raw: Any, context: Context) -> tuple[float, ...]:
+    """A row of bounds, each with a unit of its own or in SI. Raises QuantityError."""
+    values = numbers_of_pose(raw, {**context, "units": {}}, " (m, rad)")
+    for i, value in enumerate(values):
+        if value < 0.0:
+            raise QuantityError(f"[{i}]: {value:g} is negative: a bound is a magnitude")
+    return values
+
+
+@dataclass(frozen=True)
+class Start(Data):
+    """x(t0) of (13) of a finite motion, with sign: rad, rad/s."""
+
+    phi: Annotated[Each, per_flywheel(ANGLE)] = None
+    phi_dot: Annotated[Each, per_flywheel(SPEED)] = None
+
+
+@dataclass(frozen=True)
+class Deviation(Data):
+    """Of the carrier from its mean pose during run-up and run-down: of O1 (m), angle of its turn (rad); inf: any."""
+
+    linear: Annotated[float, scalar(LENGTH, above=0.0)] = math.inf
+    angular: Annotated[float, scalar(ANGLE, above=0.0)] = math.inf
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Both."""
+        return self.linear, self.angular
+
+
 @dataclass(frozen=True)
 class Bounds(FlywheelBounds):
     """Magnitudes that a programme keeps to; None is no bound. E_x, E_u of (13).
@@ -50,17 +113,13 @@ class Bounds(FlywheelBounds):
     speed_min  of phi', rad/s: no flywheel slower
     angle      of phi less its winding and its mean, rad
     bias       of each of the six of `bias`: m, rad
-    deviation  of the carrier from its mean pose during run-up and run-down: O1 (m), angle of its turn (rad);
-               infinite where there is no bound
-    start_phi, start_phi_dot   x(t0) of (13) of a finite motion, with sign: rad, rad/s
     """
 
-    speed_min: Each = None
-    angle: Each = None
-    bias: Each = None
-    deviation: tuple[float, float] | None = None
-    start_phi: Each = None
-    start_phi_dot: Each = None
+    speed_min: Annotated[Each, bound_per_flywheel(SPEED, zero=True)] = None
+    angle: Annotated[Each, bound_per_flywheel(ANGLE)] = None
+    bias: Annotated[Each, QuantityValidator(_magnitudes)] = None
+    deviation: Deviation | None = None
+    start: Start = Start()
 
     def contradictions(self, problems: Problems, winding: Winding, period: float | None) -> None:
         """Note bounds that exclude each other, or the winding; `period` (s) of a periodic motion. A key, a line."""
@@ -71,7 +130,7 @@ class Bounds(FlywheelBounds):
                 problems.add("bounds", key, words)
             said.add(key)
 
-        N = len(self.speed or self.speed_min or self.start_phi_dot or ())
+        N = len(self.speed or self.speed_min or self.start.phi_dot or ())
         turns: tuple[int | None, ...] = (None,) * N
         if period is not None and winding != "any":
             turns = winding if isinstance(winding, tuple) else ((1,) if winding == "spin" else (0,)) * N
@@ -83,7 +142,7 @@ class Bounds(FlywheelBounds):
             if least > most:
                 refuse("speed_min", f"[{s}]: {least:g} rad/s is above speed, {most:g} rad/s")
                 continue
-            if self.start_phi_dot and not least <= abs(speed := self.start_phi_dot[s]) <= most:
+            if self.start.phi_dot and not least <= abs(speed := self.start.phi_dot[s]) <= most:
                 outside = f"{speed:g} rad/s is outside speed_min, speed: {least:g} to {most:g}"
                 problems.add("bounds", "start", f"phi_dot[{s}]: {outside}")
             n = turns[s]
@@ -225,7 +284,10 @@ class RequiredMotion:
                     problems.add(f"{reach}, out of range, at most {limit:g} {unit} in magnitude")
         slides = not coordinates.held or not angular.any()  # elsewhere turning moves O1 as well
         if self.bounds.deviation is not None and slides:
-            least, bound = float(np.linalg.norm((course.q - self.mean)[:, :3], axis=1).max()), self.bounds.deviation[0]
+            least, bound = (
+                float(np.linalg.norm((course.q - self.mean)[:, :3], axis=1).max()),
+                self.bounds.deviation.linear,
+            )
             if bound < least:
                 excess = f"{bound:g} m is below the deviation of the motion itself, {least:g} m"
                 problems.add("bounds", "deviation", f"linear: {excess}")

@@ -10,19 +10,21 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from mahovik.core.motion.document import (
-    angular_speed,
-    choice,
-    document_of,
-    per_flywheel,
-    positions,
-    text_of,
-    whole_number,
-)
+from mahovik.core.motion.functions import per_flywheel
 from mahovik.core.motion.laws import MAX_WRENCH
 from mahovik.core.stand.coordinates import FREE
-from mahovik.core.stand.fields import Flag, Text, require_bounds, scalar, validator
-from mahovik.core.stand.files import KINDS, TEXT
+from mahovik.core.stand.fields import (
+    Flag,
+    Text,
+    angular_speed,
+    choice,
+    positions,
+    require_bounds,
+    scalar,
+    validator,
+    whole_number,
+)
+from mahovik.core.stand.files import KINDS, TEXT, document_of, text_of
 from mahovik.core.stand.hold import freedom_labels, freedom_names, has_coordinates, numbered_freedoms
 from mahovik.core.stand.model import Hold, Stand
 from mahovik.core.stand.motor import UNLIMITED

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal
 from typing import Annotated, Any, TypeVar, cast
 
@@ -24,6 +24,7 @@ from mahovik.core.stand.units import (
     show,
     split_value_unit,
 )
+from mahovik.nearest import suggestion
 
 T = TypeVar("T")
 Vec3 = tuple[float, float, float]
@@ -186,6 +187,9 @@ def _symmetric(
 
 # -- names: they become C identifiers, in a header that C++ may include ----------------------------------------------
 
+FREQUENCY = Dimension("a frequency", "Hz")
+_LONGEST = 10**9
+
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 # C99, then C11 and C23
@@ -326,6 +330,80 @@ def flag(raw: Any) -> bool:
     if not isinstance(raw, bool):
         raise QuantityError(f"expected true or false, found {show(raw)}")
     return raw
+
+
+def choice(*names: str) -> QuantityValidator:
+    """A validator of one of some names."""
+
+    def read(raw: Any) -> str:
+        if text(raw) not in names:
+            raise QuantityError(f"unknown {show(raw)}{suggestion(raw, names)}")
+        return str(raw)
+
+    return validator(read, words=tuple((name, name) for name in names))
+
+
+def short_integer(raw: Any) -> int:
+    """A whole number of at most nine digits. Raises QuantityError."""
+    if abs(integer(raw)) >= _LONGEST:
+        raise QuantityError(f"expected a whole number, found {show(raw)}")
+    return int(raw)
+
+
+def whole_number(least: int, most: int) -> QuantityValidator:
+    """A validator of a whole number within bounds."""
+
+    def read(raw: Any) -> int:
+        value = short_integer(raw)
+        if not least <= value <= most:
+            raise QuantityError(f"{value}: expected {least} to {most}")
+        return value
+
+    return validator(read, least=least, most=most)
+
+
+def angular_speed(raw: Any) -> float:
+    """A frequency (with unit) or an angular speed above 0, in rad/s. Raises QuantityError."""
+    try:
+        value = number(raw, units.SPEED) if isinstance(raw, str | dict) else math.nan
+    except QuantityError:
+        value = math.nan
+    if math.isnan(value):
+        value = 2 * math.pi * number(raw, FREQUENCY)
+        if isinstance(raw, int | Decimal):
+            raise QuantityError('expected a frequency with its unit, such as "40 Hz"')
+    return require_bounds(value, "rad/s", above=0.0, raw=raw)
+
+
+def any_list(raw: Any) -> list[Any]:
+    """A list of anything. Raises QuantityError."""
+    if not isinstance(raw, list):
+        raise QuantityError(f"expected a list, found {show(raw)}")
+    return raw
+
+
+def rows(raw: Any, read: Callable[[Any], T]) -> tuple[T, ...]:
+    """A list of rows, each read by `read`. Raises QuantityError for the first that cannot be read."""
+    values = []
+    for i, row in enumerate(any_list(raw)):
+        try:
+            values.append(read(row))
+        except QuantityError as error:
+            element = str(error)
+            raise QuantityError(f"[{i}]{'' if element.startswith('[') else ': '}{element}") from None
+    return tuple(values)
+
+
+def positions(raw: Any, known: Sequence[str]) -> tuple[int, ...]:
+    """Places in `known` of the names of a list, in the list's order. Raises QuantityError."""
+    places: list[int] = []
+    for name in any_list(raw):
+        if name not in known:
+            raise QuantityError(f"unknown {show(name)}{suggestion(str(name), known)}")
+        if known.index(name) in places:
+            raise QuantityError(f"{show(name)} appears twice")
+        places.append(known.index(name))
+    return tuple(places)
 
 
 def _name(problem_of: Callable[[str], str | None]) -> QuantityValidator:

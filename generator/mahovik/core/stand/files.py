@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import errno
 import io
+import json
 import math
 import re
 import tomllib
@@ -117,6 +118,8 @@ def readable(path: Path, expected: str, most: int = TEXT) -> bytes:
         raise ValueError(f"{show(str(path))}: {error}") from None
 
 
+# -- TOML, with every digit of its numbers -----------------------------------------------------------------------------
+
 _DEEPEST = 50
 """Parts of a dotted key. tomllib's time grows with their square: a line of 100 kB would take an hour."""
 
@@ -195,6 +198,63 @@ def _tables(value: Any) -> list[Mapping[str, Any]]:
     """The tables of an array of them; empty of anything else."""
     return value if isinstance(value, list) and value and all(map(_is_table, value)) else []
 
+
+# -- documents of schema 1 in JSON and TOML: read strictly, every digit kept -------------------------------------------
+
+
+def text_of(path: Path, expected: str, most: int, error: type[FileError]) -> str:
+    """The text of a file of at most `most` bytes. Raises `error` with one line that names the file."""
+    try:
+        return readable_text(path, expected, most)
+    except ValueError as problem:
+        raise error([str(problem)]) from None
+
+
+def parse_json(text: str) -> Any:
+    """The value of a JSON text, floats as Decimal. Raises ValueError; a repeated key is an error."""
+
+    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        table: dict[str, Any] = {}
+        for key, value in pairs:
+            if key in table:
+                raise ValueError(f"key {show(key)} appears twice")
+            table[key] = value
+        return table
+
+    return json.loads(text, parse_float=exact, object_pairs_hook=once)
+
+
+def kind_of_text(text: str, is_json: bool) -> str:
+    """The kind of a file by its text, one of KINDS; empty where it is none."""
+    try:
+        document = parse_json(text) if is_json else parse_toml(text)
+    except (RecursionError, ValueError):
+        return ""
+    return kind_of(document) if isinstance(document, dict) else ""
+
+
+def document_of(text: str, source: str, error: type[FileError], *kinds: str, is_json: bool = True) -> dict[str, Any]:
+    """The keys of a file of schema 1, which is of one of these KINDS. Raises `error` with one line."""
+    try:
+        document = parse_json(text) if is_json else parse_toml(text)
+        if is_json and "\\u" in text:  # half of a pair, such as \ud800, is no character
+            json.dumps(document, ensure_ascii=False, default=str).encode()
+    except (RecursionError, ValueError) as problem:
+        if (kind := kind_of_text(text, not is_json)) and kind not in kinds:
+            raise error([f"{source}: {wrong_kind(kind, *kinds)}"]) from None
+        raise error([f"{source}: not {'JSON' if is_json else 'TOML'}: {problem}"]) from None
+    if not isinstance(document, dict):
+        raise error([f"{source}: expected an object, found {show(document)}"])
+    if (kind := kind_of(document)) and kind not in kinds:
+        raise error([f"{source}: {wrong_kind(kind, *kinds)}"])
+    if "schema" not in document:
+        raise error([f"{source}: schema: required, but missing"])
+    if isinstance(document["schema"], bool) or document["schema"] != 1:
+        raise error([f"{source}: schema: expected 1, found {show(document['schema'])}"])
+    return {key: value for key, value in document.items() if key != "schema"}
+
+
+# -- CSV: the first line names the columns, with units in brackets: `t [ms],torque [mN m]` -----------------------------
 
 WORDS = Dimension("a text", "")
 """Dimension of a column of words, which has no unit."""

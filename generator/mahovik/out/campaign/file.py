@@ -15,9 +15,8 @@ import numpy as np
 
 import mahovik
 from mahovik import stands
-from mahovik.core.motion.document import any_list, choice, document_of, text_of, whole_number
-from mahovik.core.stand.fields import Text, scalar, text, validator
-from mahovik.core.stand.files import TEXT, is_file
+from mahovik.core.stand.fields import Text, any_list, choice, scalar, text, validator, whole_number
+from mahovik.core.stand.files import TEXT, document_of, is_file, text_of
 from mahovik.core.stand.numbers import StandNumbers
 from mahovik.core.stand.stand_file import dumps
 from mahovik.core.stand.tables import Problems, Table, TableError

@@ -13,10 +13,9 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from mahovik.core.motion.document import FREQUENCY
 from mahovik.core.stand import units
 from mahovik.core.stand.coordinates import coordinates_of
-from mahovik.core.stand.fields import Name, Text, scalar, text, validator, vector
+from mahovik.core.stand.fields import FREQUENCY, Name, Text, scalar, text, validator, vector
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.tables import Table
 from mahovik.core.stand.units import Dimension, QuantityError, show

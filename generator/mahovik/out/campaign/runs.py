@@ -12,12 +12,11 @@ from typing import Annotated, Any, Union
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from mahovik.core.motion.document import whole_number
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.regime import programme_regime
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand import units
-from mahovik.core.stand.fields import Text, scalar, validator
+from mahovik.core.stand.fields import Text, scalar, validator, whole_number
 from mahovik.core.stand.files import readable_text
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand as CoreStand

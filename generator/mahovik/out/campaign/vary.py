@@ -12,8 +12,7 @@ import numpy as np
 from scipy import stats
 from scipy.special import ndtr, ndtri
 
-from mahovik.core.motion.document import any_list
-from mahovik.core.stand.fields import require_bounds, text, vector
+from mahovik.core.stand.fields import any_list, require_bounds, text, vector
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import PLAIN, SPEED, Dimension, QuantityError, number, show

@@ -13,9 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.document import document_of, text_of
 from mahovik.core.stand.fields import Text
-from mahovik.core.stand.files import TABLE
+from mahovik.core.stand.files import TABLE, document_of, text_of
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact
 from mahovik.core.stand.tables import NOTHING, Problems, Table, TableError

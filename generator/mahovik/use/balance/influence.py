@@ -31,9 +31,8 @@ from typing import Any, Literal
 import numpy as np
 from scipy.optimize import linprog
 
-from mahovik.core.motion.document import parse, text_of
 from mahovik.core.stand.fields import Flag
-from mahovik.core.stand.files import TEXT
+from mahovik.core.stand.files import TEXT, parse_json, text_of
 from mahovik.core.stand.tables import Problems, Table
 from mahovik.core.stand.units import PLAIN, QuantityError
 from mahovik.errors import BalanceError, CheckError
@@ -127,7 +126,7 @@ def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influen
 
 def _load(path: Path) -> Mapping[str, Any]:
     try:
-        raw = parse(text_of(path, "a file of influences", TEXT, BalanceError))
+        raw = parse_json(text_of(path, "a file of influences", TEXT, BalanceError))
     except (ValueError, RecursionError) as error:
         raise BalanceError([f"{path}: not JSON: {error}"]) from None
     if not isinstance(raw, dict):

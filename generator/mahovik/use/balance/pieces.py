@@ -16,8 +16,7 @@ from typing import Annotated, Any
 import numpy as np
 from scipy.optimize import Bounds, LinearConstraint, milp
 
-from mahovik.core.motion.document import whole_number
-from mahovik.core.stand.fields import Flag, validator
+from mahovik.core.stand.fields import Flag, validator, whole_number
 from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.tables import Problems, Table, TableError
 from mahovik.core.stand.units import PLAIN, Dimension, QuantityError, number, show

@@ -7,7 +7,7 @@ x(0) = (1 - Phi)^-1 p, where p is the end of a period that starts from x(0) = 0.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -139,7 +139,7 @@ def tabulate(programme: Programme, rows: int) -> Programme:
     if not programme.periodic:
         raise UsageError(f"table {rows}: the programme is finite, a table of its own")
     t = programme.span * np.arange(rows) / rows
-    return replace(programme, course=Samples(t, *programme.at(t)))
+    return programme.with_course(Samples(t, *programme.at(t)))
 
 
 ORBIT_NODES = 96

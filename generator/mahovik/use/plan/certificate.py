@@ -8,42 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.core.motion.functions import Angles, Fourier, Samples
+from mahovik.core.motion.functions import Angles
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
-from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.structure import identities
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
 
 TABLES = {"runup": "run-up", "rundown": "run-down"}
 """Optional tables of a programme: key in the file, and name in messages."""
-
-ROUNDING = 1e-15
-"""m, rad: a smaller shift of the mean counts as none."""
-
-
-def make_programme(
-    stand: Stand, motion: str, span: float, bias: Array, winding: tuple[int, ...] | None, course: Fourier | Samples,
-    report: Mapping[str, Any],
-) -> Programme:  # fmt: skip
-    """The programme of a stand for a motion of this name; `winding`: of a periodic one, None: it is finite."""
-    hashes = identities(stand)
-    return Programme(
-        stand=stand.name,
-        structure=hashes.structure,
-        physics=hashes.physics,
-        motion=motion,
-        flywheels=tuple(s.name for s in stand.flywheels),
-        periodic=winding is not None,
-        span=span,
-        bias=np.where(np.abs(bias) < ROUNDING, 0.0, bias),
-        coordinates=() if stand.hold is None else coordinates_of(stand).names,
-        winding=winding or (0,) * len(stand.flywheels),
-        course=course,
-        report=report,
-    )
 
 
 def certify(stand: Stand, motion: RequiredMotion, programme: Programme) -> Programme:

@@ -62,7 +62,7 @@ class Collocator:
     @cached_property
     def start_speed(self) -> Array:
         """Speeds at the beginning (N, rad/s)."""
-        return np.array(self.problem.motion.bounds.start_phi_dot or (0.0,) * self.problem.N)
+        return np.array(self.problem.motion.bounds.start.phi_dot or (0.0,) * self.problem.N)
 
     def polish(self, start: FlywheelMotion | Samples, kind: Kind, budget: Budget) -> Candidate | None:
         """What a motion in the modes of the lowest degree, or a table, leads to by collocation, degree by degree.

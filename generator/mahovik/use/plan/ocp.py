@@ -204,7 +204,7 @@ def solve(problem: Problem, start: Programme, mesh: Mesh, seconds: float | None 
     if not motion.periodic:
         first = start.at(np.zeros(1))
         lower[N : 2 * N] = upper[N : 2 * N] = first.phi_dot[0] / Omega
-        if motion.bounds.start_phi is not None:
+        if motion.bounds.start.phi is not None:
             lower[:N] = upper[:N] = first.phi[0]
     begin, within = start.at(mesh.times * motion.span), start.at(mesh.nodes * motion.span)
     x0 = [np.vstack([begin.phi.T, begin.phi_dot.T / Omega]).ravel("F"), (within.phi_ddot / Omega**2).ravel()]

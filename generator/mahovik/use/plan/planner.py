@@ -21,7 +21,6 @@ from mahovik.use.plan.certificate import (
     certify,
     drop_refused_tables,
     failed_items,
-    make_programme,
     motor_warnings,
     peaks,
     regularity,
@@ -156,7 +155,7 @@ def _programme(problem: Problem, motion: RequiredMotion, chosen: Candidate, effo
         winding, report["harmonics"] = tuple(int(n) for n in periodic.winding), periodic.H
     else:
         course, report["degree"] = table_of(problem, chosen.motion, chosen.space), chosen.space.degree
-    return make_programme(problem.stand, motion.name, motion.span, chosen.motion.bias, winding, course, report)
+    return Programme.of(problem.stand, motion.name, motion.span, chosen.motion.bias, winding, course, report)
 
 
 def figures(problem: Problem, motion: FlywheelMotion, space: SplineSpace | None = None) -> dict[str, Any]:

@@ -177,7 +177,7 @@ class Problem:
             breaks = course.t if isinstance(course, SampledCourse) else np.linspace(0.0, self.motion.span, 13)
             rows = np.arange(len(breaks))
             breaks = np.interp(np.arange(parts * rows[-1] + 1) / parts, rows, breaks) if parts > 1 else breaks
-            pinned = self.motion.bounds.start_phi is not None
+            pinned = self.motion.bounds.start.phi is not None
             self._spaces[degree, parts] = SplineSpace(self.motion.span, breaks, degree, pinned)
         return self._spaces[degree, parts]
 

@@ -243,7 +243,8 @@ class Flight:
 
     def shares(self, bounds: Bounds) -> dict[str, Array]:
         """Values over bound (M, 2 or N) at the nodes, by name, for each bound given."""
-        limits = {name: getattr(bounds, name) for name in ("deviation", "speed", "acceleration", "torque")}
+        limits = {name: getattr(bounds, name) for name in ("speed", "acceleration", "torque")}
+        limits = {"deviation": bounds.deviation and bounds.deviation.limits, **limits}
         bounded = {name: limit for name, limit in limits.items() if limit is not None}
         return {name: np.abs(self.values[name]) / np.array(limit) for name, limit in bounded.items()}
 

@@ -201,8 +201,8 @@ def _finite_starts(collocator: Collocator, rng: np.random.Generator, budget: Bud
     problem, N = collocator.problem, collocator.problem.N
     waves = np.zeros((FINITE_DRAWN, N, _SCORED))
     waves[:, :, 0] = rng.uniform(-np.pi, np.pi, (FINITE_DRAWN, N))
-    if problem.motion.bounds.start_phi is not None:
-        waves[:, :, 0] = problem.motion.bounds.start_phi
+    if problem.motion.bounds.start.phi is not None:
+        waves[:, :, 0] = problem.motion.bounds.start.phi
         waves[1:, :, 1:] = _VARIATION * rng.normal(size=waves[1:, :, 1:].shape)
     turns = collocator.start_speed * problem.motion.span / (2.0 * np.pi)
     batch = StartBatch(problem, np.tile(turns, (FINITE_DRAWN, 1)), waves, collocator.bias)
@@ -215,7 +215,7 @@ def _finite_starts(collocator: Collocator, rng: np.random.Generator, budget: Bud
 
 def _followed_starts(collocator: Collocator, rng: np.random.Generator, budget: Budget) -> Starts:
     """Motions that follow (12) from angles at random, or from those of the file."""
-    angles, N = collocator.problem.motion.bounds.start_phi, collocator.problem.N
+    angles, N = collocator.problem.motion.bounds.start.phi, collocator.problem.N
     phi = rng.uniform(-np.pi, np.pi, (FOLLOWED, N)) if angles is None else np.array([angles])
     return Starts(len(phi), np.inf, islice(collocator.follow(phi, budget), REFINED))
 

@@ -34,7 +34,7 @@ from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Norm, prescribe, prescribed_at, residual, torques
 from mahovik.use.numeric.se3 import EULER, Array
-from mahovik.use.plan.certificate import certify, failed_items, make_programme, peaks
+from mahovik.use.plan.certificate import certify, failed_items, peaks
 from mahovik.use.plan.outcome import Plan, Status
 from mahovik.use.plan.slew_path import (
     Law,
@@ -491,7 +491,7 @@ def _programme(stand: Stand, slew: Slew, planned: Table, sharp: Sharp | None) ->
         "through_zero": _through_zero(limits.names, angles.phi_dot),
         "strayed": float(np.linalg.norm(motion.course.q[:, :3] - np.array(slew.position), axis=1).max()),
     }
-    made = make_programme(
+    made = Programme.of(
         stand, slew.name, float(motion.t[-1]), np.zeros(6), None, Samples(motion.t, *angles), report
     )  # fmt: skip
     return replace(made, carrier=PlannedCourse(motion.t, *motion.course), unbalance="averaged")

@@ -90,12 +90,13 @@ def stand_check(stand: Stand, programme: Programme) -> Check:
 
     A stand under another name, as `generate --prefix` gives it one, is the same.
     """
-    stand = under_name(stand, programme.stand, programme.physics) or stand
+    of = programme.stand
+    stand = under_name(stand, of.name, of.physics) or stand
     now = identities(stand)
     pairs = {
-        "name": (programme.stand, stand.name),
-        "structure": (programme.structure, now.structure),
-        "physics": (programme.physics, now.physics),
+        "name": (of.name, stand.name),
+        "structure": (of.structure, now.structure),
+        "physics": (of.physics, now.physics),
         "flywheels": (", ".join(programme.flywheels), ", ".join(s.name for s in stand.flywheels)),
         "coordinates": (", ".join(programme.coordinates or FREE), ", ".join(coordinates_of(stand).names)),
     }
@@ -389,17 +390,17 @@ class ProgrammeCase:
         items = [Check.of(f"{name} end", np.max(shares), self.limit.runup, words)]
         items += bound_checks(bounds, self.programme.flywheels, angles, tau, prefix=f"{name} ")
         if bounds.deviation is not None:
-            names, most = ("O1, m", "E1, rad"), np.array(bounds.deviation)
+            names, most = ("O1, m", "E1, rad"), np.array(bounds.deviation.limits)
             items.append(bound_check(f"{name} bound deviation", strayed[None], most, names, "from the mean pose"))
         return items
 
     def beginning(self) -> list[Check]:
         """Distance from `start` of a finite motion: rad, and share of the peak speed."""
         angles, bounds, items = self.programme.at(np.linspace(0.0, self.programme.span, 999)), self.motion.bounds, []
-        if bounds.start_phi is not None:
-            items.append(Check.of("start phi", largest(angles.phi[0] - np.array(bounds.start_phi)), JOINT, "rad"))
-        if bounds.start_phi_dot is not None:
-            speeds = np.array(bounds.start_phi_dot)
+        if bounds.start.phi is not None:
+            items.append(Check.of("start phi", largest(angles.phi[0] - np.array(bounds.start.phi)), JOINT, "rad"))
+        if bounds.start.phi_dot is not None:
+            speeds = np.array(bounds.start.phi_dot)
             share = largest(angles.phi_dot[0] - speeds) / max(largest(angles.phi_dot), largest(speeds), 1e-12)
             items.append(Check.of("start phi_dot", share, JOINT, "share of the peak speed"))
         return items
