@@ -18,6 +18,9 @@ from mahovik.out.result import STYLES, Result
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
+LONG = 30
+"""Letters of a cell that may break into lines."""
+
 
 @dataclass(frozen=True)
 class Part:
@@ -42,11 +45,9 @@ class Part:
 
     @property
     def markup(self) -> Markup:
-        """All of it but the title; the table at the left of the pictures where there is room for both."""
+        """All of it but the title."""
         rows = Markup("").join(map(table, self.tables))
         drawn = picture(self.panels) if self.panels else Markup("")
-        if rows and drawn:
-            rows, drawn = Markup('<div class="beside">{}').format(rows), drawn + Markup("</div>")
         notes = Markup("").join(map(Markup("<li>{}</li>").format, self.notes))
         words = paragraph(self.words) if self.words else Markup("")
         return words + Markup(self.html) + rows + drawn + (Markup("<ul>{}</ul>").format(notes) if notes else "")
@@ -110,7 +111,9 @@ def table(result: Result) -> Markup:
 
 def table_of(heads: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[bool], caption: str) -> Markup:
     """A table that scrolls where it is too wide; `numbers`: the columns that stand at the right."""
-    sides = [Markup(' class="number"') if number else "" for number in numbers]
+    longest = [max(map(len, column), default=0) for column in zip(*rows, strict=True)] or [0] * len(heads)
+    kinds = ["number" if number else "words" if n > LONG else "" for number, n in zip(numbers, longest, strict=True)]
+    sides = [Markup(' class="{}"').format(kind) if kind else "" for kind in kinds]
 
     def line(kind: str, cells: Sequence[str]) -> Markup:
         inside = Markup("").join(

@@ -69,7 +69,7 @@ class Rest:
         if self.unstable:
             result.append("warning: unstable, the stand would leave this pose")
         elif any(self.frequencies):
-            frequencies = "  ".join(f"{f:.5g}" for f in self.frequencies)
+            frequencies = ", ".join(f"{f:.5g}" for f in self.frequencies)
             result.append(f"natural frequencies, flywheels locked, Hz: {frequencies}")
         return result
 
@@ -77,7 +77,7 @@ class Rest:
 def twist_words(twist: Sequence[float], digits: int) -> str:
     """The parts of a small twist that are not zero to some decimals, by name."""
     parts = ((name, round(x, digits)) for name, x in zip(TWIST, twist, strict=True))
-    return "  ".join(f"{name} {x:.6g}" for name, x in parts if x)
+    return ", ".join(f"{name} {x:.6g}" for name, x in parts if x)
 
 
 def sag(stand: Stand, state: State) -> Array | None:

@@ -127,7 +127,7 @@ def _still(A: Array, places: list[int]) -> list[Array]:
 def shape_words(modes: Modes, shape: Complex) -> str:
     """Displacements of a shape, largest first, with their phases unless these are signs."""
     largest_first = sorted(zip(modes.coordinates, shape.tolist(), strict=True), key=lambda pair: -abs(pair[1]))
-    return "  ".join(f"{channel.name} {_number(x)}" for channel, x in largest_first if abs(x) > SMALL)
+    return ", ".join(f"{channel.name} {_number(x)}" for channel, x in largest_first if abs(x) > SMALL)
 
 
 def _number(x: complex) -> str:
