@@ -15,7 +15,7 @@ from mahovik.core.stand.stand_file import loads
 from mahovik.out.api.stands import Stand
 from mahovik.proof import reference
 from mahovik.proof.reference.coordinates import pose_of
-from mahovik.proof.verify.held import quaternion_of
+from mahovik.proof.verify.draw import quaternion_of
 from toolchain.quick import quick
 from verify.holds import PENDULUM
 

@@ -18,8 +18,8 @@ from mahovik.core.stand.random import random_state
 from mahovik.core.stand.stand_file import loads
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.coordinates import coordinates_at
+from mahovik.proof.verify.draw import onto_hold
 from mahovik.proof.verify.fmu import FmuBackend, read_map
-from mahovik.proof.verify.held import onto_hold
 from toolchain.quick import quick
 from verify.holds import PENDULUM
 

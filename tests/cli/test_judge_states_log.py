@@ -21,7 +21,7 @@ from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.reference.coordinates import coordinates_at
 from mahovik.proof.reference.motion import bias
-from mahovik.proof.verify.held import onto_hold, quaternion_of
+from mahovik.proof.verify.draw import onto_hold, quaternion_of
 from verify.holds import PENDULUM
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "held"

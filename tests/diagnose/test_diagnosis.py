@@ -16,8 +16,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.proof.diagnose.answers import Precision, Reference
+from mahovik.proof.diagnose.causes import READINGS, Reading, readings_of
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, as_object, sentences
-from mahovik.proof.diagnose.readings import READINGS, Reading, readings_of
 from mahovik.proof.reference.algebra import twists
 from mahovik.proof.second import Second
 from mahovik.proof.verify.states import Request

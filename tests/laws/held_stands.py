@@ -103,7 +103,7 @@ def agree(stand: Stand, seeds: Sequence[int]) -> None:
 
 def enclosed(stand: Stand, state: State) -> None:
     """F of (7) in balls is that of the literal reference."""
-    from mahovik.proof import rigorous
+    from mahovik.proof.verify import rigorous
     from rigorous.balls import middles
 
     F = rigorous.evaluate(rigorous.exact_at(stand, state), "matrices")["F"]

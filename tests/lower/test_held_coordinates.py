@@ -22,7 +22,7 @@ from mahovik.proof.reference.algebra import quaternion_rotation
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
-from mahovik.proof.verify.case import Case
+from mahovik.proof.verify.compare import Case
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import judge

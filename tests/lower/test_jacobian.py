@@ -22,9 +22,8 @@ from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows, ordinary
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.value import judge_jacobian
 from mahovik.proof.verify.scales import Scales

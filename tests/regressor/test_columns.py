@@ -21,8 +21,8 @@ from mahovik.proof.reference.evaluate import answer_regressor, pieces, required_
 from mahovik.proof.reference.pieces import bodies_of, mass_matrix, spatial_inertia
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Case, ordinary
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.scales import Scales

@@ -9,7 +9,8 @@ from flint import arb
 from numpy.typing import NDArray
 
 from mahovik.core.stand import Stand, State
-from mahovik.proof import reference, rigorous
+from mahovik.proof import reference
+from mahovik.proof.verify import rigorous
 
 
 def flat(balls: Any) -> list[arb]:

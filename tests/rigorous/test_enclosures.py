@@ -19,7 +19,7 @@ from mahovik.core.stand.random import EVERYTHING, random_stand, random_state
 from mahovik.core.stand.stand_file import loads
 from mahovik.errors import StateError
 from mahovik.laws.leg.law import Legs, legs_of
-from mahovik.proof import reference, rigorous
+from mahovik.proof import reference
 from mahovik.proof.reference.algebra import (
     C1,
     C3,
@@ -31,9 +31,10 @@ from mahovik.proof.reference.algebra import (
     smaller,
     with_sign,
 )
-from mahovik.proof.rigorous import BITS, MOST_BITS, Ball, enclose, with_balls
+from mahovik.proof.verify import rigorous
 from mahovik.proof.verify.check import difference
 from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.rigorous import BITS, MOST_BITS, Ball, enclose, with_balls
 from mahovik.proof.verify.scales import scales_of
 from mahovik.stands import names, path
 from rigorous.balls import flat, middles

@@ -16,8 +16,8 @@ from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Case, ordinary
 from mahovik.proof.verify.draw import draw, draw_decided
 from mahovik.proof.verify.functions.table import JUDGES, FunctionJudge, checks_of, function_checks
 from mahovik.proof.verify.harness import judge

@@ -20,7 +20,7 @@ from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Flywheel, Hold
 from mahovik.proof.second import Second
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.case import Case, ordinary
+from mahovik.proof.verify.compare import Case, ordinary
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.table import JUDGES, checks_of
 from mahovik.proof.verify.harness import judge

@@ -16,7 +16,7 @@ from mahovik.core.stand import Stand, State, load, loads
 from mahovik.errors import StateError
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Report, difference
-from mahovik.proof.verify.rounding import measure_rounding
+from mahovik.proof.verify.rigorous import measure_rounding
 from mahovik.stands import names, path
 from verify.holds import PENDULUM
 

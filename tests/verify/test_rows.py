@@ -19,9 +19,8 @@ from mahovik.proof import reference
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows, ordinary
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.optimality import least_pivot
 from mahovik.proof.verify.functions.table import checks_of

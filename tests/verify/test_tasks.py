@@ -22,8 +22,8 @@ from mahovik.proof.reference.inverse import TaskRows, task_rows
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import Check
+from mahovik.proof.verify.compare import Case, ordinary
 from mahovik.proof.verify.draw import draw
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call

@@ -13,7 +13,7 @@ from mahovik.contract.limits import LIMITS
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
 from mahovik.proof.verify.check import conclusion, worst_lines
-from mahovik.proof.verify.rounding import measure_rounding
+from mahovik.proof.verify.rigorous import measure_rounding
 from mahovik.stands import names, path
 
 OPTIONS = {"stands": 50, "states": 60, "rounded": 12, "jobs": cores()}

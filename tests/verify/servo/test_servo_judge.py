@@ -19,7 +19,7 @@ from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.check import Report
 from mahovik.proof.verify.functions.table import verify_servo
-from mahovik.proof.verify.servo.tables import MATRIX, least_cost_matrix, responses, trim_matrix
+from mahovik.proof.verify.servo.judges import MATRIX, least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick

@@ -15,7 +15,7 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api.inputs import PLACE, TWIST, Given, batch_size, by_component, is_count, numbers, read
 from mahovik.out.result import Axis, Column, Result
-from mahovik.proof.verify.held import ALLOWED, blocked_twist, freedoms, home_attitude, worst
+from mahovik.proof.verify.draw import ALLOWED, blocked_twist, freedoms, home_attitude, worst
 from mahovik.proof.verify.states import ROUNDING
 
 Array = NDArray[Any]

@@ -19,7 +19,7 @@ from mahovik.out.result import Result
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
     from mahovik.proof.diagnose.answers import Answers
-    from mahovik.proof.diagnose.explain import Judged
+    from mahovik.proof.diagnose.diagnosis import Judged
     from mahovik.proof.verify.foreign import Program
     from mahovik.proof.verify.states import Request
 
@@ -119,7 +119,7 @@ def _judge_program(
     stand: CoreStand, program: Program, wants: tuple[str, ...], seed: int, count: int, timeout: float, tolerance: float
 ) -> Judged:
     """The verdict on a program."""
-    from mahovik.proof.diagnose.explain import Judged
+    from mahovik.proof.diagnose.diagnosis import Judged
     from mahovik.proof.verify.foreign import answers_of_program, verify_program
 
     def answers(requests: Sequence[Request]) -> Answers:
@@ -152,7 +152,7 @@ def _takes_actuators(stand: CoreStand, program: Program, timeout: float) -> bool
 
 def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: float) -> Judged:
     """The verdict on a log."""
-    from mahovik.proof.diagnose.explain import Judged
+    from mahovik.proof.diagnose.diagnosis import Judged
     from mahovik.proof.verify.foreign import verify_log
     from mahovik.proof.verify.states import Request
     from mahovik.use.measured.state_log import read_state_log
@@ -179,8 +179,7 @@ def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progr
     report = judged.report
     if explain and not report.error:
         from mahovik.out.api.stands import Stand
-        from mahovik.proof.diagnose.diagnosis import as_object, sentences
-        from mahovik.proof.diagnose.explain import diagnose_fault
+        from mahovik.proof.diagnose.diagnosis import as_object, diagnose_fault, sentences
 
         notify(progress, Progress("distinguish faults"))
         try:

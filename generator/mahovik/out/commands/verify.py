@@ -182,7 +182,7 @@ def _c(
         return verify_targets(machine, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
     if ways["rigorous"]:
         library("flint", "rigorous")
-        from mahovik.proof.verify.rounding import measure_rounding
+        from mahovik.proof.verify.rigorous import measure_rounding
 
         chosen = real or there.real
         return measure_rounding(machine, seed=seed, count=states, real=chosen, against=folder, progress=on_state)

@@ -19,9 +19,8 @@ from mahovik.proof import reference
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import Array, Values
 from mahovik.proof.reference.evaluate import held_state
-from mahovik.proof.verify.draw import with_drawn_actuators
+from mahovik.proof.verify.draw import with_angles, with_drawn_actuators, with_quaternion
 from mahovik.proof.verify.foreign import Program
-from mahovik.proof.verify.held import with_angles, with_quaternion
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request, stand_at
 

@@ -22,7 +22,7 @@ from mahovik.core.stand.declare import Declared, Spread
 from mahovik.core.stand.hold import FREEDOMS, freedom_labels, freedom_names, wrenches
 from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import TWIST_LETTERS, WRENCH_LETTERS, Flywheel, Stand, State
-from mahovik.proof.diagnose.numbers import pairs_explain
+from mahovik.proof.diagnose.causes import pairs_explain
 from mahovik.proof.reference import Pieces
 from mahovik.proof.reference.algebra import C1, Array, Phi, Pose, T, block_diagonal, f, force_at, spin, twists, vector
 from mahovik.proof.reference.evaluate import body_wrenches
@@ -150,7 +150,7 @@ def _products(table: Mapping[str, Array], rates: Mapping[str, Array] | None = No
     return Products(tuple(table), np.column_stack(list(table.values())), accelerate)
 
 
-def count(stand: Stand) -> int:
+def count_products(stand: Stand) -> int:
     """How many products there are for a stand."""
     k, N = len(frame_of(stand).letters), len(stand.flywheels)
     waves, down = 1 + 4 * N, 3 if any(stand.gravity) else 0

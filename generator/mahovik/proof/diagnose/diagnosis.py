@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -13,6 +13,7 @@ from mahovik.contract.limits import DOUBLE
 from mahovik.core.stand.model import Stand, State
 from mahovik.core.stand.numbers import exact
 from mahovik.core.stand.stand_file import document_of
+from mahovik.errors import CheckError
 from mahovik.proof.diagnose.answers import (
     FIRST,
     Answers,
@@ -22,11 +23,13 @@ from mahovik.proof.diagnose.answers import (
     Reference,
     numbers_at,
     separating_states,
+    spread_rows,
 )
-from mahovik.proof.diagnose.numbers import NumberSearch, SolvedNumbers
-from mahovik.proof.diagnose.readings import FACTORS, Reading, answered_by_factor, readings_of
-from mahovik.proof.diagnose.search import TermSearchResult, WrongTerm
+from mahovik.proof.diagnose.causes import FACTORS, NumberSearch, Reading, SolvedNumbers, answered_by_factor, readings_of
+from mahovik.proof.diagnose.columns import count_products
+from mahovik.proof.diagnose.search import WANTS, TermSearch, TermSearchResult, WrongTerm
 from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
+from mahovik.proof.verify.check import Report
 from mahovik.proof.verify.foreign import Program
 from mahovik.proof.verify.harness import applicable
 from mahovik.proof.verify.states import Request
@@ -439,3 +442,75 @@ def _term_words(term: WrongTerm) -> str:
         return f"{name} is missing, expected with the factor {expected:.6g}{path}"
     sign = "wrong sign: factor" if abs(factor + expected) <= 1e-6 * abs(expected) else "factor"
     return f"{name} has the {sign} {factor:.6g}, expected {expected:.6g}{path}"
+
+
+# -- of what a report has judged ---------------------------------------------------------------------------------------
+
+ROWS_OF_FAULTS = 14
+"""Rows of a log at which its error is compared with that of each fault."""
+
+ROWS_OF_TERMS = 3
+"""Rows of a log for each product whose factor is looked for, at most."""
+
+States = Sequence[tuple[str, State]]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A verdict, and what can be asked to find its fault.
+
+    answers    of requests
+    tolerance  accepted difference, relative to the natural scale
+    states     the only ones with answers, those of a log; None: any
+    program    that answers; None of a log
+    """
+
+    report: Report
+    answers: Callable[[Sequence[Request]], Answers]
+    tolerance: float
+    states: States | None = None
+    program: Program | None = None
+
+
+def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, seed: int) -> Diagnosis:
+    """Diagnosis of what differs, for the wants that it offers; `document`: keys of the stand's file.
+
+    Raises CheckError, UsageError.
+    """
+    report, states, program = judged.report, judged.states, judged.program
+    if report.passed:
+        return Diagnosis("none")
+    offered = tuple(dict.fromkeys(row.judged for row in report.rows if row.verdict in ("ok", "FAILED")))
+    if not offered:
+        return Diagnosis("unnamed", unexplained=1.0, failed=_failure_words(report))
+    rows = None if states is None else spread_rows(states, ROWS_OF_FAULTS + len(stand.flywheels))
+    diagnoser = Diagnoser(
+        stand, document, seed=seed, wants=offered, states=rows, tolerance=judged.tolerance, program=program
+    )
+    diagnosed = diagnoser.diagnose(judged.answers(diagnoser.requests))
+    diagnosed = replace(diagnosed, failed=_failure_words(report, diagnosed.wrong))
+    precision = diagnosed.precision
+    if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
+        if diagnosed.verdict == "none" and diagnosed.failed:
+            return replace(diagnosed, verdict="unnamed")
+        return diagnosed
+    if not set(offered) & set(WANTS):
+        return diagnosed
+    if states is not None:
+        states = spread_rows(states, ROWS_OF_TERMS * count_products(stand))
+    terms = TermSearch(stand, seed, offered, states, precision, program, diagnosed.wrong)
+    try:
+        return diagnosed.with_terms(terms.find(judged.answers(terms.requests)))
+    except CheckError as error:
+        if not (diagnosed.missing or diagnosed.causes):
+            raise
+        return diagnosed if diagnosed.verdict == "named" else replace(diagnosed, hindrance=str(error))
+
+
+def _failure_words(report: Report, compared: Sequence[str] = ()) -> tuple[str, ...]:
+    """What failed in the table, with its reason; without what a diagnosis has `compared`, as want: quantity."""
+    return tuple(
+        f"{row.judged} {row.quantity}".strip() + (f" ({row.words})" if row.words else "")
+        for row in report.failures
+        if not any(f"{quantity}.".startswith(f"{row.judged}: {row.quantity}.") for quantity in compared)
+    )

@@ -24,7 +24,7 @@ from mahovik.proof.diagnose.columns import (
     ROWS,
     Frame,
     body_terms,
-    count,
+    count_products,
     explain,
     frame_in_words,
     frame_of,
@@ -190,7 +190,7 @@ class TermSearch:
         self._stand, self._rounding, self._wrong = stand, ROUNDING, {tuple(label.split(": ")) for label in wrong}
         if precision is not None:
             self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
-        self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count(stand)) + SPARE)]
+        self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count_products(stand)) + SPARE)]
         if program is not None and program.actuators:
             self._drawn = [with_drawn_actuators(stand, state, rng) for state in self._drawn]
         asked = self._drawn if program is None else [program.state(stand, state) for state in self._drawn]
@@ -260,7 +260,7 @@ class TermSearch:
         names = self._names(want, answers)
         numbers_of = {i: self._whole(want, request, answers) for i, request in enumerate(self._requests[want])}
         rows = {i: numbers for i, numbers in numbers_of.items() if numbers}
-        least = count(self._stand) if want != "mounts" else 1
+        least = count_products(self._stand) if want != "mounts" else 1
         if len(rows) < least:
             raise CheckError(
                 f"{want}: {len(rows)} of {len(self._states)} states have an answer; expected at least {least}, as many "

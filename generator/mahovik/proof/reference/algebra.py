@@ -1,9 +1,9 @@
 """Numbers, arrays and linear solves of the reference; twists, wrenches and their transfer; rotations. Angles in rad.
 
 The equations hold for whatever stands in for a number: a float, or an object that brings its own arithmetic and the
-functions below, such as the balls of `proof/rigorous.py`, which come in arrays of objects. So no equation calls `math`,
-writes numbers into zeros, or makes a float of a number. A screw has its linear part first, about the origin of the
-frame; <a>, Phi(V) and T(O) - E are linear: each is written down once, for unit vectors, and combined from these.
+functions below, such as the balls of `proof/verify/rigorous.py`, which come in arrays of objects. So no equation calls
+`math`, writes numbers into zeros, or makes a float of a number. A screw has its linear part first, about the origin of
+the frame; <a>, Phi(V) and T(O) - E are linear: each is written down once, for unit vectors, and combined from these.
 A rotation C is active: [e1] = [e0] C, so x0 = C x1.
 """
 

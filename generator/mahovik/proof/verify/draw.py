@@ -1,24 +1,184 @@
-"""The states of a verification: ordinary and extreme ones, the same for the same seed."""
+"""The states of a verification, the same for the same seed; poses and twists that a hold allows; keys of a state that
+answers depend on.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from mahovik.contract.laws import parts
 from mahovik.contract.limits import PERTURBATION
 from mahovik.contract.quantities import limits_of
-from mahovik.core.stand.hold import twist_of
-from mahovik.core.stand.model import Stand, State
+from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twist_of, twists, words
+from mahovik.core.stand.model import Hold, Quaternion, Sequence, Stand, State, Vec3
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
 from mahovik.errors import UsageError, whole_number
+from mahovik.proof import reference
+from mahovik.proof.reference.algebra import AXES, Array, attitude, carrier_rotation
+from mahovik.proof.reference.algebra import quaternion_of as quaternion
+from mahovik.proof.reference.coordinates import coordinates_at, pose_of
 from mahovik.proof.reference.pieces import CarrierReference
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
+
+# -- of a hold ---------------------------------------------------------------------------------------------------------
+
+ALLOWED = 1e-6
+"""m, rad; m/s, rad/s: what is given may be off what the hold allows by as much as figures of six digits are."""
+
+
+def blocked_twist(hold: Hold, V: Array) -> str:
+    """Why twists V (6, or n x 6) are not S u, in words; "" where they are, to six digits."""
+    V, S = np.atleast_2d(V), twists(hold)
+    off = V - freedom_rates(hold, V) @ S.T
+    bad = np.flatnonzero(np.abs(off).max(axis=1) > ALLOWED * np.maximum(1.0, np.abs(V).max(axis=1)))
+    if not len(bad):
+        return ""
+    return f"V: moves along {worst(off[bad[0]])}, which [hold] blocks; expected S u of {freedoms(hold)}"
+
+
+def freedom_rates(hold: Hold, V: Array) -> Array:
+    """u (n, m) of twists V = S u (n, 6); of other twists the nearest."""
+    return np.asarray(V @ np.linalg.pinv(twists(hold)).T)
+
+
+def worst(off: Array) -> str:
+    """The name of the largest component of a twist (6)."""
+    return TWIST_NAMES[int(np.argmax(np.abs(off)))]
+
+
+def freedoms(hold: Hold) -> str:
+    """The freedoms in words, within a sentence."""
+    result = words(hold).partition(";")[0].partition(", ")[2]
+    return f"the freedoms ({result})" if hold.freedoms else "no freedom, as it is clamped,"
+
+
+def home_attitude(stand: Stand) -> Quaternion:
+    """Attitude of the home pose of a held carrier, w first."""
+    hold = stand.hold
+    assert hold is not None
+    return quaternion_of(attitude(stand.angles, *hold.angles))
+
+
+def quaternion_of(C: Array) -> Quaternion:
+    """Unit quaternion, w first, of a rotation C (3x3); its largest component is positive."""
+    w, x, y, z = quaternion(C).tolist()
+    sign = math.copysign(1.0, max((w, x, y, z), key=abs))
+    return sign * w, sign * x, sign * y, sign * z
+
+
+def with_quaternion(stand: Stand, state: State) -> State:
+    """The state with its attitude as a unit quaternion, w first."""
+    if state.quaternion is not None:
+        return state
+    return replace(state, angles=None, quaternion=quaternion_of(carrier_rotation(stand, state)))
+
+
+def with_angles(stand: Stand, state: State) -> State:
+    """The state with its attitude as psi, theta, phi of the stand's sequence."""
+    from scipy.spatial.transform import Rotation
+
+    if state.angles is not None:
+        return state
+    angles = Rotation.from_matrix(carrier_rotation(stand, state)).as_euler(turns_of(stand.angles)).tolist()
+    return replace(state, quaternion=None, angles=cast(Vec3, tuple(angles)))
+
+
+def turns_of(sequence: Sequence) -> str:
+    """Axes about which psi, theta, phi turn, each in the frame that the one before has turned, as SciPy names them."""
+    return "".join("XYZ"[axis] for axis in AXES[sequence])
+
+
+def with_pose(stand: Stand, state: State, keys: Collection[str]) -> State:
+    """The state of a held carrier, whose keys are `given`: a missing attitude is that of the home pose, a missing
+    position the one where the hold has the carrier.
+    """
+    hold = stand.hold
+    assert hold is not None
+    at_home = replace(state, angles=None, quaternion=home_attitude(stand))
+    if not {"angles", "quaternion"} & set(keys):
+        state = at_home
+    if "position" in keys:
+        return state
+    turned = carrier_rotation(stand, at_home) - carrier_rotation(stand, state)
+    place = np.array(hold.position) + turned @ np.array(hold.pivot)
+    return replace(state, position=cast(Vec3, tuple(place.tolist())))
+
+
+def at_coordinates(stand: Stand, state: State, q: Array, orientation: Array | None) -> State:
+    """The state with the pose of coordinates q (m, rad) from the home pose, and the quaternion of three turns.
+
+    Raises StateError: the freedoms have no coordinates.
+    """
+    hold = stand.hold
+    assert hold is not None
+    still = np.zeros(len(hold.freedoms))
+    held_pose = pose_of(hold, stand.angles, q, orientation, still, still)
+    place = cast(Vec3, tuple(held_pose.position.tolist()))
+    return replace(state, position=place, angles=None, quaternion=quaternion_of(held_pose.C))
+
+
+def onto_hold(stand: Stand, state: State) -> State:
+    """The state with the pose that the hold allows and whose coordinates are those of the state; of a clamped carrier
+    the home pose. As it is where the carrier is free, or its freedoms have no coordinates.
+    """
+    hold = stand.hold
+    if hold is None:
+        return state
+    if not hold.freedoms:
+        return with_pose(stand, state, ())
+    if not has_coordinates(hold):
+        return state
+    coordinates = coordinates_at(stand, state)
+    return at_coordinates(stand, state, coordinates.q, coordinates.orientation)
+
+
+# -- keys that answers depend on ---------------------------------------------------------------------------------------
+
+KEYS = {"V": ("V", "u"), "V_dot": ("V_dot", "u_dot")}
+"""Keys of a state that differ together."""
+
+MOVES = {"position": "slide", "quaternion": "turn"}
+"""What moves a held carrier where a part of its pose differs."""
+
+SAME = 1e-12
+"""Relative difference that is rounding."""
+
+
+def depends_on(stand: Stand, wants: Collection[str], key: str) -> bool:
+    """Whether an answer differs between two values of a key of a state, beyond rounding; of V also those of u.
+
+    Of a held carrier the attitude differs only where something turns, the position where something slides: otherwise
+    they follow from the rest of the pose.
+    """
+    for want in wants:
+        first, second = (reference.evaluate(stand, state, (want,)) for state in _states(stand, key))
+        for name, value in first.items():
+            a, b = np.asarray(value), np.asarray(second[name])
+            if not np.allclose(a, b, rtol=SAME, atol=SAME * float(np.abs(a).max(initial=0.0))):
+                return True
+    return False
+
+
+def _states(stand: Stand, key: str) -> tuple[State, State]:
+    """Two states that differ in this key."""
+    from mahovik.core.stand.random import random_state
+
+    first, second = (with_quaternion(stand, random_state(stand, np.random.default_rng(seed))) for seed in (1, 2))
+    freedoms = () if stand.hold is None else stand.hold.freedoms
+    kinds = {freedom.kind for freedom in freedoms}
+    if stand.hold is not None and key in MOVES and not kinds & {MOVES[key], "twist"}:
+        return first, first  # it follows from the rest of the pose
+    return first, replace(first, **{name: getattr(second, name) for name in KEYS.get(key, (key,))})
+
+
+# -- drawn states ------------------------------------------------------------------------------------------------------
 
 TURNED = 8.0
 """Least distance from a half turn, rad, over the change by which scales are measured: no neighbour is beyond it, where
@@ -109,7 +269,7 @@ def round_to_float(stand: Stand, state: State) -> State:
     return replace(state, **rounded, wrench=MappingProxyType({name: _floats(w) for name, w in state.wrench.items()}))
 
 
-def _floats(numbers: Sequence[float]) -> Any:
+def _floats(numbers: Any) -> Any:
     return tuple(np.array(numbers, dtype=np.float32).astype(np.float64).tolist())
 
 

@@ -38,8 +38,8 @@ from mahovik.core.stand.model import Stand, State
 from mahovik.errors import DataError, MahovikError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.reference.coordinates import coordinates_at
+from mahovik.proof.verify.draw import depends_on, freedom_rates, with_angles, with_quaternion
 from mahovik.proof.verify.foreign import Program
-from mahovik.proof.verify.held import depends_on, freedom_rates, with_angles, with_quaternion
 from mahovik.proof.verify.states import evaluate_lines
 
 WANTS = ("forward", "torque", "coupled", "mounts", "momentum")

@@ -31,13 +31,11 @@ from mahovik.proof.reference.inverse import task_rows
 from mahovik.proof.reference.motion import coupled
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend
-from mahovik.proof.verify.case import ordinary
 from mahovik.proof.verify.check import Check, Report, difference, report
-from mahovik.proof.verify.compare import Rows
-from mahovik.proof.verify.draw import draw, with_drawn_actuators
+from mahovik.proof.verify.compare import Rows, ordinary
+from mahovik.proof.verify.draw import draw, onto_hold, with_angles, with_drawn_actuators, with_quaternion
 from mahovik.proof.verify.functions.optimality import judge_torques, motor_bounds
 from mahovik.proof.verify.harness import applicable
-from mahovik.proof.verify.held import onto_hold, with_angles, with_quaternion
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import LONGEST, Request, excerpt, state_line
 

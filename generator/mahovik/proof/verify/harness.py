@@ -16,9 +16,8 @@ from mahovik.proof.second import Second
 from mahovik.proof.second.reading import Table
 from mahovik.proof.verify.backends import CasadiBackend, public_names
 from mahovik.proof.verify.c_backend import CBackend
-from mahovik.proof.verify.case import Case, ordinary
 from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
-from mahovik.proof.verify.compare import Rows, same_bits
+from mahovik.proof.verify.compare import Case, Rows, ordinary, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
 from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call

@@ -29,9 +29,8 @@ from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, Report, difference, report
 from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS
-from mahovik.proof.verify.draw import draw
+from mahovik.proof.verify.draw import draw, turns_of
 from mahovik.proof.verify.harness import Progress
-from mahovik.proof.verify.held import turns_of
 from mahovik.proof.verify.scales import ROUNDINGS, Scales
 from mahovik.proof.verify.states import Backend, Request
 

@@ -24,7 +24,7 @@ from mahovik.core.stand.units import (
 )
 from mahovik.errors import DataError, StateError
 from mahovik.nearest import suggestion
-from mahovik.proof.verify.held import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
+from mahovik.proof.verify.draw import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.clocks import Array
 from mahovik.use.measured.headers import Columns, HeaderError, is_time, split_header, state_columns, time_scale

@@ -26,7 +26,7 @@ from mahovik.core.stand.model import Hold, Stand, State, Vec3, rest_state
 from mahovik.errors import UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, carrier_rotation, cross, quaternion_rotation, rotation_vector
-from mahovik.proof.verify.held import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
+from mahovik.proof.verify.draw import ALLOWED, freedoms, home_attitude, quaternion_of, with_pose, worst
 from mahovik.use.numeric.se3 import left_jacobian
 
 

@@ -20,8 +20,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.algebra import Array, cross, quaternion_of, quaternion_rotation, skew_part
 from mahovik.proof.reference.motion import coupled, forward
 from mahovik.proof.reference.pieces import bodies_of
-from mahovik.proof.verify.case import Case
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows
 
 STATES = 2
 """States from which a motion starts; of `step`, the second has locked flywheels."""

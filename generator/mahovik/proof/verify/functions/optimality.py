@@ -43,8 +43,7 @@ from mahovik.proof.reference.inverse import (
 from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.case import Case
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows
 
 Flags = NDArray[np.bool_]
 

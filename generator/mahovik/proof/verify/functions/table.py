@@ -27,14 +27,13 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.model import Stand
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.evaluate import answer_regressor
-from mahovik.proof.verify.case import Case
 from mahovik.proof.verify.check import Check, Report, report
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows
 from mahovik.proof.verify.functions import integration, optimality, value
 from mahovik.proof.verify.programme import compiled as programmes
 from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
-from mahovik.proof.verify.servo import functions as servos
-from mahovik.proof.verify.servo.tables import table_checks
+from mahovik.proof.verify.servo import judges as servos
+from mahovik.proof.verify.servo.judges import table_checks
 
 AnyCase = Case | servos.ServoCase | programmes.CompiledProgramme
 """C of a stand, of servos, of a programme, with what it is judged by; `states`: at how many, or which."""

@@ -39,8 +39,7 @@ from mahovik.proof.reference.motion import coupled
 from mahovik.proof.second import Second
 from mahovik.proof.second.system import Derivatives
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.case import Case
-from mahovik.proof.verify.compare import Rows
+from mahovik.proof.verify.compare import Case, Rows
 from mahovik.proof.verify.scales import Equation, Scales, turning
 from mahovik.proof.verify.states import Request
 
