@@ -170,7 +170,7 @@ def modes_part(stand: Stand) -> Part | None:
         if 0.0 < 2.0 * last < end:  # somewhat beyond the last crossing
             diagram = modes(stand, speed=f"0..{last!r} rad/s", steps=steps)
         drawings = diagram.drawings if diagram["frequency"].size else ()
-        panels = tuple(replace(drawing, height=1.6) for drawing in drawings)
+        panels = tuple(replace(drawing, height=1.6) for drawing in drawings if isinstance(drawing, Panel))
     tables = (result.take(swinging, ("frequency", "damping", "motion"), ""),) if len(swinging) else ()
     summary = f"{ends} Hz at rest" if ends else ""
     return Part("Modes", words * bool(still), tables, panels, summary=summary)
