@@ -10,7 +10,7 @@ from api.models import model, stand
 from mahovik import InputError, StandError, UsageError
 from mahovik.core.toolchain.compiled import Real
 from mahovik.out.api.stands import Stand
-from mahovik.out.campaign.possible import possible_tables
+from mahovik.out.campaign.file import possible_tables
 
 UNBALANCE = ("static", "static_at", "dynamic", "dynamic_at")
 

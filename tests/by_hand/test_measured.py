@@ -18,8 +18,7 @@ from by_hand.stands import stand, wheel
 from identify.data import identified
 from mahovik.out.identify.estimate import Loss
 from mahovik.out.identify.predict import phase_of as fitted_phase
-from mahovik.use.measured.clocks import Recording
-from mahovik.use.measured.flywheels import find_pulses, phase_of
+from mahovik.use.measured.clocks import Recording, find_pulses, phase_of
 
 W, LATE = 200.0, 3e-3
 T = np.arange(0.0, 1.0, 1e-3)

@@ -27,14 +27,12 @@ import pytest
 from by_hand.stands import ACROSS, SPIN, stand, wheel
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.result import Result
-from mahovik.use.vibration.lines import Sums
-from mahovik.use.vibration.noise import integral
-from mahovik.use.vibration.peaks import Resonances, mattering
-from mahovik.use.vibration.requirement import read_requirements
-from mahovik.use.vibration.scene import Scene
-from mahovik.use.vibration.spectrum import left_out_of
+from mahovik.use.vibration.chain import integral, left_out_of
+from mahovik.use.vibration.lines import Sums, read_requirements
+from mahovik.use.vibration.plant import Scene
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import quasiperiodic
+from mahovik.use.vibration.study import Resonances, mattering
 from mahovik.use.vibration.study import vibration as find
 from mahovik.use.vibration.view import find_view
 
@@ -139,7 +137,7 @@ def test_requirements_count_what_a_solution_leaves_out() -> None:
     left = left_out_of(low, seen)
     assert left == pytest.approx(above, rel=0.1, abs=1e-3 * above.max()) and left.max() > 0.0
     solution = solutions.whole[0]._replace(left_out=left)
-    (limit,) = read_requirements(["worst 1 um"], seen)
+    (limit,) = read_requirements(["worst 1 um"], seen.name, seen.measure.unit)
     verdict = replace(solutions, whole={0: solution}).judge(limit)
     assert verdict.value == pytest.approx((solutions.sums().worst[0] + left).max(), rel=1e-9)
 

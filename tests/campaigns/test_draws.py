@@ -14,9 +14,8 @@ from scipy import stats
 
 import mahovik
 from campaigns.files import RUN, read
-from mahovik.out.campaign.designs import DESIGNS, Design, _generator
 from mahovik.out.campaign.report import variance_share
-from mahovik.out.campaign.vary import grade_of, permissible_unbalance
+from mahovik.out.campaign.vary import DESIGNS, Design, _generator, grade_of, permissible_unbalance
 
 Array = NDArray[np.float64]
 

@@ -19,9 +19,8 @@ import pytest
 import mahovik
 from campaigns.files import RUN, VARY, write
 from cli.run import run
-from mahovik.out.campaign import workers
+from mahovik.out.campaign.chunks import compute
 from mahovik.out.campaign.file import load_campaign
-from mahovik.out.campaign.workers import compute
 
 psutil = pytest.importorskip("psutil")
 parquet = pytest.importorskip("pyarrow.parquet")
@@ -130,7 +129,7 @@ def test_an_interrupt_says_what_is_there_and_the_same_command_goes_on(
         yield from islice(compute(*arguments), 2)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(workers, "compute", interrupted)
+    monkeypatch.setattr("mahovik.out.campaign.chunks.compute", interrupted)
     done = computed(tmp_path, "--workers", "1")
     words = f"2 of 4 chunks are in {tmp_path / 'out'}, and the same command goes on"
     assert (done.exit_code, done.stderr) == (130, f"error: interrupted; {words}\n")

@@ -7,8 +7,7 @@ from functools import cache
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.use.control.loop import Case, Record, close_loop
 from mahovik.use.control.mismatch import with_mismatch
-from mahovik.use.control.reference_motion import ReferenceMotion
-from mahovik.use.control.trim import TrimDesign, design_trim
+from mahovik.use.control.trim import ReferenceMotion, TrimDesign, design_trim
 from verify.programme.programmes import shaker
 
 SERVO = """

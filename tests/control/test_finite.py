@@ -19,9 +19,8 @@ from mahovik.core.stand import Stand
 from mahovik.core.stand.fields import Mat3
 from mahovik.core.stand.stand_file import dumps
 from mahovik.proof.verify.programme.verification import ARCSEC
-from mahovik.use.control.errors import errors_of
-from mahovik.use.control.loop import Case, close_loop
-from mahovik.use.control.reference_motion import ReferenceMotion
+from mahovik.use.control.loop import Case, close_loop, errors_of
+from mahovik.use.control.trim import ReferenceMotion
 from mahovik.use.plan.slew import plan_slew
 from plan.slew_stands import ATTITUDE, PYRAMID, about, inertia, satellite, slew
 

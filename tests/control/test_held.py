@@ -18,8 +18,8 @@ from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.motion.servo import read_servo
 from mahovik.core.stand import Stand
 from mahovik.use.control.loop import Case, coordinates, starting_state
-from mahovik.use.control.reference_motion import ReferenceMotion
 from mahovik.use.control.servo import lightness
+from mahovik.use.control.trim import ReferenceMotion
 from mahovik.use.numeric.frame import Frame
 from plan.held_stands import HOLDS, stand, wheel
 

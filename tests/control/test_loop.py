@@ -21,8 +21,7 @@ from mahovik.core.stand.model import Encoder
 from mahovik.core.stand.motor import drive
 from mahovik.errors import UsageError
 from mahovik.laws.suspension.law import Suspension
-from mahovik.use.control.errors import errors_of
-from mahovik.use.control.loop import Case, Encoders, Plant, close_loop, starting_state
+from mahovik.use.control.loop import Case, Encoders, Plant, close_loop, errors_of, starting_state
 from mahovik.use.control.mismatch import with_mismatch
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.runup import TransientFamily

@@ -22,8 +22,7 @@ from mahovik.core.stand.hold import FREEDOMS
 from mahovik.core.stand.model import Freedom, Hold, Stand
 from mahovik.errors import ServoError, UsageError
 from mahovik.out.export.servo import trim_message
-from mahovik.use.control.reference_motion import Orbit, nodes, required_orbit, settled_state
-from mahovik.use.control.trim import TrimDesign, design_trim
+from mahovik.use.control.trim import Orbit, TrimDesign, design_trim, nodes, required_orbit, settled_state
 from mahovik.use.numeric.course import course
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import drive

@@ -22,11 +22,10 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import Bounds, Objective, Slew
 from mahovik.core.stand import load
 from mahovik.core.stand.tables import keys_of
-from mahovik.out.campaign.designs import DESIGNS
 from mahovik.out.campaign.file import load_campaign
 from mahovik.out.campaign.quantities import SIGNALS, STATISTICS
 from mahovik.out.campaign.runs import KINDS as RUNS
-from mahovik.out.campaign.vary import KINDS
+from mahovik.out.campaign.vary import DESIGNS, KINDS
 from mahovik.proof.verify.programme.verification import JOINT, TABLE, tolerance_for
 from mahovik.stands import path
 

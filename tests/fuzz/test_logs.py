@@ -12,9 +12,7 @@ from emit.stands import stand as known_stand
 from fuzz.mangle import spoiled_bytes
 from fuzz.reading import READERS, fuzzed, read_or_refuse
 from mahovik.proof.verify.selftest import judge_log
-from mahovik.use.simulate import flight_log
-from mahovik.use.simulate.flight_log import Damage, Start, records
-from mahovik.use.simulate.replay import Machine, c_machine, check_stand, replay
+from mahovik.use.simulate.replay import Damage, Machine, Start, c_machine, check_stand, load, records, replay
 from simulate.flights import Recorder
 
 NAME, REAL = "demo3", "double"
@@ -38,7 +36,7 @@ def machine() -> Machine:
 def read(data: bytes, file: Path, machine: Machine) -> None:
     """Read a log as the command does: all records, then the replay of those of this stand."""
     file.write_bytes(data)
-    log, _ = flight_log.load(file)
+    log, _ = load(file)
     for start in [r for r in records(log) if isinstance(r, Start)]:
         check_stand(STAND, start, "demo3.toml")
         if start.real != REAL:

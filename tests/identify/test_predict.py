@@ -14,9 +14,8 @@ from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand import identities, loads
 from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.out.identify.estimate import slopes
-from mahovik.out.identify.free import Free
+from mahovik.out.identify.free import Free, with_numbers
 from mahovik.out.identify.predict import Phase, Predictor, channels_of
-from mahovik.out.identify.stand_text import with_numbers
 from mahovik.use.simulate import judge
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.held import home

@@ -10,8 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import make_interp_spline
 
-from mahovik.use.measured.clocks import Array, Recording, clock_offset
-from mahovik.use.measured.flywheels import find_pulses, modulus_of, phase_of, unwrap
+from mahovik.use.measured.clocks import Array, Recording, clock_offset, find_pulses, modulus_of, phase_of, unwrap
 from mahovik.use.measured.read import read_recordings
 from measured.stand_of_tests import STAND, clock, read_one, values, write_csv
 

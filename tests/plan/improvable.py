@@ -10,11 +10,10 @@ from mahovik.core.motion.required import Bounds, Objective, Winding
 from mahovik.core.stand.motor import Motor
 from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.outcome import Budget
-from mahovik.use.plan.points import refine_periodic
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import FlywheelMotion, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Kind, Problem
 from mahovik.use.plan.search import search
-from mahovik.use.plan.starts import Kind
+from mahovik.use.plan.step import refine_periodic
 from plan.problems import example
 
 N = 8

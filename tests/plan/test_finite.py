@@ -17,13 +17,11 @@ from mahovik.core.stand import Stand, loads
 from mahovik.proof.reference.motion import forward
 from mahovik.proof.verify.programme.mechanics import moment
 from mahovik.proof.verify.programme.verification import verify_programme
-from mahovik.use.plan.basis import SplineSpace
-from mahovik.use.plan.finite import Collocator, table_of
-from mahovik.use.plan.improve import Candidate
+from mahovik.use.plan.improve import Candidate, Collocator, table_of
 from mahovik.use.plan.outcome import Budget, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import Problem
+from mahovik.use.plan.problem import Problem, SplineSpace
 from mahovik.use.plan.search import search
 from plan.problems import example
 from toolchain.quick import quick

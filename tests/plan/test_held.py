@@ -18,8 +18,7 @@ from mahovik.errors import MahovikError
 from mahovik.proof.verify.programme.mechanics import carrier_at, twist
 from mahovik.proof.verify.programme.verification import verify_programme
 from mahovik.use.numeric.frame import Frame
-from mahovik.use.plan.certificate import motor_warnings
-from mahovik.use.plan.outcome import Plan, PlanOptions
+from mahovik.use.plan.outcome import Plan, PlanOptions, motor_warnings
 from mahovik.use.plan.planner import plan_motion
 from plan.held_stands import HOLDS, stand, wheel
 

@@ -14,9 +14,9 @@ from mahovik.use.plan.improve import Candidate, Improver
 from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.outcome import Budget
 from mahovik.use.plan.planner import figures, no_programme_message
-from mahovik.use.plan.points import Stage
 from mahovik.use.plan.problem import FlywheelMotion
 from mahovik.use.plan.search import Search
+from mahovik.use.plan.step import Stage
 from plan.improvable import UNTIL, N, improved, plain, setting
 from plan.problems import drawn_problem, wheels
 

@@ -38,8 +38,7 @@ from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import drive
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan import runup as runups
-from mahovik.use.plan.certificate import drop_refused_tables, failed_items
-from mahovik.use.plan.outcome import Budget, PlanOptions
+from mahovik.use.plan.outcome import Budget, PlanOptions, drop_refused_tables, failed_items
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.runup import shortcomings, with_runup
 from plan.held_stands import HOLDS, stand, wheel

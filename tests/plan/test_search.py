@@ -17,8 +17,7 @@ from mahovik.use.plan.outcome import Budget, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.preflight import Preflight, preflight
 from mahovik.use.plan.problem import EXACT_WITH_KINKS, Problem
-from mahovik.use.plan.search import search
-from mahovik.use.plan.starts import StartBatch
+from mahovik.use.plan.search import StartBatch, search
 from plan.improvable import Plain
 from plan.problems import example, problem, required
 

@@ -14,8 +14,19 @@ from emit.stands import stand as known_stand
 from mahovik.core.emit.log_format import MAGIC
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.errors import CheckError, UsageError
-from mahovik.use.simulate.flight_log import Damage, Start, load, records
-from mahovik.use.simulate.replay import Machine, Outcome, c_machine, check_stand, explain, interpreter_machine, replay
+from mahovik.use.simulate.replay import (
+    Damage,
+    Machine,
+    Outcome,
+    Start,
+    c_machine,
+    check_stand,
+    explain,
+    interpreter_machine,
+    load,
+    records,
+    replay,
+)
 from simulate.flights import Recorder
 
 CASES = [

@@ -11,9 +11,7 @@ from mahovik import stands
 from mahovik.core.stand import Stand, load
 from mahovik.laws.leg.law import Leg, Legs
 from mahovik.use.study.linear import linear_model
-from mahovik.use.vibration.campbell import campbell, natural_at
-from mahovik.use.vibration.plant import NODES, Plant, mean_slopes
-from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.plant import NODES, Plant, Scene, campbell, mean_slopes, natural_at
 from mahovik.use.vibration.speeds import SpeedPlan
 
 

@@ -22,15 +22,16 @@ from mahovik.proof.verify.draw import round_to_float
 from mahovik.proof.verify.scales import Scales
 from mahovik.stands import names, path
 from mahovik.use.simulate.held import lost_increments
-from mahovik.use.study.reach import excess, task_shortfalls
-from mahovik.use.study.resolution import (
+from mahovik.use.study.shortfalls import (
     FACTOR,
     MOTIONS,
     QUANTITIES,
     UNIT,
     balanced_flywheel,
+    excess,
     shortfalls,
     states,
+    task_shortfalls,
 )
 from physics.general import rows
 from toolchain.quick import quick

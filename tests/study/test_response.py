@@ -17,8 +17,8 @@ from mahovik.stands import path
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.run import simulate
 from mahovik.use.study.linear import linear_model
-from mahovik.use.vibration.band import rms
-from mahovik.use.vibration.scene import Scene
+from mahovik.use.vibration.lines import rms
+from mahovik.use.vibration.plant import Scene
 from mahovik.use.vibration.speeds import common_period, read_speeds
 from mahovik.use.vibration.steady import Steady, steady
 from mahovik.use.vibration.study import vibration

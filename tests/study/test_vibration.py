@@ -22,14 +22,13 @@ from mahovik.proof.reference import pieces
 from mahovik.proof.reference.motion import mounts
 from mahovik.proof.reference.pieces import momentum, momentum_in_E0
 from mahovik.stands import path
-from mahovik.use.study.linear.model import places
+from mahovik.use.study.linear import places
 from mahovik.use.vibration import steady as steady_motions
-from mahovik.use.vibration.band import in_band, rms
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes
+from mahovik.use.vibration.lines import in_band, rms
+from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes, read_structure
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import Steady, _Search, quasiperiodic, steady
-from mahovik.use.vibration.structure import read_structure
 from mahovik.use.vibration.study import Vibration
 from mahovik.use.vibration.study import vibration as find
 from mahovik.use.vibration.torus import Torus

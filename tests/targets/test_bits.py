@@ -15,8 +15,7 @@ from mahovik.core.toolchain.board import build, run
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions
-from mahovik.use.simulate.flight_log import Start, load, records
-from mahovik.use.simulate.replay import Outcome, c_machine, replay
+from mahovik.use.simulate.replay import Outcome, Start, c_machine, load, records, replay
 from targets.flight import flight
 from targets.pil import Run, processor_in_the_loop, read_run
 from toolchain.tools import EMBEDDED, target

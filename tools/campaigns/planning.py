@@ -14,8 +14,7 @@ from plan_stands import NO_BOUNDS, PERIOD, campaign_motion, campaign_move, campa
 from campaigns import Row, Rows, Table, side_by_side
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
-from mahovik.use.plan.certificate import certify, failed_items
-from mahovik.use.plan.outcome import PlanOptions
+from mahovik.use.plan.outcome import PlanOptions, certify, failed_items
 from mahovik.use.plan.planner import plan_motion
 
 OPTIONS = {"stands": 4, "first": 5000, "seconds": 30.0, "rows": "", "jobs": 1}

@@ -22,14 +22,12 @@ from mahovik.core.toolchain.compiled import compile_library
 from mahovik.stands import path
 from mahovik.use.simulate.case import Case, wrap_phases
 from mahovik.use.simulate.run import simulate
-from mahovik.use.study.linear import linear_model
-from mahovik.use.study.linear.model import places
+from mahovik.use.study.linear import linear_model, places
 from mahovik.use.study.rest import rest
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.maker import Harmonics
+from mahovik.use.vibration.maker import Harmonics, Structure
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import Steady, quasiperiodic, steady
-from mahovik.use.vibration.structure import Structure
 from mahovik.use.vibration.study import vibration
 from mahovik.use.vibration.view import FullMotion, View
 from study.energy_linear import linear

@@ -1,6 +1,6 @@
 """C of the flight recorder: a stand's steps, logged so that `mahovik replay` can repeat them bit for bit.
 
-The emitted header describes the format of a log; `use/simulate/flight_log.py` reads it.
+The emitted header describes the format of a log; `use/simulate/replay.py` reads it.
 """
 
 from __future__ import annotations

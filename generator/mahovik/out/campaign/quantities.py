@@ -24,7 +24,7 @@ from mahovik.nearest import suggestion
 from mahovik.use.measured.headers import sensors
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.simulate.course import Moments
-from mahovik.use.vibration.band import in_band
+from mahovik.use.vibration.lines import in_band
 
 AXES = ("x", "y", "z")
 HOLD = "hold.reaction"

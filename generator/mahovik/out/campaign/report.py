@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from scipy import stats
 
-from mahovik.out.campaign.designs import IN_BLOCKS
 from mahovik.out.campaign.file import Campaign
+from mahovik.out.campaign.vary import IN_BLOCKS
 from mahovik.out.plots import Line, Panel
 from mahovik.out.report.page import Part, page
 from mahovik.out.result import Result, column, fitted

@@ -42,7 +42,7 @@ from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
-from mahovik.use.vibration.band import rms
+from mahovik.use.vibration.lines import rms
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import steady
 from mahovik.use.vibration.view import REACTION, find_view

@@ -45,11 +45,10 @@ def campaign(
         UsageError: the folder has rows of another campaign, a file cannot be written.
         CheckError: the scheduler is gone; some chunks are missing.
     """
+    from mahovik.out.campaign.chunks import compute, read_chunk, tables
     from mahovik.out.campaign.chunks import merge as merge_chunks
-    from mahovik.out.campaign.chunks import read_chunk, tables
     from mahovik.out.campaign.file import load_campaign
     from mahovik.out.campaign.report import summarise, write_report
-    from mahovik.out.campaign.workers import compute
 
     for name, path, suffix in (("merge", merge, ".parquet"), ("report", report, ".html")):
         if path is not None:

@@ -56,8 +56,7 @@ def check(
     from mahovik.core.stand.units import SPEED, TIME
     from mahovik.out.api.stands import Stand
     from mahovik.use.simulate.held import USUAL_STEP, long_steps, lost_increments
-    from mahovik.use.study.reach import excess, task_shortfalls
-    from mahovik.use.study.resolution import shortfalls, shortfalls_line
+    from mahovik.use.study.shortfalls import excess, shortfalls, shortfalls_line, task_shortfalls
 
     machine = Stand.of(stand)
     turning = None if speed is None else abs(quantity("speed", speed, SPEED, -1e9, 1e9))

@@ -262,8 +262,7 @@ def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
 
     from mahovik.core.stand.summary import summarize
     from mahovik.use.simulate.held import USUAL_STEP, lost_increments, lost_increments_line
-    from mahovik.use.study.reach import excess, task_shortfalls
-    from mahovik.use.study.resolution import shortfalls, shortfalls_line
+    from mahovik.use.study.shortfalls import excess, shortfalls, shortfalls_line, task_shortfalls
 
     def doubts() -> Iterator[str]:
         if json.loads(made.files["manifest.json"])["real"] == "float":

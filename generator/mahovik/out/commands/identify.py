@@ -51,8 +51,7 @@ def identify(
     """
     from mahovik.out.api.stands import Stand
     from mahovik.out.identify.estimate import estimate, shares_left, unobservable_lines
-    from mahovik.out.identify.free import Free, read_free
-    from mahovik.out.identify.stand_text import with_numbers
+    from mahovik.out.identify.free import Free, read_free, with_numbers
     from mahovik.use.measured.read import read_recordings
 
     machine, files = Stand.of(stand), files_of(data)

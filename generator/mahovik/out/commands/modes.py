@@ -17,7 +17,7 @@ from mahovik.out.result import Result, column, columns_of
 if TYPE_CHECKING:
     from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
-    from mahovik.use.vibration.campbell import Campbell
+    from mahovik.use.vibration.plant import Campbell
 
 STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_dot", "phi_ddot", "wrench")
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
@@ -61,9 +61,8 @@ def modes(
     from mahovik.out.api.stands import Stand
     from mahovik.proof.verify.states import state_object
     from mahovik.use.numeric.frame import uniform_stream
-    from mahovik.use.study.linear import linear_model
+    from mahovik.use.study.linear import linear_model, shape_words
     from mahovik.use.study.linear import modes as modes_of
-    from mahovik.use.study.linear.modes import shape_words
 
     machine = Stand.of(stand)
     if speed is not None:
@@ -153,8 +152,7 @@ def _pictures(result: Any) -> tuple[Panel, Panel]:
 
 def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
     """Natural frequencies and damping over a swept speed, and where orders meet them. Raises UsageError, CheckError."""
-    from mahovik.use.vibration.campbell import campbell
-    from mahovik.use.vibration.scene import Scene
+    from mahovik.use.vibration.plant import Scene, campbell
     from mahovik.use.vibration.speeds import read_speeds
 
     plan = read_speeds(stand, speed)

@@ -14,8 +14,7 @@ from mahovik.out.result import Result, column
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.use.simulate.flight_log import Damage, Start
-    from mahovik.use.simulate.replay import Machine, Outcome
+    from mahovik.use.simulate.replay import Damage, Machine, Outcome, Start
 
 PARTS = {"position": "xyz", "attitude": "wxyz", "V": "uvwpqr"}
 
@@ -49,15 +48,14 @@ def replay(
     """
     from mahovik.core.stand.structure import under_name
     from mahovik.out.api.stands import Stand
-    from mahovik.use.simulate import flight_log
     from mahovik.use.simulate import replay as replays
 
     log = Path(log)
-    data, notes = flight_log.load(log)
-    records = list(flight_log.records(data))
-    starts = [record for record in records if isinstance(record, flight_log.Start)]
+    data, notes = replays.load(log)
+    records = list(replays.records(data))
+    starts = [record for record in records if isinstance(record, replays.Start)]
     if not starts:
-        raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, flight_log.Damage)))
+        raise UsageError(f"{log}: " + "; ".join(r.message for r in records if isinstance(r, replays.Damage)))
     flown = Stand.of(stand)
     model = under_name(flown, starts[0].stand, starts[0].physics) or flown
     for start in starts:
@@ -66,9 +64,9 @@ def replay(
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
     machine = replays.machine(model, starts[0].real, backend, None if against is None else Path(against))
     outcomes: list[Outcome] = []
-    damage: list[flight_log.Damage] = []
+    damage: list[replays.Damage] = []
     for done, event in enumerate(replays.replay(machine, records), start=1):
-        if isinstance(event, flight_log.Damage):
+        if isinstance(event, replays.Damage):
             damage.append(event)
         else:
             outcomes.append(event)
@@ -88,8 +86,7 @@ def _result(
 ) -> Result:
     """States after each step, and whether they are those of the log."""
     from mahovik.contract.status import status_words
-    from mahovik.use.simulate.flight_log import members
-    from mahovik.use.simulate.replay import explain
+    from mahovik.use.simulate.replay import explain, members
 
     last = outcomes[-1] if outcomes else None
     differs = last is not None and not last.equal

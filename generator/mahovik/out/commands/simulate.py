@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from mahovik.core.motion.regime import Regime
     from mahovik.core.stand.model import State
     from mahovik.out.api.stands import Stand
-    from mahovik.use.control.errors import Errors
     from mahovik.use.control.loop import Case as Following
+    from mahovik.use.control.loop import Errors
 
 Share = Annotated[float | str, "PERCENT"]
 
@@ -184,8 +184,7 @@ def _follow(
     begin: str | None, table: int, progress: Progressing,
 ) -> Result:  # fmt: skip
     """The run of a programme, and how well the carrier follows."""
-    from mahovik.use.control.errors import errors_of
-    from mahovik.use.control.loop import close_loop
+    from mahovik.use.control.loop import close_loop, errors_of
 
     case = following_case(stand, motion, programme, servo, mismatch, seed, periods, begin, table)
     T, words = case.servo.period, f"follow {file_name(programme, 'the programme')}"

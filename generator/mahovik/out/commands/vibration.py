@@ -111,17 +111,15 @@ def vibration(
         CheckError: no rest pose, no steady motion, no speeds within the limits.
     """
     from mahovik.out.api.stands import Stand
-    from mahovik.use.vibration.band import read_band
     from mahovik.use.vibration.chain import Makers
-    from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise
-    from mahovik.use.vibration.requirement import read_requirements
+    from mahovik.use.vibration.lines import read_band, read_requirements
+    from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise, read_structure
     from mahovik.use.vibration.speeds import read_speeds
-    from mahovik.use.vibration.structure import read_structure
     from mahovik.use.vibration.study import vibration as find
 
     machine = Stand.of(stand)
     seen = _observable(machine, at, quantity, sight)
-    limits = read_requirements([require] if isinstance(require, str) else require, seen)
+    limits = read_requirements([require] if isinstance(require, str) else require, seen.name, seen.measure.unit)
     within = None if band is None else read_band("band", band)
     structure = None if modes is None else reading("table", Path(modes), read_structure, machine)
     makers = Makers(
@@ -264,8 +262,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
 
 def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
     """The lines of one set of speeds, largest first; amplitudes along the axes."""
-    from mahovik.use.vibration.band import in_band
-    from mahovik.use.vibration.lines import MAKER
+    from mahovik.use.vibration.lines import MAKER, in_band
 
     lines, axes = vibration.lines, vibration.seen.axes
     frequency, a = lines.frequency[0], lines.amplitude[0, :, : len(axes)]
@@ -286,7 +283,7 @@ def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
 
 def _line_columns(vibration: Study, band: Interval | None) -> list[Column]:
     """The largest lines of a sweep: magnitude of the amplitude over the axes."""
-    from mahovik.use.vibration.band import in_band
+    from mahovik.use.vibration.lines import in_band
 
     lines = vibration.lines
     inside = in_band(lines.frequency, band or (0.0, np.inf)) & (lines.frequency > 0.0)

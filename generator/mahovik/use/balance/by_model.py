@@ -27,9 +27,8 @@ from mahovik.use.balance.pieces import Choice, Made, choose_pieces
 from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import AXES, LETTERS
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.study.linear.model import places
-from mahovik.use.vibration.plant import Plant
-from mahovik.use.vibration.scene import Scene
+from mahovik.use.study.linear import places
+from mahovik.use.vibration.plant import Plant, Scene
 from mahovik.use.vibration.view import View
 
 HALF_WIDTH = 1.959963984540054

@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 from mahovik.core.stand.files import TABLE, content
 from mahovik.core.stand.model import Stand
 from mahovik.errors import DataError, UsageError
-from mahovik.use.measured.clocks import GAP, Array, Recording, count, join
-from mahovik.use.measured.flywheels import with_phases
+from mahovik.use.measured.clocks import GAP, Array, Recording, count, join, with_phases
 from mahovik.use.measured.headers import HeaderError, channel_of, is_run, is_time, known_header, time_scale
 
 FEWEST = 4

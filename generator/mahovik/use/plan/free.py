@@ -29,11 +29,10 @@ from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.objective import Rows, bound_uses
 from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion, refuse_unplannable
-from mahovik.use.plan.points import jacobian
 from mahovik.use.plan.preflight import mean_pose, preflight
-from mahovik.use.plan.problem import FlywheelMotion, Grid, Problem
-from mahovik.use.plan.search import Search
-from mahovik.use.plan.starts import Kind, draw_windings, with_shortest_period
+from mahovik.use.plan.problem import FlywheelMotion, Grid, Kind, Problem
+from mahovik.use.plan.search import Search, draw_windings, with_shortest_period
+from mahovik.use.plan.step import jacobian
 
 SHARE = 0.1
 """Part of its value by which a number moves that has no bounds of its own."""

@@ -32,7 +32,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Linear
 from mahovik.use.numeric.se3 import Array
-from mahovik.use.plan.basis import Basis
+from mahovik.use.plan.problem import Basis
 
 
 @dataclass(frozen=True, eq=False)

@@ -30,7 +30,7 @@ from mahovik.use.plan.objective import Cost
 from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions
 from mahovik.use.plan.planner import plan_motion
 from mahovik.use.plan.problem import FlywheelMotion, Problem
-from mahovik.use.plan.starts import with_shortest_period
+from mahovik.use.plan.search import with_shortest_period
 
 INTERVALS, DEGREE = 24, 4
 """Intervals of a motion with one harmonic, 8 more for each higher one, and degree."""

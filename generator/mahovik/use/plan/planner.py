@@ -16,24 +16,25 @@ from mahovik.core.stand.coordinates import coordinates_of
 from mahovik.core.stand.model import Stand
 from mahovik.errors import MotionError, StateError
 from mahovik.use.numeric.residual import prescribe, torques
-from mahovik.use.plan.basis import SplineSpace
-from mahovik.use.plan.certificate import (
+from mahovik.use.plan.improve import TIMES, Candidate, Collocator, Improver, table_of
+from mahovik.use.plan.objective import has_bounds
+from mahovik.use.plan.outcome import (
+    Budget,
+    OnProgress,
+    Plan,
+    PlanOptions,
     certify,
+    defer_interrupt,
     drop_refused_tables,
     failed_items,
     motor_warnings,
     peaks,
     regularity,
 )
-from mahovik.use.plan.finite import TIMES, Collocator, table_of
-from mahovik.use.plan.improve import Candidate, Improver
-from mahovik.use.plan.objective import has_bounds
-from mahovik.use.plan.outcome import Budget, OnProgress, Plan, PlanOptions, defer_interrupt
 from mahovik.use.plan.preflight import preflight
-from mahovik.use.plan.problem import FlywheelMotion, Problem
+from mahovik.use.plan.problem import FlywheelMotion, Problem, SplineSpace
 from mahovik.use.plan.runup import shortcomings, with_runup
-from mahovik.use.plan.search import Search, search, single
-from mahovik.use.plan.starts import repeat_motion, with_shortest_period
+from mahovik.use.plan.search import Search, repeat_motion, search, single, with_shortest_period
 
 SEARCH = 0.5
 """Share of the given time for the search, if run-up and run-down follow it; they have the rest."""

@@ -34,8 +34,7 @@ from mahovik.use.numeric.frame import in_E1
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Norm, prescribe, prescribed_at, residual, torques
 from mahovik.use.numeric.se3 import EULER, Array
-from mahovik.use.plan.certificate import certify, failed_items, peaks
-from mahovik.use.plan.outcome import Plan, Status
+from mahovik.use.plan.outcome import Plan, Status, certify, failed_items, peaks
 from mahovik.use.plan.slew_path import (
     Law,
     Limits,

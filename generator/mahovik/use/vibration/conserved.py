@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 
 from mahovik.use.numeric.residual import Drive
 from mahovik.use.numeric.se3 import Array, Complex, motor_cross, rotation_vector_rate, skew
-from mahovik.use.vibration.scene import LARGEST, Scene
+from mahovik.use.vibration.plant import LARGEST, Scene
 from mahovik.use.vibration.torus import Linearised, Solved, Torus, Whole, newton
 
 EXACT = 1e-12

@@ -24,10 +24,9 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import f
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.band import EDGE, in_band, read_band, read_frequency
-from mahovik.use.vibration.campbell import natural_at
 from mahovik.use.vibration.chain import Chain
-from mahovik.use.vibration.lines import SAME
+from mahovik.use.vibration.lines import EDGE, SAME, in_band, read_band, read_frequency
+from mahovik.use.vibration.plant import natural_at
 from mahovik.use.vibration.speeds import SpeedPlan
 from mahovik.use.vibration.study import Vibration, vibration
 from mahovik.use.vibration.torus import Flags

@@ -1,4 +1,4 @@
-"""Lines of a vibration over a range of speeds, and the three sums of them: the one definition for every question.
+"""Lines of a vibration over a range of speeds, the three sums of them in a band, and requirements on these.
 
 A line is Re(a exp(2 pi i f t)): one a wheel and order, one a frequency at which wheels combine. On each axis of what is
 seen, with noise of root mean square s beside them,
@@ -14,15 +14,64 @@ it is a line as well, so that rms and peak are those of the whole equations, and
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.stand.units import Dimension, QuantityError, number
+from mahovik.errors import UsageError
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.band import in_band
+
+EDGE = 1e-9
+"""Part of an end of a band by which a line may be beyond it: a line on an end is within, however it is rounded."""
+
+FREQUENCY = Dimension("a frequency", "Hz")
+
+
+def in_band(frequency: NDArray[np.floating[Any]] | float, band: tuple[float, float]) -> NDArray[np.bool_]:
+    """Whether lines of these frequencies belong to a band (both Hz): within it, or within EDGE of its ends."""
+    low, high = band
+    return np.asarray((frequency >= low * (1.0 - EDGE)) & (frequency <= high * (1.0 + EDGE)))
+
+
+def check_band(name: str, band: Sequence[float]) -> tuple[float, float]:
+    """An argument that must be two frequencies (Hz) of at least 0, the lower first. Raises UsageError."""
+    if not (len(band) == 2 and 0.0 <= band[0] < band[1] < math.inf):
+        raise UsageError(f"{name} {'..'.join(f'{f:g}' for f in band)} Hz: expected two frequencies, the lower first")
+    return float(band[0]), float(band[1])
+
+
+def read_band(name: str, value: Sequence[float | str] | str) -> tuple[float, float]:
+    """An argument that is a band, in Hz: two frequencies, or a text as "20..200Hz". Raises UsageError."""
+    if not isinstance(value, str):
+        return check_band(name, [read_frequency(name, edge) if isinstance(edge, str) else edge for edge in value])
+    low, dots, high = value.partition("..")
+    unit = re.sub(r"^[-+\d.eE\s]+", "", high)
+    if not (dots and low.strip() and unit):
+        raise UsageError(f'{name} {value}: expected two frequencies with their unit at the end, as "20..200Hz"')
+    return check_band(
+        name, [read_frequency(name, low if low.strip()[-1:].isalpha() else f"{low} {unit}"), read_frequency(name, high)]
+    )
+
+
+def read_frequency(name: str, text: str) -> float:
+    """A frequency of an argument, Hz. Raises UsageError."""
+    try:
+        return number(text, FREQUENCY)
+    except QuantityError:
+        raise UsageError(f'{name} {text}: expected a frequency with its unit, as "35Hz"') from None
+
+
+def rms(amplitudes: Complex, frequencies: Array, band: tuple[float, float] | None = None) -> Array:
+    """Root of the mean square (3) of harmonics (H + 1, 3) above zero, or of those in a band (Hz)."""
+    kept = in_band(frequencies, band or (0.0, np.inf)) & (frequencies > 0.0)
+    return np.asarray(np.sqrt((np.abs(amplitudes[kept]) ** 2).sum(axis=0) / 2.0))
+
 
 SAME = 1e-9
 """Relative difference of frequencies below which two lines are one: a beat lasts years."""
@@ -185,3 +234,52 @@ def coherent(frequency: Array, amplitude: Complex) -> tuple[Array, Complex]:
         first = np.diff(f, axis=1, prepend=-1.0) > SAME * f
         total[first] = np.add.reduceat(a.reshape(-1, 3), np.flatnonzero(first))
     return f, np.where((f > 0.0)[..., None], total, 0.0)
+
+
+WORDS = {
+    "rad": "an angle",
+    "rad/s": "an angular speed",
+    "m": "a length",
+    "m/s": "a velocity",
+    "m/s2": "an acceleration",
+    "rad/s2": "an angular acceleration",
+    "N": "a force",
+    "N m": "a moment",
+}
+
+_TEXT = re.compile(r"\s*(\w+)\s+([-+\d.eE]+\s*[^\d\s.eE+-].*?)(?:\s+([\d.eE+-]+)\s*\.\.\s*([\d.eE+-]+)\s*Hz)?\s*")
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """A limit (SI) of a sum, rms, peak or worst, on every axis and at every speed; band in Hz, None: all."""
+
+    text: str
+    sum: str
+    limit: float
+    band: tuple[float, float] | None = None
+
+
+def read_requirements(texts: Sequence[str], name: str, unit: str) -> tuple[Requirement, ...]:
+    """Requirements from texts, as "rms 0.1 arcsec" or "worst 2 um 10..200Hz", on what is seen. Raises UsageError."""
+    if texts and unit not in WORDS:
+        raise UsageError(f"require: {name} of a basis has no unit; expected another freedom, a point or a load")
+    return tuple(_read(text, Dimension(WORDS[unit], unit.replace("s2", "s^2"))) for text in texts)
+
+
+def _read(text: str, dimension: Dimension) -> Requirement:
+    parts = _TEXT.fullmatch(text)
+    if parts is None or parts[1].lower() not in Sums._fields:
+        raise UsageError(
+            f'require {text}: expected rms, peak or worst and a limit with a unit, as "rms 0.1 arcsec 10..200Hz"'
+        )
+    if ".." in parts[2]:
+        raise UsageError(f'require {text}: expected a band with its unit at the end, as "10..200Hz"')
+    try:
+        limit = number(parts[2], dimension)
+        band = (float(parts[3]), float(parts[4])) if parts[3] else None
+    except (QuantityError, ValueError) as error:
+        raise UsageError(f"require {text}: {error}") from None
+    if not (limit > 0.0 and (band is None or 0.0 <= band[0] < band[1] < np.inf)):
+        raise UsageError(f"require {text}: expected a limit above 0, and the lower frequency first")
+    return Requirement(" ".join(text.split()), parts[1].lower(), limit, band)

@@ -34,7 +34,7 @@ from mahovik.use.numeric.residual import Drive
 from mahovik.use.numeric.se3 import Array, Complex
 from mahovik.use.vibration.conserved import Conserved, conserves, solve
 from mahovik.use.vibration.lines import coherent
-from mahovik.use.vibration.scene import FREE, LARGEST, Scene
+from mahovik.use.vibration.plant import FREE, LARGEST, Scene
 from mahovik.use.vibration.speeds import Turning, common_period
 from mahovik.use.vibration.torus import Linearised, Solved, Torus, Whole, newton
 from mahovik.use.vibration.view import FullMotion, Observable

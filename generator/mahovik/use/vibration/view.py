@@ -23,9 +23,9 @@ from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.study.linear.model import Place, output_rows, places
-from mahovik.use.vibration.scene import Scene, coordinates
-from mahovik.use.vibration.structure import SHAPE, Structure
+from mahovik.use.study.linear import Place, output_rows, places
+from mahovik.use.vibration.maker import SHAPE, Structure
+from mahovik.use.vibration.plant import Scene, coordinates
 
 REACTION = "hold.reaction"
 """Name of the reaction of a hold among what is seen."""

@@ -1,12 +1,14 @@
-"""Whether float resolves the effect of unbalance: the effect of each flywheel's unbalance beside the rounding of float.
+"""Demands that a stand's flywheels do not reach, and effects of unbalance that float does not resolve.
+
+Demands are small ones on the carrier, of (12) as a whole and of the tasks of a stand. Far more than any motor has means
+that (12) is singular in practice; a direction that no flywheel moves is out of reach.
 
 The effect of a flywheel's unbalance on a result is the difference from a balanced and symmetric flywheel, by the
 reference in double. The rounding of float is FACTOR units (2^-24) of the scale of the result, which is measured: what
 it changes by where every number of stand and state changes a little. If the rounding is more than half of the effect in
-every component, float cannot show the unbalance reliably, even with correct C.
-
-Evaluated with the flywheels at given speeds, at some phases: with the carrier at rest, where the unbalance stands
-beside weight and suspension, and moving by 1 m/s and 1 rad/s about every axis, where gyroscopic terms stand beside it.
+every component, float cannot show the unbalance reliably, even with correct C. Flywheels have given speeds and some
+phases: with the carrier at rest, where the unbalance stands beside weight and suspension, and moving by 1 m/s and
+1 rad/s about every axis, where gyroscopic terms stand beside it.
 """
 
 from __future__ import annotations
@@ -17,10 +19,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mahovik.core.stand.model import Flywheel, Stand, State, Vec6, rest_state
+from mahovik.core.stand.coordinates import row_name
+from mahovik.core.stand.model import COMPONENTS, Flywheel, Stand, State, Task, TaskRow, Vec6, rest_state
 from mahovik.proof import reference
+from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, times
-from mahovik.proof.reference.motion import bias
+from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows
+from mahovik.proof.reference.motion import bias, forward, torque
 from mahovik.proof.reference.pieces import (
     Bodies,
     Pieces,
@@ -33,6 +38,121 @@ from mahovik.proof.reference.pieces import (
     velocity_matrix,
 )
 from mahovik.proof.verify.scales import Scales
+
+WHOLE = Task("", tuple(TaskRow("", component) for component in COMPONENTS))
+"""(12) as a whole, a task of all six components of V*."""
+
+_NEGLIGIBLE = 1e-3
+"""Parts of a direction below this are not named."""
+
+SMALL = 1e-3
+"""m/s2, rad/s2: what is demanded of one row, of the others zero."""
+
+POSITIONS = 5
+"""Positions of the flywheels, at rest, over which the median is taken."""
+
+_SEED = 20
+
+
+@dataclass(frozen=True)
+class Shortfall:
+    """A direction of a demand that the flywheels cannot give, or not with what they have.
+
+    task       its name; "" of (12) as a whole
+    rows       names of its rows
+    direction  of the demand (m, unit length): m/s2 and rad/s2
+    flywheel   that needs most; "" where no flywheel helps
+    share      of what it has, for a demand of SMALL; infinite where no flywheel helps
+    """
+
+    task: str
+    rows: tuple[str, ...]
+    direction: tuple[float, ...]
+    flywheel: str
+    share: float
+
+    def __str__(self) -> str:
+        parts = [(x, row) for x, row in zip(self.direction, self.rows, strict=True) if abs(x) > _NEGLIGIBLE]
+        words = parts[0][1] if len(parts) == 1 else " ".join(f"{x:+.3g} {row}" for x, row in parts)
+        if not self.flywheel:
+            return (
+                f"task {self.task}: no flywheel moves the carrier along {words} (UNREACHABLE); remove a row, "
+                "or add or turn a flywheel"
+            )
+        needs = f"{SMALL:g} m/s2 or rad/s2 along {words} alone needs {self.share:.3g} times what {self.flywheel} has"
+        if self.task:
+            return f"task {self.task}: {needs} (EXCESSIVE); remove the row, or add or turn a flywheel"
+        return (
+            f"(12) is singular in practice: {needs} (EXCESSIVE); name the rows that you need, "
+            '[task.pointing] rows = ["wx", "wy", "wz"], and ask the task'
+        )
+
+
+def excess(stand: Stand) -> Shortfall | None:
+    """What (12) needs most for a small demand, if this is more than there is in most positions; else None.
+
+    None of a held carrier, which (12) does not ask for all six components, nor of a stand whose tasks name what is
+    asked.
+    """
+    if not stand.flywheels or stand.hold is not None or stand.tasks:
+        return None
+    return next(_shortfalls(stand, [WHOLE]), None)
+
+
+def task_shortfalls(stand: Stand) -> list[Shortfall]:
+    """At most one of each task: a direction out of reach at all tried positions, else the row that needs most.
+
+    At rest, at seeded positions of the flywheels; a row needs too much if it does in most of them.
+    """
+    return list(_shortfalls(stand, stand.tasks))
+
+
+def _shortfalls(stand: Stand, tasks: Sequence[Task]) -> Iterator[Shortfall]:
+    """Those of some tasks; of (12) as a whole without directions out of reach, which few flywheels always leave."""
+    bodies, rng, still, n = bodies_of(stand), np.random.default_rng(_SEED), rest_state(stand), len(stand.flywheels)
+    phases = [tuple(rng.uniform(-np.pi, np.pi, n)) for _ in range(POSITIONS)]
+    places = [pieces(stand, replace(still, phi=phi), bodies) for phi in phases] if tasks else []
+    for task in tasks:
+        rows, names = [task_rows(at, stand, task) for at in places], tuple(map(row_name, task.rows))
+        missing = [_missing(at, row) for at, row in zip(places, rows, strict=True)] if task.name else [None]
+        if missing[0] is not None and all(vector is not None for vector in missing):
+            yield Shortfall(task.name, names, tuple(map(float, missing[0])), "", np.inf)
+            continue
+        needs = [_needed_share(stand, at, row) for at, row in zip(places, rows, strict=True)]
+        needed = np.sort(needs, axis=0)[POSITIONS // 2]  # np.median would import numpy.ma
+        i, s = divmod(int(np.argmax(needed)), n)
+        if needed[i, s] > 1.0:
+            direction = tuple(float(i == k) for k in range(len(names)))
+            yield Shortfall(task.name, names, direction, stand.flywheels[s].name, float(needed[i, s]))
+
+
+def _missing(at: Pieces, rows: TaskRows) -> Array | None:
+    """The demand (m, unit length, largest part positive) that is least reached, if it is not reached at all."""
+    m = len(rows.S)
+    asked = scaled_task(at, rows, np.zeros(m))
+    U, sigma, _ = np.linalg.svd(asked.W)
+    if len(sigma) == m and sigma[-1] > CUTS.rank:  # sigma is a ratio of energies: 1 would be all of a flywheel's
+        return None
+    direction = np.linalg.solve(asked.root, U[:, -1])
+    largest = direction[np.argmax(np.abs(direction))]
+    return np.asarray(np.sign(largest) * direction / np.linalg.norm(direction), dtype=np.float64)
+
+
+def _needed_share(stand: Stand, at: Pieces, rows: TaskRows) -> Array:
+    """Share (m x N) of what each flywheel has, for SMALL of each row, beyond what no demand needs.
+
+    The drive torques are linear in the motion that a flywheel makes: tau = tau_0 + I^T V* + Theta_ff phi''.
+    """
+    m, none = len(rows.S), np.zeros(len(stand.flywheels))
+    still, at_rest = least_error(scaled_task(at, rows, rows.s)).phi_ddot, torque(at, np.zeros(6), none)
+
+    def shares(demand: Array) -> Array:
+        phi_ddot = least_error(scaled_task(at, rows, rows.s + demand)).phi_ddot - still
+        tau = at_rest + at.I.T @ forward(at, phi_ddot) + np.diag(at.Theta_ff) * phi_ddot
+        return shares_of(stand, at, tau, phi_ddot)
+
+    return np.array([shares(SMALL * unit) for unit in np.eye(m)])
+
 
 UNIT = 2.0**-24
 """Largest relative error of one rounding in float."""
@@ -61,7 +181,7 @@ QUANTITIES = {
 
 
 @dataclass(frozen=True)
-class Shortfall:
+class Unresolved:
     """A quantity in which float does not show the unbalance of a flywheel.
 
     flywheel, speed  its name, rad/s
@@ -97,14 +217,14 @@ def balanced_flywheel(flywheel: Flywheel) -> Flywheel:
     )
 
 
-def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
+def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Unresolved]:
     """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want.
 
     None of a held carrier, which has no C in float yet.
     """
     if stand.hold is not None or not stand.flywheels:
         return []
-    result: dict[tuple[int, str], Shortfall] = {}
+    result: dict[tuple[int, str], Unresolved] = {}
     scales = Scales(stand, "float")
     balanced = replace(stand, flywheels=tuple(map(balanced_flywheel, stand.flywheels)))
     balanced_bodies = bodies_of(balanced)
@@ -118,7 +238,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Shortfall]:
             for number, (effect, rounding) in enumerate(rows.tolist()):
                 if 0.0 < effect * PART < rounding:
                     name, words = stand.flywheels[number].name, QUANTITIES[want][1]
-                    result[number, want] = Shortfall(name, speeds[number], want, words, motion, effect, rounding)
+                    result[number, want] = Unresolved(name, speeds[number], want, words, motion, effect, rounding)
     return [result[key] for key in sorted(result)]
 
 
@@ -175,6 +295,6 @@ def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State
         yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
 
 
-def shortfalls_line(short: Sequence[Shortfall]) -> str:
+def shortfalls_line(short: Sequence[Unresolved]) -> str:
     """One line on all quantities that float does not resolve; empty without any."""
     return f"{short[0]}{f' (and {len(short) - 1} more)' if len(short) > 1 else ''}" if short else ""
