@@ -15,8 +15,7 @@ from mahovik.core.emit.delivered import deliver
 from mahovik.core.emit.delivery import delivery as delivered
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import require
-from mahovik.core.toolchain.targets import Target
+from mahovik.core.toolchain.targets import Target, require
 from mahovik.proof import cost as measuring
 from mahovik.proof.cost import USUAL, Costs, FunctionCost, TargetCost
 from mahovik.stands import path

@@ -9,9 +9,8 @@ import pytest
 
 from cli.run import BENCH8, DEMO3, refused, run
 from mahovik.core.stand import load
-from mahovik.core.toolchain.board import build
-from mahovik.core.toolchain.board import run as run_program
-from mahovik.core.toolchain.targets import TARGETS
+from mahovik.core.toolchain.targets import TARGETS, build
+from mahovik.core.toolchain.targets import run as run_program
 from mahovik.stands import path
 from simulate.flights import Recorder
 from targets.flight import flight

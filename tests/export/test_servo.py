@@ -19,8 +19,8 @@ from mahovik import stands
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.motion.programme import save_programme
 from mahovik.core.stand.model import Hold, Stand
-from mahovik.core.toolchain.board import build
-from mahovik.core.toolchain.board import run as run_board
+from mahovik.core.toolchain.targets import build
+from mahovik.core.toolchain.targets import run as run_board
 from mahovik.errors import StandError
 from mahovik.out.export.servo import ExportedServo, export_servo
 from mahovik.proof.verify.functions.table import verify_servo

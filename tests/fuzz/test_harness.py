@@ -11,7 +11,7 @@ import pytest
 
 from cli.run import DEMO3, run
 from mahovik.core.stand import load
-from mahovik.core.toolchain.fuzzing import compile_harness, fuzz, fuzz_project, minimise, sources
+from mahovik.core.toolchain.checks import compile_harness, fuzz, fuzz_project, minimise, sources
 from mahovik.errors import CheckError
 from mahovik.writing import write_all
 from toolchain.tools import compile_c, require

@@ -6,7 +6,7 @@ import re
 
 from cli.run import DEMO3
 from mahovik.core.stand import load
-from mahovik.core.toolchain.fuzzing import fuzz_project
+from mahovik.core.toolchain.checks import fuzz_project
 
 
 def test_every_public_function_is_fuzzed() -> None:

@@ -10,7 +10,7 @@ from targets.programs import template
 
 
 def flight(stand: Stand, real: str, steps: int, dt: float = 1e-3, torque: float = 0.02) -> dict[str, str]:
-    """C texts by file name for `board.build`: the stand, its recorder, and a `main` that prints the log.
+    """C texts by file name for `targets.build`: the stand, its recorder, and a `main` that prints the log.
 
     New torques are drawn for each of `steps` steps of `dt` seconds, up to `torque` N m. The stand has flywheels and no
     run-time wrenches.

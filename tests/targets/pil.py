@@ -34,7 +34,7 @@ class Run:
 
 
 def processor_in_the_loop(stand: Stand, real_stand: Stand, made: ExportedServo, samples: int) -> dict[str, str]:
-    """C texts by file name for `board.build`: servos made for `stand` against `real_stand`, of the same structure."""
+    """C texts by file name for `targets.build`: servos made for `stand` against `real_stand`, of the same structure."""
     assert identities(stand).structure == identities(real_stand).structure
     precision = made.program.precision
     generated, other = generate_all(stand, precision.name), generate_all(real_stand, precision.name)

@@ -11,7 +11,7 @@ from export.programmes import exported as programme
 from export.programmes import stand, stand_files
 from export.servos import exported as servos
 from mahovik.core.stand import load as load_stand
-from mahovik.core.toolchain.board import build, run
+from mahovik.core.toolchain.targets import build, run
 from mahovik.out.export.attitude import attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 from mahovik.core.toolchain import targets as targets_module
-from mahovik.core.toolchain.board import build, run
-from mahovik.core.toolchain.targets import TARGETS
+from mahovik.core.toolchain.targets import TARGETS, build, run
 from mahovik.errors import ToolchainError
 from toolchain.tools import EMBEDDED, QUICK, target
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from mahovik.core.toolchain.board import compile_one
-from mahovik.core.toolchain.footprint import STACK_FLAGS, Footprint, footprint
+from mahovik.core.toolchain.cost import STACK_FLAGS, Footprint, footprint
+from mahovik.core.toolchain.targets import compile_one
 from toolchain.tools import target
 
 CHAIN = """

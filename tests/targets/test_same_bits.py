@@ -8,7 +8,7 @@ import pytest
 
 from cli.run import DEMO3, run
 from mahovik.core.stand import load
-from mahovik.core.toolchain import board
+from mahovik.core.toolchain import targets
 from mahovik.core.toolchain.targets import TARGETS
 from mahovik.errors import UsageError
 from mahovik.proof.verify.check import Check, Report, conclusion
@@ -37,7 +37,7 @@ def test_quick_targets_have_the_bits_of_the_interpreter() -> None:
 @pytest.mark.slow
 def test_fused_products_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     """The one flag that the bits rest on is turned round, on a processor that can fuse."""
-    monkeypatch.setattr(board, "BITS", ("-ffp-contract=fast",))
+    monkeypatch.setattr(targets, "BITS", ("-ffp-contract=fast",))
     report = verify_targets(load(DEMO3), [(target("rv64gc"), "double")], sweep=2)
     (row,) = report.rows
     assert row.verdict == "FAILED"

@@ -11,7 +11,7 @@ from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers, eva_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.toolchain.static_checks import Proof, parse_proof, prove
+from mahovik.core.toolchain.checks import Proof, parse_proof, prove
 from mahovik.errors import ToolchainError
 from toolchain.quick import quick
 from toolchain.tools import require, run

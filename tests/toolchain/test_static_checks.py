@@ -8,7 +8,7 @@ import pytest
 
 from emit.stands import stand, write
 from mahovik.core.emit.delivery import delivery
-from mahovik.core.toolchain.static_checks import (
+from mahovik.core.toolchain.checks import (
     Finding,
     count_by_rule,
     findings,

@@ -22,7 +22,7 @@ from typing import Any
 
 from campaigns import REALS, ROOT, Rows, Table, cores
 from mahovik.core.stand import load
-from mahovik.core.toolchain.fuzzing import FLAGS, compile_harness, fuzz, fuzz_project, minimise, sources
+from mahovik.core.toolchain.checks import FLAGS, compile_harness, fuzz, fuzz_project, minimise, sources
 from mahovik.errors import CheckError
 from mahovik.stands import path
 from mahovik.writing import write_all

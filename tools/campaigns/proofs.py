@@ -24,7 +24,7 @@ from mahovik.core.emit.eva import Driver, drivers, eva_files
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.stand import Stand, load, loads
-from mahovik.core.toolchain.static_checks import (
+from mahovik.core.toolchain.checks import (
     DEVIATIONS,
     STANDING_FINDINGS,
     Proof,

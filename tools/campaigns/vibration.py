@@ -17,8 +17,7 @@ from campaigns import Rows, Table, at_most
 from mahovik.core.motion.regime import WrenchTable, steady_regime
 from mahovik.core.stand import Stand, load
 from mahovik.core.stand.random import random_stand, random_state
-from mahovik.core.toolchain.block import Block
-from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.compiled import Block, compile_library
 from mahovik.stands import path
 from mahovik.use.simulate.case import Case, wrap_phases
 from mahovik.use.simulate.run import simulate

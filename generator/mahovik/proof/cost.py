@@ -20,12 +20,10 @@ from mahovik.core.lower.test_inputs import Generator, draw, plan
 from mahovik.core.program.function import Program
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
-from mahovik.core.toolchain.board import build, require, run, version
 from mahovik.core.toolchain.compiler import BITS
-from mahovik.core.toolchain.footprint import STACK_FLAGS, footprint
+from mahovik.core.toolchain.cost import NATIVE, STACK_FLAGS, footprint, instructions_of_host, read, workload
 from mahovik.core.toolchain.process import side_by_side
-from mahovik.core.toolchain.targets import TARGETS, Target
-from mahovik.core.toolchain.workload import NATIVE, instructions_of_host, read, workload
+from mahovik.core.toolchain.targets import TARGETS, Target, build, require, run, version
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.proof.verify import selftest
 

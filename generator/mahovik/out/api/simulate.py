@@ -11,7 +11,7 @@ import numpy as np
 
 from mahovik.core.motion.regime import Regime, steady_regime
 from mahovik.core.stand.model import Stand, rest_state
-from mahovik.core.toolchain.block import Block
+from mahovik.core.toolchain.compiled import Block
 from mahovik.errors import InputError, RefusedError, UsageError
 from mahovik.out.api.calls import Array, Calls, OnError
 from mahovik.out.api.inputs import time

@@ -20,8 +20,7 @@ from mahovik.core.stand.physical import doubtful_samples
 from mahovik.core.stand.stand_file import read
 from mahovik.core.stand.structure import structure
 from mahovik.core.stand.units import show
-from mahovik.core.toolchain.block import LANES
-from mahovik.core.toolchain.compiled import CompiledLibrary, lower_structure
+from mahovik.core.toolchain.compiled import LANES, CompiledLibrary, lower_structure
 from mahovik.errors import InputError, StandError, UsageError
 from mahovik.out.api.inputs import is_count
 from mahovik.out.api.stands import Stand

@@ -23,8 +23,7 @@ from mahovik.core.stand.model import Stand as CoreStand
 from mahovik.core.stand.model import State
 from mahovik.core.stand.tables import NOTHING, Problems, Table
 from mahovik.core.stand.units import PLAIN, TIME, QuantityError, show
-from mahovik.core.toolchain.block import PER_BLOCK, Block
-from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.compiled import PER_BLOCK, Block, compile_library
 from mahovik.errors import CheckError, MahovikError, StateError, UsageError
 from mahovik.out.api.model import build
 from mahovik.out.api.stands import Stand

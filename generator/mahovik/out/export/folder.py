@@ -85,7 +85,7 @@ def add_project(
 
         contents.files = cmake_project(stand, real, only, additions, _companions(contents, folder, stand))
     elif project == "fuzz":
-        from mahovik.core.toolchain.fuzzing import fuzz_project
+        from mahovik.core.toolchain.checks import fuzz_project
 
         contents.files = fuzz_project(stand, real)
     elif project in BLOCKS:

@@ -12,9 +12,8 @@ from mahovik.core.emit.manifest import with_manifest
 from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.templates import template
 from mahovik.core.stand.model import Stand
-from mahovik.core.toolchain.board import board_files, link_flags, selftest_main
 from mahovik.core.toolchain.compiler import BITS
-from mahovik.core.toolchain.targets import TARGETS, Target
+from mahovik.core.toolchain.targets import TARGETS, Target, board_files, link_flags, selftest_main
 from mahovik.errors import UsageError
 from mahovik.nearest import suggestion
 

@@ -19,8 +19,7 @@ from mahovik.core.motion.functions import Motion
 from mahovik.core.motion.laws import SpeedLaw
 from mahovik.core.motion.regime import FlywheelRegime, Regime
 from mahovik.core.stand.hold import twists
-from mahovik.core.toolchain.block import PER_BLOCK, Block
-from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.compiled import PER_BLOCK, Block, compile_library
 from mahovik.errors import StateError, UsageError
 from mahovik.out.api.stands import Stand
 from mahovik.out.api.tables import Tables

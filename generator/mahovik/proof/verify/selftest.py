@@ -19,9 +19,8 @@ from mahovik.core.emit.generate import Generated, generate_all
 from mahovik.core.lower.golden import CASES, tested_functions
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities, under_name
-from mahovik.core.toolchain.board import build, build_version, run, selftest_main
 from mahovik.core.toolchain.process import side_by_side
-from mahovik.core.toolchain.targets import TARGETS, Target
+from mahovik.core.toolchain.targets import TARGETS, Target, build, build_version, run, selftest_main
 from mahovik.errors import ToolchainError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.proof.verify.check import Check, Report, report

@@ -34,8 +34,7 @@ from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
 from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
 from mahovik.core.stand.motor import steepness
-from mahovik.core.toolchain.block import Block
-from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.compiled import Block, compile_library
 from mahovik.core.toolchain.library import Library, uniform_data
 from mahovik.errors import CheckError, StateError, UsageError
 from mahovik.proof.verify.programme.mechanics import scale_of, twist

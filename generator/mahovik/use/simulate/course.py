@@ -20,7 +20,7 @@ from mahovik.core.motion.laws import RunUp, TorqueLaw, TorqueSpeed
 from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import UNLIMITED, Curve, Motor
-from mahovik.core.toolchain.block import Array, Block
+from mahovik.core.toolchain.compiled import Array, Block
 from mahovik.core.toolchain.library import FLAGS, load_compiled
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.pieces import stream_at

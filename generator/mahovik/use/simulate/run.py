@@ -10,8 +10,7 @@ import numpy as np
 from mahovik.core.stand.hold import freedom_names, has_coordinates
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import available_torque, required_torque
-from mahovik.core.toolchain.block import Block
-from mahovik.core.toolchain.compiled import compile_library
+from mahovik.core.toolchain.compiled import Block, compile_library
 from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.algebra import carrier_rotation, quaternion_of
 from mahovik.use.measured.headers import AXES, CARRIER, RATES, sensors, state_columns, with_units
