@@ -30,7 +30,7 @@ STUDIES = ("campaign", "identify", "foreign")
 LIMITS = {
     "package": 87_500,
     "laws": 4_500,
-    "commands, API, report": 8_750,
+    "commands, API, report": 8_500,
     "templates": 7_150,
     "tests": 43_500,
     "tools and bench": 5_000,

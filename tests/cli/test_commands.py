@@ -73,7 +73,7 @@ def test_new_names_the_stand_after_its_file(tmp_path: Path) -> None:
     assert said.output.splitlines()[-1].startswith(
         'the stand is still named bench8, since "my-stand" is not a C identifier'
     )
-    assert said.output.endswith("give another by --name\n")
+    assert said.output.endswith("give another by --name NAME\n")
     assert run("new", "bench8", "--name", "other", "-o", str(tmp_path / "third.toml")).stderr == ""
     assert load(tmp_path / "third.toml").name == "other"
 

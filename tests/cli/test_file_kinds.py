@@ -11,7 +11,7 @@ import pytest
 from cli.run import refused
 from mahovik import stands
 from mahovik.core.motion.programme import save_programme
-from mahovik.out.file_kinds import kind_of
+from mahovik.out.arguments import kind_of
 from verify.programme.programmes import shaker
 
 WORDS = {

@@ -10,12 +10,12 @@ import sys
 import pytest
 
 from cli.terminal import on_terminal
-from mahovik.out.progress import PATIENCE
+from mahovik.out.notices import PATIENCE
 
 WORK = """
 import sys, time
 from mahovik.out.notices import Progress
-from mahovik.out.progress import progress
+from mahovik.out.notices import progress
 words = "verify bench8 with a name that is too long for the narrowest of terminals"
 with progress(words) as show:
     for k in range(20):

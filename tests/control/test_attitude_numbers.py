@@ -14,7 +14,7 @@ from scipy.optimize import brentq, minimize
 from mahovik.core.stand import load, rest_state
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.out.export.attitude import attitude_sources
+from mahovik.out.export.project import attitude_sources
 from mahovik.proof import reference
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions, design_attitude

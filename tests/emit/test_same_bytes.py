@@ -22,7 +22,7 @@ for text in delivery(load(sys.argv[1]), "double", ALL, tuple(ADDITIONS)).values(
 LOOP = """
 import sys
 from mahovik.core.stand import load
-from mahovik.out.export.attitude import attitude_sources
+from mahovik.out.export.project import attitude_sources
 from mahovik.use.control.attitude import LoopOptions
 for text in attitude_sources(load(sys.argv[1]), LoopOptions(), "double").files.values():
     sys.stdout.buffer.write(text.encode("ascii"))

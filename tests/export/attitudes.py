@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from mahovik.core.emit.templates import source_text
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Stand
-from mahovik.out.export.attitude import ExportedAttitude, attitude_sources
+from mahovik.out.export.project import ExportedAttitude, attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions
 from toolchain.tools import compile_c

@@ -37,7 +37,7 @@ from export.programmes import check_delivered
 from mahovik.core.stand import load
 from mahovik.core.stand.model import Hold, Stand, rest_state
 from mahovik.errors import UsageError
-from mahovik.out.export.attitude import attitude_sources
+from mahovik.out.export.project import attitude_sources
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.pieces import momentum
 from mahovik.stands import path

@@ -13,7 +13,7 @@ import pytest
 
 from cli.run import BENCH8, refused, run
 from mahovik.core.stand import load
-from mahovik.out.export.cmake import cmake_project
+from mahovik.out.export.project import cmake_project
 from mahovik.stands import path
 from toolchain.tools import require
 

@@ -164,6 +164,12 @@ def test_a_joint_on_the_world_is_a_hold_with_springs_friction_and_stops(tmp_path
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
     assert "slide = [0.0, 0.0, -1.0]" in made.text
     assert 'at = 0.3\nside = "above"' in made.text
+    slides = 'type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint'
+    plane = f'{slides} name="turn" axis="0 0 -1" range="-10 40"'
+    text = CART.format(angle="degree", name="x", joint=plane).replace('armature="2e-4"', "")
+    (stops,) = (law for law in imported(written(tmp_path, "m.xml", text)).stand.laws if type(law).__name__ == "Stops")
+    assert [stop.freedom for stop in stops.items] == [2, 2]  # yaw, which turns against the joint
+    assert [stop.at for stop in stops.items] == pytest.approx(np.radians([-40, 10]))
     slides = 'type="slide" axis="1 0 0" damping="0.4"/><joint type="slide" axis="0 1 0" damping="0"/><joint'
     text = CART.format(angle="radian", name="x", joint=f'{slides} name="turn" axis="0 0 1" damping="2"')
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
@@ -179,9 +185,7 @@ def test_a_joint_on_the_world_is_a_hold_with_springs_friction_and_stops(tmp_path
 
 def test_armature_is_refused_or_the_wheels(tmp_path: Path) -> None:
     path = written(tmp_path, "m.xml", CART.format(angle="radian", name="h", joint='type="free"'))
-    with pytest.raises(
-        ForeignError, match=r'joint "spin": armature 0\.0002 is inertia without a body: --armature wheel'
-    ):
+    with pytest.raises(ForeignError, match=r'joint "spin": armature 0\.0002 is inertia without a body: armature=wheel'):
         make_stand(read(path, None)[0], "m", "m.xml")
     made = imported(path, armature="wheel")
     assert "its spin turns the carrier, which that of the file does not" in notes(made)
@@ -190,6 +194,12 @@ def test_armature_is_refused_or_the_wheels(tmp_path: Path) -> None:
     assert change == pytest.approx(np.diag([2e-4, 1e-4, 1e-4]), abs=1e-15)
     change = np.array(made.stand.carrier.inertia) - np.array(plain.stand.carrier.inertia)
     assert change == pytest.approx(np.diag([-1e-4, -2e-4, -1e-4]), abs=1e-15)
+    stick = path.read_text().replace('size="0.1" mass="2"', 'type="capsule" size="0.01 0.5" mass="2"')
+    stick = written(tmp_path, "stick.xml", stick.replace('armature="2e-4"', 'armature="1.5e-4"'))
+    with pytest.raises(
+        ForeignError, match=r'joint "spin": armature 0\.00015: a thin disc of it has more inertia in its'
+    ):
+        imported(stick, armature="wheel")
 
 
 INERTIA = '<inertia ixx="{0}" ixy="0" ixz="0" iyy="{0}" iyz="0" izz="{0}"/>'
@@ -354,7 +364,7 @@ def px4(folder: Path) -> Path:
 
 def test_a_vehicle_of_the_px4_simulator(tmp_path: Path) -> None:
     path = px4(tmp_path)
-    with pytest.raises(ForeignError, match=r'joint "g::pitch": turns from -2\.3 to 0\.8: .*; --fix g::pitch'):
+    with pytest.raises(ForeignError, match=r'joint "g::pitch": turns from -2\.3 to 0\.8: .*; fix=g::pitch'):
         make_stand(read(path, None)[0], "x", "x.sdf")
     made = imported(path, fix=["g::pitch"])
     stand = made.stand
@@ -368,8 +378,36 @@ def test_a_vehicle_of_the_px4_simulator(tmp_path: Path) -> None:
     camera = turned @ np.array([0, 0, 0.16]) + [0, 0, 0.1]
     centre = (2 * np.array([0.01, 0, 0.02]) + 0.1 * np.array([0, 0, 0.36]) + 0.2 * camera) / 2.3
     assert stand.carrier.center_of_mass == pytest.approx(centre)
-    for words in ("2 physics", "1 plugin", "2 velocity_decay", 'joint "rotor_0_joint": effort 0 is read as no limit'):
+    for words in ("2 physics", "1 plugin", 'joint "rotor_0_joint": effort 0 is read as no limit'):
         assert words in notes(made)
+    assert "velocity_decay" not in notes(made)  # the file has it without numbers
+
+
+def test_the_fluid_of_an_sdf_is_added_mass_of_the_carrier(tmp_path: Path) -> None:
+    """Its matrix is in the frame of a link, about that origin: the energy of the fluid is that of the link's motion."""
+    rng = np.random.default_rng(3)
+    keys = [(i, j) for i in range(6) for j in range(i, 6)]
+    root = rng.normal(size=(6, 6))
+    A = root @ root.T
+    numbers = {"xyzpqr"[i] + "xyzpqr"[j]: float(A[i, j]) for i, j in keys}
+    fluid = "<pose>0 0 9 1 0 0</pose><fluid_added_mass>{}</fluid_added_mass></inertial>"
+    fluid = fluid.format("".join(f"<{key}>{number!r}</{key}>" for key, number in numbers.items()))
+    pose, fluid = (0.3, -0.1, 0.2, 0.4, -0.5, 0.6), LIGHT.format(1.5).replace("</inertial>", fluid)
+    fin = f"""<link name="fin"><pose>{" ".join(map(str, pose))}</pose>{fluid}
+    <velocity_decay><linear>0.1</linear></velocity_decay></link>
+    <joint name="f" type="fixed"><parent>base_link</parent><child>fin</child></joint>"""
+    path = written(tmp_path, "m.sdf", f'<sdf version="1.9"><model name="m">{BASE}{fin}</model></sdf>')
+    made = imported(path)
+    assert "fluid_added_mass is added_mass of the carrier" in notes(made)
+    assert 'link "fin": velocity_decay, a damping in some engines, is left out' in notes(made)
+    turned, arm = Rotation.from_euler("xyz", pose[3:]), np.array(pose[:3])
+    for V in rng.normal(size=(4, 6)):
+        v = turned.inv().apply([V[:3] + np.cross(V[3:], arm), V[3:]]).ravel()
+        assert V @ np.array(made.stand.carrier.added_mass) @ V == pytest.approx(v @ A @ v, rel=1e-12)
+    fluid = "<fluid_added_mass><xx>1</xx></fluid_added_mass></inertial>"
+    wheel = ROTOR.format(i=0, y=0.1).replace("</inertial>", fluid)
+    path = written(tmp_path, "w.sdf", f'<sdf version="1.9"><model name="m">{BASE}{wheel}</model></sdf>')
+    assert 'link "rotor_0": fluid_added_mass left out: a flywheel has none' in notes(imported(path))
 
 
 def test_what_sdf_says_where_the_file_does_not(tmp_path: Path) -> None:

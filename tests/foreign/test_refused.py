@@ -111,7 +111,7 @@ PLANE = (
 OF_MJCF = {
     "slide": (
         hub(SPUN.format('type="slide"')),
-        'joint "j": slide: a flywheel turns about one axis, as a hinge does; --fix j',
+        'joint "j": slide: a flywheel turns about one axis, as a hinge does; fix=j',
     ),
     "ball": (hub(SPUN.format('type="ball"')), 'joint "j": ball: a flywheel turns about one axis'),
     "spring": (hub(SPUN.format('stiffness="1"')), 'joint "j": stiffness 1: a flywheel has no spring'),
@@ -215,14 +215,23 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
         imported(tmp_path)
 
 
+def test_the_file_of_a_mesh_is_needed_for_inertia_alone(tmp_path: Path) -> None:
+    text = """<mujoco><compiler meshdir="stl"/><asset><mesh name="hull" file="hull.stl"/></asset><worldbody>
+    <body name="a"><freejoint/>{}<geom type="mesh" mesh="hull"/></body></worldbody></mujoco>"""
+    (tmp_path / "m.xml").write_text(text.format(""))
+    words = 'mesh "hull": its file hull.stl is not in .*stl, but the inertia of body "a" comes of it: put it there, or'
+    with pytest.raises(ForeignError, match=words):
+        imported(tmp_path / "m.xml")
+    (tmp_path / "m.xml").write_text(text.format('<inertial mass="2" pos="0 0 0" diaginertia="1 1 1"/>'))
+    assert make_stand(read(tmp_path / "m.xml", None)[0], "m", "m").carrier == "a"
+
+
 def test_a_carrier_that_is_none(tmp_path: Path) -> None:
-    with pytest.raises(
-        ForeignError, match='--carrier wheel2: turns, expected "base_link" or a link that is fixed to it'
-    ):
+    with pytest.raises(ForeignError, match='carrier=wheel2: turns, expected "base_link" or a link that is fixed to it'):
         imported(SAT_URDF, carrier="wheel2")
-    with pytest.raises(ForeignError, match=r'--carrier panle: is not in the file, did you mean "panel"\?'):
+    with pytest.raises(ForeignError, match=r'carrier=panle: is not in the file, did you mean "panel"\?'):
         imported(SAT_URDF, carrier="panle")
-    with pytest.raises(ForeignError, match=r"--fix w1_spn: is no joint of the file, did you mean \"w1_spin\"\?"):
+    with pytest.raises(ForeignError, match=r"fix=w1_spn: is no joint of the file, did you mean \"w1_spin\"\?"):
         make_stand(read(SAT_MJCF, None)[0], "m", "m", fix=["w1_spn"])
 
 

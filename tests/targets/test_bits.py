@@ -12,7 +12,7 @@ from export.programmes import stand, stand_files
 from export.servos import exported as servos
 from mahovik.core.stand import load as load_stand
 from mahovik.core.toolchain.targets import build, run
-from mahovik.out.export.attitude import attitude_sources
+from mahovik.out.export.project import attitude_sources
 from mahovik.stands import path
 from mahovik.use.control.attitude import LoopOptions
 from mahovik.use.simulate.replay import Outcome, Start, c_machine, load, records, replay

@@ -5,15 +5,15 @@ A type is `Annotated` with what stands for its value in the help of the command 
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
-from collections.abc import Callable, Mapping, Sequence
-from decimal import Decimal
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
 
-from mahovik.errors import UsageError
+from mahovik.errors import FileError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.notices import OnProgress
 
@@ -66,9 +66,7 @@ Made = TypeVar("Made")
 
 
 def reading(kind: str, source: Any, read: Callable[..., Made], *more: Any) -> Made:
-    """What a reader makes of a file, or of several; a file that is not of the kind (of EXPECTED) is refused by name."""
-    from mahovik.out.file_kinds import expecting
-
+    """What a reader makes of a file, or of several; a file of another kind is refused by name."""
     with expecting(kind, *(source if isinstance(source, list) else [source])):
         return read(source, *more)
 
@@ -138,18 +136,9 @@ def file_name(source: Any, otherwise: str) -> str:
 
 def text_of_keys(keys: Keys, schema: bool = True) -> str:
     """A mapping as the text of its file in JSON; the number of the schema need not be given."""
-
     from mahovik.core.stand.numbers import exact
 
-    def plain(value: Any) -> Any:
-        if isinstance(value, Mapping):
-            return {key: plain(item) for key, item in value.items()}
-        if isinstance(value, list):
-            return [plain(item) for item in value]
-        return float(value) if isinstance(value, Decimal) else value
-
-    document = plain(exact(keys))
-    return json.dumps({"schema": 1} | document if schema else document)
+    return json.dumps(({"schema": 1} if schema else {}) | exact(keys), default=float)
 
 
 def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.inf, high: float = math.inf) -> float:
@@ -218,3 +207,77 @@ def by_name(name: str, values: Mapping[str, Any], stand: CoreStand) -> dict[str,
         if key not in (*names, "all"):
             raise UsageError(f"{name}: unknown flywheel {show(key)}{suggestion(str(key), names, 'the stand has none')}")
     return {wheel: values.get(wheel, values.get("all")) for wheel in names if {wheel, "all"} & values.keys()}
+
+
+# ---- files of another kind than an argument takes
+
+_TABLE, _ZIP = "a table (CSV)", "a ZIP archive"
+
+_EXPECTED = {
+    "state": "a state", "campaign": "a campaign file", "influence": "a file of influences", "fmu": "an FMU",
+    "map": "a map of variables", "free": "a list of free numbers", "table": _TABLE, "data": "a file of measured data",
+}  # fmt: skip
+"""What a reader expects, in words, beside the kinds of `core.stand.files`."""
+
+_FORMS = {"data": (_TABLE,), "fmu": (_ZIP,)}
+"""What files of a kind may look like."""
+
+_OF_STATES = {"position", "quaternion", "angles", "V", "phi", "phi_dot", "want"}
+
+_BY_KEYS: dict[str, Callable[[Mapping[str, Any]], bool]] = {
+    "campaign": lambda keys: "vary" in keys and bool(keys.keys() & {"samples", "quantity", "over"}),
+    "map": lambda keys: isinstance(keys.get("state"), dict) and bool(keys.keys() & {"forward", "torque", "coupled"}),
+    "influence": lambda keys: "A" in keys and bool(keys.keys() & {"B", "U", "ALPHA"}),
+    "free": lambda keys: isinstance(keys.get("free"), list),
+    "a manifest of generated C": lambda keys: str(keys.get("generator", "")).startswith("mahovik "),
+    "what a command printed with --json": lambda keys: {"messages", "ok"} <= keys.keys(),
+    "state": lambda keys: not keys.keys() & {"schema", "carrier"} and bool(keys.keys() & _OF_STATES),
+}
+"""How the keys of files that only commands read show what they are, the surest first."""
+
+_BY_BEGINNING = {
+    "<robot": "a URDF", "<mujoco": "an MJCF", "<sdf": "an SDF", "<?xml": "an XML file", "<!--": "an XML file",
+    "PK": _ZIP, "\x7fELF": "a program", "ULog": "a flight log of PX4",
+}  # fmt: skip
+
+
+def kind_of(path: str | Path) -> str | None:
+    """What a file is, in words; None where it cannot be read or nothing shows it."""
+    from mahovik.core.stand.files import KINDS, content, parse_toml
+    from mahovik.core.stand.files import kind_of as kind_of_keys
+
+    try:
+        text = content(Path(path)).decode("utf-8-sig", "replace")
+    except (OSError, ValueError):
+        return None
+    for beginning, words in _BY_BEGINNING.items():
+        if text.lstrip().startswith(beginning):
+            return words
+    for parse in (json.loads, parse_toml):
+        with contextlib.suppress(ValueError, RecursionError):
+            keys = parse(text)
+            keys = keys if isinstance(keys, dict) else {}
+            kind = next((words for words, shows in _BY_KEYS.items() if shows(keys)), None)
+            return _EXPECTED.get(kind, kind) if kind else KINDS.get(kind_of_keys(keys))
+    head = text.partition("\n")[0]
+    return _TABLE if "," in head and not head.lstrip().startswith(("{", "[", "#")) else None
+
+
+@contextlib.contextmanager
+def expecting(kind: str, *sources: Any) -> Iterator[None]:
+    """Where the body refuses one of the sources that is a file of another kind, say which it is, in one line.
+
+    Else a reader lists every key that it does not know. Sources that are no paths are left alone.
+    """
+    try:
+        yield
+    except (FileError, UsageError) as error:
+        from mahovik.core.stand.files import KINDS
+
+        expected = _EXPECTED.get(kind) or KINDS[kind]
+        for source in sources:
+            known = (None, expected, *_FORMS.get(kind, ()))
+            if isinstance(source, str | Path) and (other := kind_of(source)) not in known:
+                line = f"{source}: is {other}, expected {expected}"
+                raise (type(error)([line]) if isinstance(error, FileError) else UsageError(line)) from None
+        raise

@@ -27,16 +27,18 @@ Arguments before the star have no name on the command line, those behind it are 
 bool is a flag, Literal a choice, a union with Sequence or Mapping may be repeated (NAME=VALUE makes a mapping), one
 with float makes numbers of texts that are one; `Annotated` has the word for the value. `out.arguments` has types,
 readers of files, and quantities with units. An argument `progress` is shown as a line. All checks stand in the
-function: messages begin with the name of the argument, which the command line writes as the option. Heavy modules are
-imported in the function, so that help is there at once. The command line adds `--json`, and `-o FILE` where the
-function has no `output`; it prints the `Result`, and exits with 0 if it is `ok`, else 1. A generator has its lines
-printed one by one, and its `Result` last. Errors are one line on standard error: 2 input, 1 a failed check, 130 Ctrl-C.
+function: messages name an argument as their first word, or as `NAME=VALUE`, and the command line writes the option.
+Heavy modules are imported in the function, so that help is there at once. The command line adds `--json`, and `-o FILE`
+where the function has no `output`; it prints the `Result`, and exits with 0 if it is `ok`, else 1. A generator has its
+lines printed one by one, and its `Result` last. Errors are one line on standard error: 2 input, 1 a failed check, 130
+Ctrl-C.
 """
 
 from __future__ import annotations
 
 import builtins
 import contextlib
+import dataclasses
 import inspect
 import json
 import os
@@ -206,7 +208,7 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
         warnings.simplefilter("always")
         try:
             if "progress" in parameters:
-                from mahovik.out.progress import progress
+                from mahovik.out.notices import progress
 
                 with progress(f"{function.__name__} {Path(str(next(iter(arguments.values()), ''))).stem}") as show:
                     result = function(**arguments, progress=show)
@@ -215,14 +217,16 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
             if stream := isinstance(result, Generator):
                 result = _stream(result)
         except MahovikError as error:
+            first = isinstance(error, UsageError)
+            lines = [_with_options(line, parameters, first) for line in str(error).splitlines()]
+            error.args = ("\n".join(lines), *error.args[1:])
             if as_json and error.exit_status == 1:
-                click.echo(json.dumps({"error": str(error).splitlines()}, indent=1))
-            if isinstance(error, UsageError):
-                raise UsageError(_with_options(str(error), parameters)) from None
+                click.echo(json.dumps({"error": lines}, indent=1))
             raise
         finally:
             for warning in caught:
-                click.echo(f"warning: {warning.message}", err=True)
+                click.echo(f"warning: {_with_options(str(warning.message), parameters)}", err=True)
+    result = dataclasses.replace(result, messages=[_with_options(line, parameters) for line in result.messages])
     if save is not None:
         result.save(save)
     if stream:
@@ -260,16 +264,22 @@ def _print(result: Result, as_json: bool) -> None:
     click.echo(text.encode(encoding, "replace").decode(encoding), nl=False, color=styles)
 
 
-def _with_options(message: str, parameters: Mapping[str, inspect.Parameter]) -> str:
-    """A message whose first words are names of arguments, with their options in place of these."""
-    begin, colon, rest = message.partition(":")
-    names = begin.split(", ") if ", " in begin else [begin.partition(" ")[0]]
-    if not all(name in parameters for name in names):
-        return message
+def _with_options(message: str, parameters: Mapping[str, inspect.Parameter], first: bool = False) -> str:
+    """A message with options in place of arguments: `NAME=VALUE` anywhere in it, and of an error the `first` words."""
     made = {one.name: one for one in click.get_current_context().command.params}
-    shown = [str(one.metavar).strip("[]") if isinstance(one := made.get(name), click.Argument) else option_name(name)
-             for name in names]  # fmt: skip
-    return f"{', '.join(shown)}{begin[len(', '.join(names)) :]}{colon}{rest}"
+
+    def option(name: str) -> str:
+        one = made.get(name)
+        return str(one.metavar).strip("[]") if isinstance(one, click.Argument) else option_name(name)
+
+    def value(match: re.Match[str]) -> str:
+        return f"{option(match[1])}{'' if match[2] == 'True' else f' {match[2]}'}"
+
+    begin = message.partition(":")[0]
+    names = begin.split(", ") if ", " in begin else [begin.partition(" ")[0]]
+    if first and all(name in parameters for name in names):
+        message = f"{', '.join(map(option, names))}{message[len(', '.join(names)) :]}"
+    return re.sub(rf"(?<![^ ])({'|'.join(parameters)})=([^ ,;:]+)", value, message)
 
 
 def _usage_words(error: click.UsageError) -> str:

@@ -1,18 +1,24 @@
-"""Warnings of a function, those on doubtful speeds and starts among them, and its progress."""
+"""Warnings of a function, those on doubtful speeds and starts among them, and its progress, on terminals as a line."""
 
 from __future__ import annotations
 
 import contextlib
 import math
+import os
 import re
+import sys
+import threading
 import warnings
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from mahovik.contract.quantities import BOUNDS, RPM
 from mahovik.errors import CheckError
 
 if TYPE_CHECKING:
+    from rich.progress import Task
+    from rich.text import Text
+
     from mahovik.core.stand.model import Stand, State
     from mahovik.use.simulate.case import Case
 
@@ -111,9 +117,74 @@ def warn_of_steps(case: Case) -> None:
     largest = np.abs(np.vstack([speeds, case.phi_dot0])).max(axis=0)
     fastest = float(largest.max(initial=0.0))
     if fastest * case.dt > min(0.3, BOUNDS[f"MAX_TURN_{case.order}"].value):
-        warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: --dt {case.dt:g} is long")
+        warn(f"a flywheel turns {fastest * case.dt:.2g} rad per step: dt={case.dt:g} is long")
     if case.real == "float" and not case.carried:
         free = [0.0 if held else float(speed) for held, speed in zip(case.regime.has_speed_law, largest, strict=True)]
         line = lost_increments_line(lost_increments(case.stand, free, case.dt))
         if line:
-            warn(f"{line.partition(': give step')[0]}: use --carried, or --real double")
+            warn(f"{line.partition(': give step')[0]}: use carried=True or real=double")
+
+
+# ---- progress as a line on standard error
+
+PATIENCE = 1.0
+"""s before the line appears: shorter work needs none."""
+
+NARROW, BAR = 60, 20
+"""Columns: a terminal narrower than the first has no bar; width of the bar."""
+
+
+@contextlib.contextmanager
+def progress(what: str) -> Iterator[OnProgress]:
+    """Show a line while the body runs, of what it tells the function that it gets.
+
+    However the body ends, the line is cleared. Nothing may be printed to the terminal in between.
+    """
+    if not (sys.stderr.isatty() and os.environ.get("TERM", "").lower() not in ("", "dumb", "unknown")):
+        yield lambda _now: None
+        return
+    line = _line()
+    task = line.add_task(what, total=None)
+    timer = threading.Timer(PATIENCE, line.start)  # which draws from a thread, so that drawing never delays the work
+    timer.daemon = True
+    timer.start()
+
+    def show(now: Progress) -> None:
+        line.update(task, description=now.words, completed=now.done, total=now.total)
+
+    try:
+        yield show
+    finally:
+        timer.cancel()
+        timer.join()
+        line.stop()
+
+
+def _line() -> Any:
+    """The line, as rich draws it: words, a bar, how far it is, and the time that is left, else that has passed."""
+    from rich.console import Console
+    from rich.progress import BarColumn, ProgressColumn, SpinnerColumn, TextColumn
+    from rich.progress import Progress as Lines
+    from rich.table import Column
+    from rich.text import Text
+
+    class HowFar(ProgressColumn):
+        def render(self, task: Task) -> Text:
+            if task.total is None or task.time_remaining is None:
+                return Text(clock(task.elapsed or 0.0))
+            return Text(f"{task.completed:.4g}/{task.total:.4g}  {clock(task.time_remaining)} left")
+
+    console = Console(stderr=True, highlight=False)
+    words = TextColumn("{task.description}", table_column=Column(no_wrap=True, overflow="ellipsis", ratio=1))
+    columns: list[Any] = [SpinnerColumn(), words, HowFar(Column(no_wrap=True))]
+    if console.width >= NARROW:
+        columns.insert(2, BarColumn(BAR))
+    # standard streams stay what they are: results may go to a pipe meanwhile
+    return Lines(*columns, console=console, transient=True, expand=True, redirect_stdout=False, redirect_stderr=False)
+
+
+def clock(seconds: float) -> str:
+    """A duration as 0:07, 12:30, 1:02:03."""
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"

@@ -25,7 +25,6 @@ from mahovik.errors import InputError
 from mahovik.nearest import suggestion
 from mahovik.out.api import inputs
 from mahovik.out.api.inputs import PLACE, QUATERNION, TWIST, WRENCH, Given
-from mahovik.out.api.refusals import refusal_error
 from mahovik.out.api.states import StateMaker, States
 from mahovik.out.api.tables import Tables
 from mahovik.out.result import Axis, Column, Result
@@ -245,7 +244,9 @@ class Calls:
                 taken = zip(self.made.functions[function].arguments, arrays, strict=True)
                 labels = {key: axis.labels for key, axis in self._axes.items()}
                 labels["wrench"] = tuple(f"{body} {letter}" for body in self.made.inputs for letter in WRENCH.labels)
-                raise refusal_error(function, status, [pair for pair in taken if pair[0].direction == "in"], labels)
+                raise inputs.refusal_error(
+                    function, status, [pair for pair in taken if pair[0].direction == "in"], labels
+                )
             for a, array in outputs:
                 if a.direction == "out":
                     _spoil(a, array, status < 0)

@@ -15,7 +15,7 @@ from mahovik.core.stand.numbers import exact, put
 from mahovik.core.stand.stand_file import document_at, read
 from mahovik.core.stand.units import show
 from mahovik.errors import UsageError
-from mahovik.out.file_kinds import expecting
+from mahovik.out.arguments import expecting
 
 
 @dataclass(frozen=True, repr=False)
@@ -98,10 +98,7 @@ def example(name: str) -> Stand:
 
 
 def _read(document: dict[str, Any], source: str) -> Stand:
-    return _with_document(Stand.of(read(document, source)), document)
-
-
-def _with_document(stand: Stand, document: dict[str, Any]) -> Stand:
     """The stand, which remembers its keys; a copy by `dataclasses.replace` does not, so they are never out of date."""
+    stand = Stand.of(read(document, source))
     object.__setattr__(stand, "_document", document)
     return stand

@@ -160,24 +160,17 @@ class StateMaker:
         """Numbers of a state."""
         return len(self.numbers.labels)
 
-    def states(self, n: int | None, state_numbers: StateNumbers) -> States:
+    def states(self, n: int | None, values: StateNumbers) -> States:
         """See `Model.states`."""
-        if unknown := state_numbers.keys() - StateNumbers.__annotations__.keys():
-            name = min(unknown)
+        for name in sorted(values.keys() - StateNumbers.__annotations__.keys()):
             raise InputError(f"states: unknown {name}{suggestion(name, StateNumbers.__annotations__)}")
         if n is not None and not is_count(n):
             raise InputError(f"states: n: expected a number of states, found {n!r:.40}")
-        place, turn = self._pose(
-            state_numbers.get("position"), state_numbers.get("attitude"), state_numbers.get("angles")
-        )
-        parts = {
-            "position": place,
-            "attitude": turn,
-            "V": self._twist(state_numbers.get("V", 0.0), state_numbers.get("u")),
-        }
+        place, turn = self._pose(values.get("position"), values.get("attitude"), values.get("angles"))
+        parts = {"position": place, "attitude": turn, "V": self._twist(values.get("V", 0.0), values.get("u"))}
         wheels = Axis("flywheel", tuple(s.name for s in self.stand.flywheels))
-        parts |= {"phi": read(state_numbers.get("phi", 0.0), "phi", wheels)}
-        parts |= {"phi_dot": read(state_numbers.get("phi_dot", 0.0), "phi_dot", wheels)}
+        parts |= {"phi": read(values.get("phi", 0.0), "phi", wheels)}
+        parts |= {"phi_dot": read(values.get("phi_dot", 0.0), "phi_dot", wheels)}
         many = batch_size(parts)
         if n is not None and many not in (None, n):
             raise InputError(f"states: n is {n}, but arrays of {many} states were given")

@@ -14,7 +14,7 @@ from mahovik.errors import BalanceError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
-from mahovik.out.result import Column, Result, column, columns_of
+from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
@@ -148,11 +148,8 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     pieces = {wheel.name: Result(f"Pieces of {wheel.name}", _pieces(wheel.made)) for wheel in wheels if wheel.made}
     if pieces:
         columns += [column("made", "kg m", np.abs(made)), column("made_at", "rad", np.angle(made) % (2.0 * math.pi))]
-    change = [
-        {"flywheel": wheel.name, "quantity": kind, "before": before, "after": after}
-        for wheel in wheels
-        for kind, (before, after) in wheel.vibration.items()
-    ]
+    change = [(wheel.name, kind, *sizes) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    heads = ("flywheel", "quantity", "before", "after")
     cut = any(wheel.made is not None and not wheel.made.proven for wheel in wheels)
     return Result(
         f"{stand.name}: corrections",
@@ -160,13 +157,9 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
         rows="planes",
         meta={
             "stand": stand.name,
-            "flywheels": Result(
-                "Static unbalance",
-                columns_of([_static(wheel) for wheel in wheels], STATIC),
-            ),
+            "flywheels": _static(wheels),
             "vibration": Result(
-                "First order, in SI",
-                columns_of(change, dict.fromkeys(("flywheel", "quantity", "before", "after"), "")),
+                "First order, in SI", [column(head, "", [row[k] for row in change]) for k, head in enumerate(heads)]
             ),
             **{f"pieces of {name}": table for name, table in pieces.items()},
         },
@@ -175,23 +168,15 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     )
 
 
-STATIC = {
-    "flywheel": "", "speed": "rad/s", "static": "kg m", "residual": "kg m",
-    "grade": "", "residual_grade": "", "fit": "",
-}  # fmt: skip
-"""Units of what is said of the static unbalance of a flywheel."""
-
-
-def _static(wheel: Any) -> dict[str, Any]:
-    static, residual = abs(wheel.static), wheel.static_residual
-    grades = {"grade": wheel.grade(static), "residual_grade": wheel.grade(residual)}
-    return {
-        "flywheel": wheel.name,
-        "speed": wheel.speed,
-        "static": static,
-        "residual": residual,
-        "fit": wheel.fit,
-    } | grades
+def _static(wheels: Sequence[Any]) -> Result:
+    """Static unbalances as they are and as the corrections leave them, with grades, and how well the model fits."""
+    before, after = [abs(wheel.static) for wheel in wheels], [wheel.static_residual for wheel in wheels]
+    grades = ([wheel.grade(x) for wheel, x in zip(wheels, sizes, strict=True)] for sizes in (before, after))
+    columns = [column("flywheel", "", [wheel.name for wheel in wheels])]
+    columns += [column("speed", "rad/s", [wheel.speed for wheel in wheels])]
+    columns += [column("static", "kg m", before), column("residual", "kg m", after)]
+    columns += [column(name, "", values) for name, values in zip(("grade", "residual_grade"), grades, strict=True)]
+    return Result("Static unbalance", [*columns, column("fit", "", [wheel.fit for wheel in wheels])])
 
 
 def _planes(stand: Stand, plane: Any) -> dict[str, Planes]:

@@ -50,7 +50,7 @@ def check(
     if tools:
         return _tools()
     if stand is None:
-        raise UsageError("stand: missing, expected a stand file, or --tools")
+        raise UsageError("stand: missing, expected a stand file, or tools=True")
     from mahovik.core.stand.numbers import written_numbers
     from mahovik.core.stand.summary import summarize
     from mahovik.core.stand.units import SPEED, TIME
@@ -63,11 +63,8 @@ def check(
     step = USUAL_STEP if dt is None else quantity("dt", dt, TIME, 1e-9, 1e3)
     phases = by_flywheel("phase", phase, machine)
     if turning is not None:
-        warn_of_speeds(
-            machine,
-            [turning] * len(machine.flywheels),
-            [f"{speed:g}" if isinstance(speed, float) else str(speed)] * len(machine.flywheels),
-        )
+        count, text = len(machine.flywheels), f"{speed:g}" if isinstance(speed, float) else str(speed)
+        warn_of_speeds(machine, [turning] * count, [text] * count)
     written, doubts = written_numbers(vars(machine).get("_document", {}))
     summary = summarize(machine, turning, {w.where: w.text for w in written if w.key == "unbalance.static"})
     speeds = [row.speed for row in summary.unbalance]

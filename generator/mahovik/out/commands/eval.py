@@ -44,7 +44,7 @@ def eval(
     from mahovik.proof.verify.states import evaluate_lines, split_lines
 
     if real == "float" and backend != "c":
-        raise UsageError(f"real float: only --backend c has it, not {backend}")
+        raise UsageError(f"real float: only backend=c has it, not {backend}")
     machine = Stand.of(stand)
     makers = {"numpy": backends.NumpyBackend, "casadi": backends.CasadiBackend}
     by = makers[backend](machine) if backend in makers else backends.KeptBackend(machine, real)

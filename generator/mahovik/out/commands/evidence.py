@@ -53,7 +53,7 @@ def evidence(
             raise CheckError("\n".join(changed))
         return Result(f"{check}: every file is as it was written", meta={"folder": str(check)}, details=("folder",))
     if not isinstance(stand, str | Path):
-        raise UsageError("stand: expected the path of a stand file, or --check DIR")
+        raise UsageError("stand: expected the path of a stand file, or check=DIR")
     from mahovik.core.stand.files import content
     from mahovik.out.api.stands import load
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -31,11 +31,20 @@ from mahovik.out.result import Result, column
 from mahovik.writing import probe, write, write_all
 
 if TYPE_CHECKING:
+    from mahovik.core.motion.programme import Programme
+    from mahovik.core.motion.required import RequiredMotion
+    from mahovik.core.motion.servo import Servo
     from mahovik.core.stand.model import Stand
-    from mahovik.out.export.folder import Contents
+    from mahovik.use.control.attitude import LoopOptions
 
 Project = Annotated[str, "cmake|fmu|simulink|basilisk|BOARD"]
 Settings = Annotated[str | Mapping[str, Number], "NAME=VALUE"]
+
+BLOCKS = ("simulink", "basilisk")
+"""Simulators for which there is a plant block."""
+
+ALONE = ("fmu", "fuzz", *BLOCKS)
+"""Projects that compile neither programmes nor loops, nor what is added to the C."""
 
 FMU = {"kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no")}
 """Settings of an FMU that are one of some words, the default first."""
@@ -101,76 +110,66 @@ def generate(
         CheckError: a programme that exceeds its bounds, a loop without margin, a folder that differs.
     """
     from mahovik.core.emit.delivered import Options, delivered_options, stand_in, with_prefix
+    from mahovik.core.toolchain.targets import TARGETS
     from mahovik.out.api.stands import Stand
-    from mahovik.out.export.folder import (
-        Contents,
-        add_programme,
-        add_project,
-        check_folder,
-        compiles_programmes,
-        refuse_overwriting,
-        refuse_unknown,
-        usual_real,
-    )
 
     machine = Stand.of(stand)
     only_, added = names_in("only", only, (*ALL, "list")), names_in("with_", with_)
     added += ("batch",) if batch else ()
     if only_ == ("list",):
         return _functions(machine)
-    refuse_unknown(project)
+    if project is not None and project not in (known := ("cmake", *ALONE, *TARGETS)):
+        raise UsageError(f'project: unknown "{project}"{suggestion(project, known)}')
     _refuse_contradictions(project, fmu, programme, motion, servo, attitude, name, real, only_, added)
     named = with_prefix(machine, prefix)
     if project == "fmu":
         return _fmu(named, output, fmu, check, progress)
-    folder = Path(output) if output is not None else Path(_default_name(named, project, attitude))
+    with_loop = attitude is not None
+    usual_name = "-".join(filter(None, (named.name, "attitude" * with_loop, project or "host" * with_loop)))
+    folder = Path(usual_name if output is None else output)
     delivered = Options()
     if check or programme is not None:
         delivered = delivered_options(folder) or Options("")
     if project is None and delivered.project:
         project = delivered.project  # which is to compile the programme as well
-        if programme is not None and not compiles_programmes(project):
-            raise UsageError(
-                f"programme: {folder} has the project {project}, which cannot play it: choose another folder"
-            )
+        if programme is not None and project not in ("cmake", *TARGETS):
+            words = f"{folder} has the project {project}, which cannot play it: choose another folder"
+            raise UsageError(f"programme: {words}")
     if prefix is None and (check or programme is not None):
         named = stand_in(folder, named, CheckError if check else UsageError)
     notify(progress, Progress(f"generate {named.name}"))
-    contents, usual = Contents(), usual_real(project)
+    contents, usual = Contents(), (TARGETS[project].real if project in TARGETS else None) or "double"
     if programme is not None:
-        from mahovik.out.export.programme.files import element_type
+        from mahovik.out.export.programme import element_type
 
-        course = programme_of(programme)
+        course, sources = programme_of(programme), (file_name(programme, "programme"), file_name(servo, "servo"))
+        required = None if motion is None else motion_of(motion, named, course)
         usual = element_type(folder, named, real, usual)
-        add_programme(
+        _add_programme(
             contents,
             named,
             course,
-            None if motion is None else motion_of(motion, named, course),
+            required,
             None if servo is None else servo_of(servo, named),
             table,
             usual,
-            (file_name(programme, "programme"), file_name(servo, "servo")),
+            sources,
             name,
         )
     if programme is None or project is not None or not (folder / f"{named.name}.h").is_file():
         if project is None or project == "cmake":
             added = tuple(dict.fromkeys((*added, *delivered.additions)))
-        add_project(
-            contents,
-            named,
-            folder,
-            project,
-            None if attitude is None else _loop_options(attitude),
-            real or (delivered.real if check else "") or usual,
-            only_ or delivered.only,
-            added,
-        )
+        loop = None if attitude is None else _loop_options(attitude)
+        chosen = real or (delivered.real if check else "") or usual
+        _add_project(contents, named, folder, project, loop, chosen, only_ or delivered.only, added)
     if check:
-        check_folder(folder, named, contents)
+        _check_folder(folder, named, contents)
         return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
     if programme is not None:
-        refuse_overwriting(folder, named, contents, name)
+        from mahovik.out.export.programme import refuse_foreign
+
+        refuse_foreign(folder, named, "servo", contents.servo, "" if name == "programme" else f"{name}_servo")
+        refuse_foreign(folder, named, "programme", contents.programme, name)
     if project is None and contents.files:
         _warn(named, contents, only_)
     return _deliver(folder, named, contents, stand)
@@ -181,31 +180,24 @@ def _refuse_contradictions(
     only: tuple[str, ...], added: tuple[str, ...],
 ) -> None:  # fmt: skip
     """Raise UsageError for options that mean nothing together."""
-    from mahovik.out.export.folder import BLOCKS, compiles_programmes
-
     if fmu is not None and project != "fmu":
-        raise UsageError("fmu: only with --project fmu")
+        raise UsageError("fmu: only with project=fmu")
     for what, value in (("motion", motion), ("servo", servo), ("name", name if name != "programme" else None)):
         if value is not None and programme is None:
-            raise UsageError(f"{what}: needs --programme P.json, which is missing")
+            raise UsageError(f"{what}: needs programme=P.json, which is missing")
     if programme is not None and attitude is not None:
         raise UsageError("programme, attitude: both drive the flywheels; write them into two folders")
-    if programme is not None and project is not None and not compiles_programmes(project):
+    if programme is not None and project in ALONE:
         raise UsageError(f"programme: {project} has no firmware to play it; expected cmake or a board as project")
-    if attitude is not None and project in ("fmu", "fuzz", *BLOCKS):
-        raise UsageError(f"attitude: needs cmake or a board, not --project {project}")
-    if (only or added) and (project in ("fmu", "fuzz", *BLOCKS) or attitude is not None):
+    if attitude is not None and project in ALONE:
+        raise UsageError(f"attitude: needs cmake or a board, not project={project}")
+    if (only or added) and (project in ALONE or attitude is not None):
         what = "attitude" if attitude is not None else "project"
-        raise UsageError(f"{what}: has all functions that it calls; not with --only, --with, --batch")
+        raise UsageError(f"{what}: has all functions that it calls; not with only=NAMES, with_=NAMES, batch=True")
     if added and project not in (None, "cmake"):
         raise UsageError("with_: a board has the self-test and nothing else")
     if real == "float" and project in BLOCKS:
         raise UsageError(f"real: the block of {project} computes in double, leave it out")
-
-
-def _default_name(stand: Stand, project: str | None, attitude: Any) -> str:
-    parts = [stand.name, *(["attitude"] if attitude is not None else []), *([project] if project else [])]
-    return "-".join(parts if project or attitude is None else [*parts, "host"])
 
 
 def _loop_options(attitude: Any) -> Any:
@@ -224,6 +216,102 @@ def _loop_options(attitude: Any) -> Any:
     return LoopOptions(**settings)
 
 
+@dataclass
+class Contents:
+    """What is to be written.
+
+    files        text by name, the manifest among them
+    replaceable  those of which a user's own stay
+    programme    files of a programme, with a manifest of their own
+    servo        likewise of its servos
+    lines        messages, a line each
+    """
+
+    files: dict[str, str] = field(default_factory=dict)
+    replaceable: tuple[str, ...] = ()
+    programme: dict[str, str] = field(default_factory=dict)
+    servo: dict[str, str] = field(default_factory=dict)
+    lines: tuple[str, ...] = ()
+
+
+def _add_project(
+    contents: Contents, stand: Stand, folder: Path, project: str | None, loop: LoopOptions | None, real: str,
+    only: tuple[str, ...], additions: tuple[str, ...],
+) -> None:  # fmt: skip
+    """Add the C and the project around it, which compiles programmes of the contents and of the folder.
+
+    `loop`: options of an attitude loop; without a project for this machine. Raises UsageError, StandError.
+    """
+    if loop is None and project is None:
+        from mahovik.core.emit.delivery import delivery
+
+        contents.files = delivery(stand, real, only, additions)
+    elif project == "fuzz":
+        from mahovik.core.toolchain.checks import fuzz_project
+
+        contents.files = fuzz_project(stand, real)
+    elif project in BLOCKS:
+        from mahovik.out.export.fmu import export_block
+
+        contents.files = export_block(stand, str(project))
+    elif loop is not None:
+        from mahovik.out.export.project import attitude_project, attitude_sources, cmake_project
+
+        made = attitude_sources(stand, loop, real)
+        contents.lines = (*contents.lines, *made.design.lines)
+        if project == "cmake":
+            contents.files = cmake_project(stand, real, loop=made)
+        else:
+            contents.files = attitude_project(stand, project or "host", loop, made, real)
+    else:
+        from mahovik.out.export.programme import files_in
+        from mahovik.out.export.project import board_project, cmake_project
+
+        beside = sorted({*files_in(folder, stand), *contents.programme, *contents.servo})
+        if project == "cmake":
+            contents.files = cmake_project(stand, real, only, additions, beside)
+        else:
+            contents.files = board_project(stand, str(project), real, only, beside)
+            contents.replaceable = ("main.c",)
+
+
+def _add_programme(
+    contents: Contents, stand: Stand, programme: Programme, motion: RequiredMotion | None, servo: Servo | None,
+    table: str, real: str, sources: tuple[str, str], called: str,
+) -> None:  # fmt: skip
+    """Add the C of a programme, and of the servos that follow it. Raises CheckError, UsageError.
+
+    `sources`: files of programme and servo, in messages; `called`: its name in C.
+    """
+    if servo is None:
+        from mahovik.out.export.programme import export_programme
+
+        made = export_programme(stand, programme, motion, table, None, real, None, sources[0], called)
+        contents.lines = made.lines
+    else:
+        from mahovik.out.export.servo import export_servo
+
+        follower = export_servo(stand, programme, motion, servo, real, table, sources, called)
+        made, contents.servo = follower.programme, follower.servo
+        contents.lines = (*made.lines, *follower.lines)
+    contents.programme = made.files
+
+
+def _check_folder(folder: Path, stand: Stand, contents: Contents) -> None:
+    """Raise CheckError where a folder is not what would be written; replaceable files are not compared."""
+    from mahovik.core.emit.delivered import differences
+
+    files = {name: text for name, text in contents.files.items() if name not in contents.replaceable}
+    lines = differences(folder, stand, files) if files else []
+    for name, text in {**contents.programme, **contents.servo}.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() != text.encode():
+            what = "not what the generator makes of the stand file" if path.is_file() else "missing"
+            lines.append(f"{path}: is {what}")
+    if lines:
+        raise CheckError("\n".join(lines))
+
+
 def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
     from mahovik.core.emit.delivered import deliver, provenance
     from mahovik.core.stand.files import content
@@ -238,14 +326,13 @@ def _deliver(folder: Path, stand: Stand, made: Contents, source: Any) -> Result:
     return _result(f"C of {stand.name}", folder, texts, made.lines)
 
 
-def _result(
-    title: str, folder: Path, texts: Mapping[str, str | bytes], lines: Sequence[str], ok: bool = True
-) -> Result:
+def _result(title: str, folder: Path, texts: Mapping[str, str | bytes], lines: Sequence[str]) -> Result:
+    """A row a file; what is no text has no lines."""
     return Result(
         title,
         (
             column("file", "", [str(folder / name) for name in texts]),
-            column("lines", "", [text.count("\n") if isinstance(text, str) else 0 for text in texts.values()]),
+            column("lines", "", [text.count("\n") if isinstance(text, str) else None for text in texts.values()]),
             column("bytes", "", [len(text.encode() if isinstance(text, str) else text) for text in texts.values()]),
         ),
         rows="files",

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven, reading
+from mahovik.out.arguments import FilePath, StandGiven, reading, text_of_keys
 from mahovik.out.result import Result, column
 from mahovik.writing import probe, write
 
@@ -109,7 +109,7 @@ def identify(
                     column("noise", "SI", np.concatenate(fit.noise)),
                 ),
             ),
-            "stand_keys": json.loads(json.dumps(new.to_dict(), default=float)),
+            "stand_keys": json.loads(text_of_keys(new.to_dict(), schema=False)),
         },
         messages=[*(f"unobservable: {line}" for line in lines), *notes],
         details=("stand", "unobservable", "stand_keys"),

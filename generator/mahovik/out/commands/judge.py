@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
-from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, reading, time
+from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, expecting, reading, time
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
@@ -93,15 +93,16 @@ def judge(
     if (fmu is None) != (map is None):
         raise UsageError("fmu, map: one is missing, expected both")
     if attitude is not None and with_ is None:
-        raise UsageError("attitude: only of a program, --with; a map and a log have their own attitudes")
+        raise UsageError("attitude: only of a program, with_=COMMAND; a map and a log have their own attitudes")
     if log is not None and (states, timeout) != (STATES, TIMEOUT):
-        raise UsageError(f"{'timeout' if states == STATES else 'states'}: not with --log, of which all rows are judged")
+        raise UsageError(
+            f"{'timeout' if states == STATES else 'states'}: not with log=FILE, of which all rows are judged"
+        )
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         notify(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:
             return _explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, progress)
         if fmu is not None and map is not None:
-            from mahovik.out.file_kinds import expecting
             from mahovik.proof.verify.fmu import fmu_program
 
             with expecting("fmu", fmu), expecting("map", map):

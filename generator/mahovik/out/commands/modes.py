@@ -135,7 +135,7 @@ def _nominal(stand: Stand, at: Any) -> State:
     try:
         return rest_to_start(stand)
     except CheckError as error:
-        raise CheckError(f"{error}; give a state by --at STATE.json") from None
+        raise CheckError(f"{error}; give a state by at=STATE.json") from None
 
 
 def _pictures(result: Any) -> tuple[Panel, Panel]:

@@ -10,7 +10,7 @@ from mahovik import stands
 from mahovik.contract.evaluation import STATE, ZEROS, text_lines
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FilePath, Names, Progressing, Text, vector
+from mahovik.out.arguments import FilePath, Names, Progressing, Text, kind_of, vector
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 from mahovik.writing import format_of, is_written_through, write, write_all
@@ -67,7 +67,6 @@ def new(
         UsageError: an unknown source, a file that exists.
         ForeignError: every feature of FILE that a stand cannot have.
     """
-
     if list:
         result = {example: _first_sentence(stands.path(example)) for example in stands.names()}
         return Result(
@@ -91,8 +90,6 @@ def new(
         raise UsageError(f"{what}: of a FILE of another program, not of the example {source}")
     if Path(source).is_file():
         words = "a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), or the name of an example"
-        from mahovik.out.file_kinds import kind_of
-
         raise UsageError(f"{source}: is {kind_of(source) or 'a file'}, expected {words}")
     return _example(source, place, name)
 
@@ -104,7 +101,7 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
     if called is None and not alone:  # the stand is called after its file, where a stand may be
         called = target.name.removesuffix(".toml")
         if called != name and (problem := _name_problem(called)) is not None:
-            messages = [f"the stand is still named {name}, since {problem}; give another by --name"]
+            messages = [f"the stand is still named {name}, since {problem}; give another by name=NAME"]
             called = name
     files = {target.name: source}
     if not alone:
@@ -165,7 +162,6 @@ def _imported(
 
 def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Result:
     """The stand file, written; what was found, left out and compared."""
-
     stand = made.stand
     target = new_file(output, stand.name)
     write(target, made.text)
@@ -176,7 +172,6 @@ def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Re
 
 def new_file(output: str | None, name: str) -> Path:
     """Path of a new stand file: the given one, or NAME.toml in the given folder. Raises UsageError where it exists."""
-
     path = Path(output) if output is not None else Path(f"{name}.toml")
     if path.is_dir() or (output is not None and output.endswith("/")):
         path = path / f"{name}.toml"

@@ -87,9 +87,9 @@ def plan(
         raise UsageError(f'method: unknown "{method}"{suggestion(method, get_args(Method))}')
     keys = [key for text in ([free] if isinstance(free, str) else free) for key in text.split(",")]
     if stand_ is not None and not keys:
-        raise UsageError("stand_: is written where numbers are free; expected --free KEYS beside it")
+        raise UsageError("stand_: is written where numbers are free; expected free=KEYS beside it")
     if keys and method == "ocp":
-        raise UsageError("method ocp: judges plans of a stand as it is; expected no --free beside it")
+        raise UsageError("method ocp: judges plans of a stand as it is; expected no free=KEYS beside it")
     read = [source for source in (stand, motion) if isinstance(source, str | Path)]
     paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
     machine, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
@@ -154,7 +154,6 @@ def _result(
     changes: Sequence[tuple[str, str, float, float]],
 ) -> Result:
     """A row a flywheel, the figures of the programme, and the numbers that moved."""
-
     report: Mapping[str, Any] = {} if programme is None else programme["report"]
     columns: list[Column] = []
     if programme is not None:
@@ -165,7 +164,7 @@ def _result(
     moved = [column(name, "", [change[k] for change in changes]) for k, name in enumerate(_MOVED)] if changes else []
     kind = {"kind": report.get("kind"), "winding": None if programme is None else programme.get("winding")}
     cut = ["warning: the time cut the search: another run may find more"] if plan.effort.get("cut_by_time") else []
-    keys = json.loads(text_of_keys(stand.to_dict())) if changes else None
+    keys = json.loads(text_of_keys(stand.to_dict(), schema=False)) if changes else None
     return Result(
         f"programme of {stand.name} for {required.name}",
         columns,
@@ -209,7 +208,6 @@ def _details(report: Mapping[str, Any]) -> list[str]:
 
 def _draw_speeds(result: Result, ax: Any) -> None:
     """The speeds of the flywheels over the period, or the duration."""
-
     programme = programme_of(result["programme"])
     t = np.linspace(0.0, programme.span, 401)
     ax.plot(t, programme.at(t).phi_dot, label=list(programme.flywheels))

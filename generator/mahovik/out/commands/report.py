@@ -199,10 +199,9 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
         ]
         speed = RPM * result["speeds"][int(rms.argmax())]
         summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
-    words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders." * bool(
-        shown
-    )
-    return Part("Vibration", words, panels=tuple(shown), notes=tuple(remarks), summary="; ".join(summaries))
+    words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders."
+    summary = "; ".join(summaries)
+    return Part("Vibration", words * bool(shown), panels=tuple(shown), notes=tuple(remarks), summary=summary)
 
 
 def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:

@@ -107,7 +107,7 @@ def simulate(
     excluded, words = (OF_PROGRAMME, "needs") if programme is None else (OF_REGIME, "not allowed with")
     for name, default in excluded.items():
         if arguments[name] != default:
-            raise UsageError(f"{name}: {words} --programme")
+            raise UsageError(f"{name}: {words} programme=P.json")
     model = Stand.of(stand)
     if programme is not None:
         if motion is None or servo is None:
@@ -173,7 +173,7 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
     try:
         return chosen, rest_to_start(stand, [wheel.phase or 0.0 for wheel in chosen.flywheels])
     except CheckError as error:
-        raise CheckError(f"{error}; give an initial state by --start") from None
+        raise CheckError(f"{error}; give an initial state by start=STATE.json") from None
 
 
 # ---- a programme that servos follow

@@ -127,7 +127,7 @@ def verify(
     if path is not None and not path.is_dir() and not cost:
         raise UsageError(f"{path}: no such file or folder, expected a folder of C, a programme or a log")
     if name != "programme" and servo is None and programme is None:
-        raise UsageError("name: no programme or servos are judged; give --programme or --servo")
+        raise UsageError("name: no programme or servos are judged; give programme=P.json or servo=S.toml")
     if only:
         raise UsageError("only: of a LOG, which is missing")
     if path is None and servo is not None:
@@ -202,7 +202,7 @@ def _servo(
 
     stand = stand_in(folder, stand)
     if programme is not None and motion is None:
-        raise UsageError("programme: needs --motion M.json, which is missing")
+        raise UsageError("programme: needs motion=M.json, which is missing")
     course = None if programme is None else programme_of(programme)
     required = None if motion is None else motion_of(motion, stand, course)
     if required is not None and course is not None and (other := motion_check(required, course)).failed:
@@ -223,7 +223,7 @@ def _programme(
 
     stand = stand if folder is None else stand_in(folder, stand)
     if motion is None:
-        raise UsageError("motion: missing, expected --motion M.json, the required motion of the programme")
+        raise UsageError("motion: missing, expected motion=M.json, the required motion of the programme")
     if tolerance is not None and not 1e-12 <= tolerance <= 0.1:
         raise UsageError(f"tolerance {tolerance:g}: expected 1e-12 to 0.1")
     course = programme_of(programme)
@@ -324,7 +324,7 @@ def report_result(
     checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")))
     short, absent = _shortest(report.rows)
     if not everything and absent:
-        text = f"not compared, --all says why: {', '.join(dict.fromkeys(absent))}"
+        text = f"not compared, all=True says why: {', '.join(dict.fromkeys(absent))}"
         messages.insert(0, shorten(text, 100, placeholder=" ..."))
     return Result(
         f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}   "

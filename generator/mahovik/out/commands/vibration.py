@@ -34,7 +34,6 @@ from mahovik.out.result import Column, Result, column, quantity_text
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
-    from mahovik.out.plots import Panel
     from mahovik.use.vibration.speeds import Asked
     from mahovik.use.vibration.study import Verdict
     from mahovik.use.vibration.study import Vibration as Study
@@ -295,18 +294,14 @@ def _line_columns(vibration: Study, band: Interval | None) -> list[Column]:
 
 def _picture(vibration: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
     """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
-
     seen, unit, scale = vibration.seen, vibration.seen.measure.unit, 1.0
     if unit.startswith("rad"):
         unit, scale = f"arcsec{unit[3:]}", ARCSEC
     title = f"{seen.quantity} of {seen.name}, {unit}"
     if not swept:
         size = scale * np.linalg.norm(vibration.lines.amplitude[0], axis=1)
-        lines, end = (
-            stems("", vibration.lines.frequency[0], size),
-            1.1 * float(vibration.lines.frequency.max(initial=1.0)),
-        )
-        return [Panel(f"{title}, 0 to peak", (lines,), abscissa="frequency, Hz", height=1.6, span=(0.0, end))]
+        x, span = vibration.lines.frequency[0], (0.0, 1.1 * float(vibration.lines.frequency.max(initial=1.0)))
+        return [Panel(f"{title}, 0 to peak", (stems("", x, size),), abscissa="frequency, Hz", height=1.6, span=span)]
     x, order = RPM * vibration.value, np.argsort(vibration.value)
     names = {"worst": "worst case over phases", "rms": "RMS"}
     size = scale * np.linalg.norm(np.stack([sums[name] for name in names]), axis=2)[:, order]

@@ -95,8 +95,10 @@ def start_of(stand: Stand, state: State | None, generated: Generated) -> Start:
     try:
         start = rest(stand).state
     except CheckError as error:
-        raise CheckError(f"{error}; give an initial state by --fmu start=STATE.json") from None
-    position, attitude = _round(start.position), _round(_unit(start, generated))
+        raise CheckError(f"{error}; give an initial state by fmu=start=STATE.json") from None
+    position, attitude = (
+        [round(float(x), _DECIMALS) + 0.0 for x in values] for values in (start.position, _unit(start, generated))
+    )
     return Start(position, attitude, start.V, start.phi, start.phi_dot)
 
 
@@ -110,22 +112,18 @@ def _unit(state: State, generated: Generated) -> list[float]:
     return [float(c) / length for c in quaternion]
 
 
-def _round(values: Sequence[float]) -> list[float]:
-    return [round(float(x), _DECIMALS) + 0.0 for x in values]
-
-
 _BEGINNING = (1980, 1, 1, 0, 0, 0)
 """The earliest time of the format, used for all files."""
 
 
 def archive(files: Mapping[str, str | bytes]) -> bytes:
     """The files by path, in that order, compressed; without dates."""
-    bytes_i_o = io.BytesIO()
-    with zipfile.ZipFile(bytes_i_o, "w", zipfile.ZIP_DEFLATED) as target:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as target:
         for name, content in files.items():
             entry = zipfile.ZipInfo(name, _BEGINNING)
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.create_system = 3
             entry.external_attr = (0o755 if name.startswith("binaries/") else 0o644) << 16
             target.writestr(entry, content)
-    return bytes_i_o.getvalue()
+    return buffer.getvalue()

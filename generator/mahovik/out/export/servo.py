@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,7 +45,6 @@ class ExportedServo:
     form: ServoForm
     tables: ServoTables
     margins: Margins
-    loop: Mapping[str, Any]
 
 
 def export_servo(
@@ -69,7 +67,7 @@ def export_servo(
     if motion is None and (servo.feedforward or servo.trim is not None):
         what = "feedforward" if servo.feedforward else "trim"
         raise UsageError(
-            f"{sources[1]}: {what}: needs the motion of the programme: give --motion MOTION.json, or {what} = false"
+            f"{sources[1]}: {what}: needs the motion of the programme: give motion=MOTION.json, or {what} = false"
         )
     check_belongs(stand, programme, motion, sources[0])
     margins = check_margins(stand, servo, sources[1])
@@ -90,7 +88,7 @@ def export_servo(
     )
     answers = golden(program, form, values, design)
     files = servo_files(stand, program, form, tables, answers, servo.name, called)
-    return ExportedServo(files, tabled, lines, program, form, tables, margins, tables.loop)
+    return ExportedServo(files, tabled, lines, program, form, tables, margins)
 
 
 def servo_messages(stand: Stand, servo: Servo, margins: Margins, ticks: int, periods: int) -> tuple[str, ...]:

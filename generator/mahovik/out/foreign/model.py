@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -53,6 +54,12 @@ class Place:
     def point(self, inside: Array) -> Array:
         """A point (3, m) of this frame in the outer one."""
         return self.origin + self.axes @ inside
+
+    @property
+    def twist(self) -> Array:
+        """6x6: the twist of a body about this origin in these axes, by that about the outer origin in its axes."""
+        turned = self.axes.T
+        return np.block([[turned, -turned @ cross(self.origin)], [np.zeros((3, 3)), turned]])
 
     def mass(self, inside: RigidMass) -> RigidMass:
         """A body of this frame in the outer one."""
@@ -104,7 +111,8 @@ class Joint:
 class Body:
     """A rigid body at `place` in its parent's frame, on joints one after another; fixed where it has none.
 
-    `parent`: its name; "" is the world. `mass`: None where it has none.
+    `parent`: its name; "" is the world. `mass`: None where it has none. `added_mass`: of the fluid around it, 6x6 in
+    its frame about its origin.
     """
 
     name: str
@@ -112,6 +120,7 @@ class Body:
     place: Place
     mass: RigidMass | None
     joints: tuple[Joint, ...] = ()
+    added_mass: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,6 +226,11 @@ def combined(parts: list[RigidMass]) -> RigidMass:
             d = cross(part.center - center)
             inertia = inertia + part.inertia - part.mass * (d @ d)
     return RigidMass(float(mass), center, inertia)
+
+
+def rows(matrix: Array) -> Any:
+    """Rows of a matrix as a stand has them; None where it is zero."""
+    return tuple(map(tuple, matrix.tolist())) if matrix.any() else None
 
 
 def angles_of(axes: Array) -> tuple[float, float, float]:

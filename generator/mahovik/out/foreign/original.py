@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import MountingAxes, rest_state
 from mahovik.errors import ForeignError, UsageError
-from mahovik.out.foreign.model import Array, Model, read_xml
+from mahovik.out.foreign.model import Array, Model, read_xml, rows
 from mahovik.out.foreign.reader import Reader
 from mahovik.out.foreign.sdf import Sdf
 from mahovik.out.foreign.stand import ImportedStand
@@ -128,11 +128,12 @@ def compare(made: ImportedStand, model: Any, count: int = 20, seed: int = 1) -> 
 def forces_of(made: ImportedStand, C: Array, laws: bool = True, **motion: Array) -> tuple[Array, Array]:
     """Wrench (6) that the carrier's motion needs, in E1 about O1, and drive torques (N), by the literal reference.
 
-    Without hold, its friction and stops; armature of flywheels as in the original, not in the carrier's motion.
+    Without hold, its friction and stops, fluid; armature of flywheels as in the original, not in the carrier's motion.
     `C`: attitude (3x3); `laws`: with those of the suspension; `given`: other numbers of a State.
     """
     kept = [law for law in made.stand.laws if laws and not isinstance(law, HeldLaw)]
-    stand = replace(made.stand.without_laws().with_laws(*kept), hold=None)
+    carrier = replace(made.stand.carrier, added_mass=rows(made.armature))
+    stand = replace(made.stand.without_laws().with_laws(*kept), hold=None, carrier=carrier)
     w, x, y, z = Rotation.from_matrix(C).as_quat(scalar_first=True).tolist()
     V, V_dot, phi_dot, phi_ddot = (motion[key] for key in ("V", "V_dot", "phi_dot", "phi_ddot"))
     numbers_of: dict[str, Any] = {key: tuple(map(float, value)) for key, value in motion.items()}

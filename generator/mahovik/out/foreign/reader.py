@@ -26,7 +26,7 @@ class Reader:
     """One MJCF file.
 
     Readers of other formats make an MjSpec of theirs. Of joints they say what MuJoCo does not: `ranges`, rad or m, None
-    without an end, and `numbers` in the file; of places of interest `points`.
+    without an end, and `numbers` in the file; of bodies `added_mass`.
     """
 
     noun = "body"
@@ -36,6 +36,7 @@ class Reader:
         self.problems, self.notes = Problems(path.name), list[str]()
         self.ranges: dict[str, tuple[float, float] | None] = {}
         self.numbers: dict[str, int] = {}
+        self.added_mass: dict[str, Array] = {}
         self.has_gravity = True
 
     def parsed(self, gravity: Array | None) -> Any:
@@ -93,6 +94,13 @@ class Reader:
         used = {geom.meshname for geom in spec.geoms}
         for element in (*spec.materials, *spec.textures, *(mesh for mesh in spec.meshes if mesh.name not in used)):
             spec.delete(element)
+        folder = self.path.parent / spec.compiler.meshdir
+        for mesh in spec.meshes:
+            if mesh.file and not (folder / mesh.file).is_file():
+                on = ", ".join(show(geom.parent.name) for geom in spec.geoms if geom.meshname == mesh.name)
+                why = f"its file {mesh.file} is not in {folder}, but the inertia of body {on} comes of it"
+                self.problems.add(f"mesh {show(mesh.name)}", f"{why}: put it there, or give the body its <inertial>")
+        self.stop()
 
     def model(self, spec: Any, model: Any) -> Model:
         """The tree, with every problem."""
@@ -110,7 +118,8 @@ class Reader:
             joints = tuple(self._joint(model, first + k, drives) for k in range(model.body_jntnum[i]))
             place, mass = Place(np.array(model.body_pos[i]), _matrix(model.body_quat[i])), _mass(model, i, written[i])
             empty = not mass.mass and not mass.inertia.any()
-            bodies.append(Body(names[i], names[model.body_parentid[i]], place, None if empty else mass, joints))
+            parent, fluid = names[model.body_parentid[i]], self.added_mass.get(names[i])
+            bodies.append(Body(names[i], parent, place, None if empty else mass, joints, fluid))
         sites = [i for i in range(model.nsite) if model.site(i).name and model.site_bodyid[i]]
         places = [Place(np.array(model.site_pos[i]), _matrix(model.site_quat[i])) for i in sites]
         points = [(model.site(i).name, names[model.site_bodyid[i]], at) for i, at in zip(sites, places, strict=True)]

@@ -18,8 +18,10 @@ _READ = {
     "world": "model include gravity",
     "model": "link joint frame pose static model include",
     "include": "uri name pose static",
-    "link": "pose inertial gravity",
-    "inertial": "mass pose inertia",
+    "link": "pose inertial gravity velocity_decay",
+    "velocity_decay": "linear angular",
+    "inertial": "mass pose inertia fluid_added_mass",
+    "fluid_added_mass": "xx xy xz xp xq xr yy yz yp yq yr zz zp zq zr pp pq pr qq qr rr",
     "inertia": "ixx ixy ixz iyy iyz izz",
     "frame": "pose",
     "joint": "parent child pose axis",
@@ -31,7 +33,7 @@ _READ = {
 
 _HARMLESS = (
     "visual collision sensor plugin light particle_emitter projector audio_source audio_sink battery self_collide "
-    "enable_wind allow_auto_disable velocity_decay kinematic must_be_base_link physics scene gui atmosphere wind "
+    "enable_wind allow_auto_disable kinematic must_be_base_link physics scene gui atmosphere wind "
     "magnetic_field spherical_coordinates material actor state road population"
 )
 _KINDS = {"revolute": "HINGE", "continuous": "HINGE", "prismatic": "SLIDE", "ball": "BALL", "fixed": ""}
@@ -191,6 +193,14 @@ class Sdf(Reader):
             self.problems.add(where, "inertial", "auto: inertia of shapes is not known here: write it")
         if _text(self._links[link], "gravity") in ("false", "0"):
             self.notes.append(f"{where}: has no gravity there, but here all bodies have")
+        decay = self._links[link].find("velocity_decay")
+        if any(self._number(decay, key, 0.0, where) for key in ("linear", "angular")):
+            self.notes.append(f"{where}: velocity_decay, a damping in some engines, is left out: see damping")
+        if inertial is not None and (fluid := inertial.find("fluid_added_mass")) is not None:
+            A = np.zeros((6, 6))
+            for i, j in zip(*np.triu_indices(6), strict=True):
+                A[i, j] = A[j, i] = self._number(fluid, "xyzpqr"[i] + "xyzpqr"[j], 0.0, where)
+            self.added_mass[link] = A
         missing = [] if inertial is not None and inertial.find("mass") is not None else ["mass"]
         missing += [key for key in ("ixx", "iyy", "izz") if tensor is None or tensor.find(key) is None]
         if missing:

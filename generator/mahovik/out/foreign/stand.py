@@ -36,7 +36,7 @@ from mahovik.core.stand.tables import Problems
 from mahovik.core.stand.units import show
 from mahovik.errors import ForeignError, StandError
 from mahovik.nearest import suggestion
-from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, angles_of, combined
+from mahovik.out.foreign.model import Array, Body, Joint, Model, Place, RigidMass, angles_of, combined, rows
 
 LONGEST = 1000 * 2 * math.pi
 """rad: a range beyond it is none."""
@@ -57,6 +57,7 @@ class ImportedStand:
     wheels      joint of each flywheel; an armature was added to its inertia about the axis, and taken from the carrier
     held        joints of the carrier on the world
     passive     names of those whose damping and springs are in the suspension
+    armature    6x6 added mass of the carrier that the joints' armature is; the rest is that of the fluid
     notes       messages to the user, one line each
     """
 
@@ -66,6 +67,7 @@ class ImportedStand:
     wheels: tuple[Joint, ...]
     held: tuple[Joint, ...]
     passive: tuple[str, ...]
+    armature: Array
     notes: tuple[str, ...]
 
 
@@ -104,7 +106,7 @@ class _Maker:
         """See make_stand."""
         known = [joint.name for body in self._model.bodies for joint in body.joints]
         for missing in sorted(set(fix) - set(known)):
-            self._problems.add(f"--fix {missing}: is no joint of the file{suggestion(missing, known)}")
+            self._problems.add(f"fix={missing}: is no joint of the file{suggestion(missing, known)}")
         self._bodies = {body.name: self._settled(body, fix) for body in self._model.bodies}
         self._merge_massless()
         self._group()
@@ -120,7 +122,7 @@ class _Maker:
         if not self._has_mass(root):
             self._problems.add(self._words(root), "has no mass and no inertia, nor has what is fixed on it")
         self._stop()
-        hold, tables, added_mass, passive = self._hold(self._bodies[root])
+        hold, tables, inertia, passive = self._hold(self._bodies[root])
         self._stop()
 
         names = [name for name in self._members if self._bodies[name].mass is not None and name != frame]
@@ -131,8 +133,9 @@ class _Maker:
         for body in turning:
             joint, axes = body.joints[0], self._places[body.name].axes
             mass = replace(mass, inertia=mass.inertia - _disc(joint.armature, axes @ joint.axis))
-            if joint.armature and np.linalg.eigvalsh(mass.inertia)[0] < 0.0:
-                words = f"armature {joint.armature:g}: a thin disc of it has more inertia than the carrier"
+            moments = np.linalg.eigvalsh(mass.inertia)
+            if joint.armature and moments[0] + moments[1] < (1.0 - 1e-9) * moments[2]:  # as no body has
+                words = f"armature {joint.armature:g}: a thin disc of it has more inertia in its plane than the carrier"
                 self._problems.add(f"joint {show(joint.name)}", f"{words}; write it into that of the wheel's body")
         self._stop()
         instruments, flywheels = tuple(map(self._instrument, kept)), tuple(map(self._flywheel, turning))
@@ -141,9 +144,9 @@ class _Maker:
         if not flywheels:
             self._notes.append("nothing turns without end on the carrier: the stand has no flywheels")
         if self._model.gravity is None:
-            self._notes.append("the format has no gravity: it is 0; --gravity 0,0,-9.81 gives one")
+            self._notes.append("the format has no gravity: it is 0; gravity=0,0,-9.81 gives one")
         pull = np.zeros(3) if self._model.gravity is None else self._model.gravity
-        carrier = Carrier(name="carrier", **_properties(mass), added_mass=added_mass)
+        carrier = Carrier(name="carrier", **_properties(mass), added_mass=rows(inertia + self._fluid()))
         points = self._points(frame)
         stand = Stand(self._name, "ship", _vec3(pull), None, carrier, instruments, flywheels, points, hold=hold)
         head = [f"Made from {self._source} by `mahovik new`. SI units.", *self._notes]
@@ -153,7 +156,7 @@ class _Maker:
         except StandError as error:
             raise ForeignError(error.problems) from None
         wheels, held = tuple(body.joints[0] for body in turning), self._bodies[root].joints
-        return ImportedStand(stand, text, frame, wheels, held, passive, tuple(self._notes))
+        return ImportedStand(stand, text, frame, wheels, held, passive, inertia, tuple(self._notes))
 
     @property
     def _noun(self) -> str:
@@ -178,7 +181,7 @@ class _Maker:
                 self._notes.append(f"joint {show(joint.name)}: fixed where the file has it")
             elif least == most:
                 self._notes.append(f"joint {show(joint.name)}: its limits are equal: it is fixed at {least:g}")
-                place = place @ joint.moved(least - joint.zero)
+                place = place @ joint.moved(least)
             else:
                 without_end = joint.kind == "hinge" and most - least > LONGEST
                 joints.append(replace(joint, range=None) if without_end else joint)
@@ -221,7 +224,7 @@ class _Maker:
         plain = [name for name in moving if len(bodies[name].joints) == 1 and bodies[name].joints[0].endless]
         bearing = [name for name in moving if name not in plain or name in below.values()]
         if chosen is not None and chosen not in bodies:
-            self._problems.add(f"--carrier {chosen}: is not in the file{suggestion(chosen, list(bodies))}")
+            self._problems.add(f"carrier={chosen}: is not in the file{suggestion(chosen, list(bodies))}")
             return ""
         roots = bearing or [name for name in moving if not below[name]] or [below[name] for name in moving]
         if chosen is not None and heads[chosen] in (*still, *moving):
@@ -236,7 +239,7 @@ class _Maker:
                 self._problems.add(self._words(name), f"moves on the world, as the carrier {show(root)}: expected one")
         if chosen is not None and heads[chosen] != root:
             words = f"turns, expected {show(root)} or a {self._noun} that is fixed to it"
-            self._problems.add(f"--carrier {chosen}: {words}")
+            self._problems.add(f"carrier={chosen}: {words}")
         if left := [name for name, head in heads.items() if head in still and head != root]:
             self._notes.append(f"left out, since it does not move of the world: {', '.join(left)}")
         parent, place = bodies[root].parent, bodies[root].place
@@ -255,7 +258,7 @@ class _Maker:
         joint, head = body.joints[0], self._heads[body.parent]
         least, most = joint.range or (0.0, 0.0)
         held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
-        fix = f"; --fix {joint.name} imports it where it is"
+        fix = f"; fix={joint.name} imports it where it is"
         reasons = (
             (head != root, f"turns on {self._words(head)}, which turns itself: expected the carrier{held}"),
             (len(body.joints) > 1, f"{self._words(body.name)} has {len(body.joints)} joints: a flywheel has one"),
@@ -265,7 +268,7 @@ class _Maker:
             (not self._has_mass(body.name), f"{self._words(body.name)} turns, but has no mass and no inertia"),
             (
                 joint.armature and self._armature is None,
-                f"armature {joint.armature:g} is inertia without a body: --armature wheel makes it the flywheel's",
+                f"armature {joint.armature:g} is inertia without a body: armature=wheel makes it the flywheel's",
             ),
         )
         where = f"joint {show(joint.name)}"
@@ -282,8 +285,8 @@ class _Maker:
 
     # -- what holds the carrier ----------------------------------------------------------------------------------------
 
-    def _hold(self, root: Body) -> tuple[Hold | None, dict[str, Any], Any, tuple[str, ...]]:
-        """The hold; tables of its springs, friction and stops; added mass; joints whose damping and springs these are.
+    def _hold(self, root: Body) -> tuple[Hold | None, dict[str, Any], Array, tuple[str, ...]]:
+        """The hold; tables of its springs, friction and stops; armature; joints whose damping and springs these are.
 
         What a joint does on its coordinate is a law of the stand where that coordinate is one of the hold too, or where
         it does the same in every direction.
@@ -303,7 +306,7 @@ class _Maker:
             words = "together no directions fixed in the carrier"
             expected = "expected one, slides, a plane, three hinges through a point"
             self._problems.add(f"joints {names}", f"{words}: {expected}")
-            return None, {}, None, ()
+            return None, {}, np.zeros((6, 6)), ()
         is_free = len(ways) == 6
         sayable = [
             joint.kind == "ball"
@@ -354,9 +357,8 @@ class _Maker:
             self._comments["hold"] = [
                 f"{names} on the world." if ways else "Fixed on the world; without [hold] it is free."
             ]
-        added = tuple(map(tuple, tensors["armature"].tolist())) if tensors["armature"].any() else None
         passive = tuple(joint.name for (joint, *_), ok in zip(ways, sayable, strict=True) if ok)
-        return None if is_free else hold, tables, added, passive
+        return None if is_free else hold, tables, tensors["armature"], passive
 
     def _in_carrier(self, root: str, axis: Array, joint: Joint) -> tuple[Array, Array]:
         """Direction and anchor of a way in E1; those of three at once are along its axes."""
@@ -375,6 +377,19 @@ class _Maker:
         """Mass properties of bodies together; `at`: their places in a frame, which `back` turns into another."""
         masses = [(back @ at[name], self._bodies[name].mass) for name in names]
         return combined([place.mass(mass) for place, mass in masses if mass is not None])
+
+    def _fluid(self) -> Array:
+        """Added mass (6x6) of the fluid around the carrier, in E1 about O1; that around flywheels is noted."""
+        result = np.zeros((6, 6))
+        for body in self._bodies.values():
+            if body.added_mass is not None and body.name in self._members:
+                X = self._places[body.name].twist
+                result += X.T @ body.added_mass @ X
+            elif body.added_mass is not None:
+                self._notes.append(f"{self._words(body.name)}: fluid_added_mass left out: a flywheel has none")
+        if result.any():
+            self._notes.append("fluid_added_mass is added_mass of the carrier, and not in MuJoCo's model of the file")
+        return result
 
     def _instrument(self, body: str) -> Instrument:
         mass, at = self._bodies[body].mass, self._places[body]

@@ -80,19 +80,16 @@ def document(stand: Stand) -> list[Section]:
         "(2)",
         (
             r"In axes of $E_1$ about $O_1$, in kg, off the diagonal blocks in kg m, lower right in kg m$^2$. At "
-            r"$\varphi = 0$ "
-            "of all flywheels:",
+            r"$\varphi = 0$ of all flywheels:",
             Formula(f"K = {numbers(K, noise)}"),
             "The constant part: carrier, instruments, added mass and the column of 1 of every flywheel.",
             Formula(f"K_c = {numbers(K_constant, noise)}"),
         ),
     )
     tables: list[str | Formula | Table] = [
-        r"Each row is a polynomial, the sum of its cells times the heads of the columns, in axes of $E_1$ about "
-        r"$O_1$: first "
-        r"moment $\mu$ in kg m, inertia $J$ and moment part $t$ of $I_s$ in kg m$^2$. The column of 1 of $\mu$ and "
-        r"$J$ is in "
-        "$K_c$."
+        r"Each row is a polynomial, the sum of its cells times the heads of the columns, in axes of $E_1$ about $O_1$: "
+        r"first moment $\mu$ in kg m, inertia $J$ and moment part $t$ of $I_s$ in kg m$^2$. The column of 1 of $\mu$ "
+        "and $J$ is in $K_c$."
     ]
     for wheel, row in zip(stand.flywheels, rows, strict=True):
         caption = f"{wheel.name} on {wheel.mount}: mass {wheel.mass:.6g} kg, about its axis {row['spin']:.6g} kg m2"

@@ -6,30 +6,32 @@ They are written into a folder of `mahovik generate`, or any other; never over f
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from math import inf
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest, read_header
 from mahovik.core.emit.programme import Facts, programme_files
 from mahovik.core.lower.layout import Layout
 from mahovik.core.lower.program import lower_layout
-from mahovik.core.lower.programme import Form, ProgrammeProgram, lower_programme
+from mahovik.core.lower.programme import Course, Form, ProgrammeProgram, lower_programme
 from mahovik.core.lower.programme_play import Player
-from mahovik.core.motion.functions import Angles
+from mahovik.core.motion.functions import Angles, Fourier
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.program.types import NamedCount, Precision
 from mahovik.core.stand.fields import name_problem
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities, structure
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.out.export.programme.accuracy import Errors, errors, free_torques
-from mahovik.out.export.programme.tables import Array, Table, Torques, fourier_table, quintic_table
+from mahovik.proof.verify.programme.compiled import spread_phases
+from mahovik.proof.verify.programme.mechanics import torques_along
 from mahovik.proof.verify.programme.verification import (
     ProgrammeCase,
     bound_checks,
@@ -101,7 +103,7 @@ def export_programme(
     if over := _exceeded_bounds(stand, programme, motion):
         raise CheckError(f"{source}: exceeds its bounds: {'; '.join(over)}: plan again; nothing was written")
     if kind == "fourier" and not programme.periodic:
-        raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; use --table quintic")
+        raise UsageError(f"{source}: a finite programme: a Fourier table needs a periodic one; give table=quintic")
     count, most = nodes or NODES[real], LIMITS[real] if limit is None else limit
     if not 0 < most < inf:
         raise UsageError(f"limit {most:g}: expected a number above 0, such as {LIMITS[real]:g}")
@@ -247,9 +249,7 @@ def _with_torques(table: Table, finite: RunUpTable, prescribed: ProgrammeCase | 
 
 def _too_coarse(source: str, table: Table, errors: Errors, most: float, real: str) -> str:
     what = "the relative residual that the table adds" if errors.added is not None else "the table's relative error"
-    remedies = []
-    remedies += ["--real double"] if real == "float" else []
-    remedies += ["--table quintic"] if table.form.kind == "fourier" else []
+    remedies = ["real=double"] * (real == "float") + ["table=quintic"] * (table.form.kind == "fourier")
     remedies = remedies or ["a programme of fewer harmonics"]
     return (
         f"{source}: {what} is {errors.decisive:.2e}, above {most:g}: give {' or '.join(remedies)}; nothing was written"
@@ -297,7 +297,7 @@ def element_type(folder: Path, stand: Stand, real: str | None, usual: str = "dou
             f"the stand file has {hashes.structure}, {hashes.physics}): generate it again or choose another folder"
         )
     if real is not None and real != header.real:
-        raise UsageError(f"{folder / stand.name}.h: has {header.real}, expected {real}: leave --real out")
+        raise UsageError(f"real {real}: {folder / stand.name}.h has {header.real}; leave it out")
     return header.real
 
 
@@ -337,3 +337,198 @@ def _manifest_hashes(path: Path, what: str) -> dict[str, str] | None:
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         pass
     return None
+
+
+MOST_HARMONICS = 120
+"""Most harmonics of a Fourier table."""
+
+TAIL = {"double": 1e-10, "float": 1e-6}
+"""Harmonics are left out as long as their sum is below this part of the largest acceleration, or torque."""
+
+FINE_MEAN = 2.0**20
+"""Mean angles of a quintic table are multiples of 1/FINE_MEAN, which a float holds exactly."""
+
+_FINE, _TORQUES = 1024, 256
+"""Samples per period for the Fourier coefficients of angles and of torques."""
+
+Array = NDArray[np.float64]
+At = Callable[[Array], Angles]
+Torques = Callable[[Array], Array]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table's form and numbers, and its exact source: angles (and torques) at times 0..span (M, s)."""
+
+    form: Form
+    value: dict[str, Any]
+    span: float
+    at: At
+    torques: Torques | None
+
+
+def quintic_table(form: Form, at: At, span: float, winding: tuple[int, ...], torques: Torques | None) -> Table:
+    """Nodes at equal times."""
+    t = np.arange(float(form.rows + (0 if form.cyclic else 1))) * (span / form.rows)
+    angles = at(t)
+    turn = 2 * np.pi * np.array(winding, dtype=np.float64)
+    if form.cyclic:
+        phi = _near_zero(angles.phi - (t / span)[:, None] * turn)
+        mean = np.round(np.mean(phi, axis=0) * FINE_MEAN) / FINE_MEAN
+        phi = phi - mean
+        phi_dot = angles.phi_dot - turn / span
+    else:
+        phi, phi_dot = _in_half_a_turn(angles.phi), angles.phi_dot
+    columns = {"phi": phi, "phi_dot": phi_dot, "phi_ddot": angles.phi_ddot}
+    if torques is not None:
+        columns["tau"] = torques(t)
+    value: dict[str, Any] = {"step": span / form.rows, "rate": form.rows / span}
+    if form.cyclic:
+        value |= _winding(winding, span) | {"mean": list(map(float, mean))}
+    value["node"] = [{name: list(map(float, c[i])) for name, c in columns.items()} for i in range(len(t))]
+    return Table(form, value, span, at, torques)
+
+
+def fourier_table(programme: Programme, count: NamedCount, torques: Torques | None, real: str) -> Table:
+    """Fourier coefficients of a periodic programme of `count` flywheels, without negligible harmonics."""
+    span = programme.span
+    mean, cos, sin = _angles(programme)
+    order = np.arange(1.0, len(cos) + 1.0)[:, None]
+    sizes = order**2 * np.hypot(cos, sin)
+    rows = kept = _harmonic_count(sizes, float(np.max(sizes)) * TAIL[real])
+    value: dict[str, Any] = {"omega": 2 * np.pi / span, "mean": list(map(float, mean))}
+    if torques is not None:
+        tau = torques(np.arange(float(_TORQUES)) / _TORQUES * span)
+        tau_mean, tau_cos, tau_sin = coefficients(tau)
+        rows = max(rows, _harmonic_count(np.hypot(tau_cos, tau_sin), float(np.max(np.abs(tau))) * TAIL[real]))
+        value["tau_mean"] = list(map(float, tau_mean))
+    rows = max(1, rows)
+    cos, sin = (np.where(order <= kept, part, 0.0) for part in (cos, sin))
+    form = Form("", "fourier", rows, True, torques is not None, count)
+    columns = {"cos": cos, "sin": sin}
+    if torques is not None:
+        columns |= {"tau_cos": tau_cos, "tau_sin": tau_sin}
+    value["harmonic"] = [{name: list(map(float, c[k])) for name, c in columns.items()} for k in range(rows)]
+    return Table(form, value | _winding(programme.winding, span), span, programme.at, torques)
+
+
+def _angles(programme: Programme) -> tuple[Array, Array, Array]:
+    """mean, cos, sin of the periodic part of the angles: from the file, padded with zeros, or from samples.
+
+    Coefficients of samples at the level of rounding become zero, since squares of high orders would amplify them.
+    """
+    if isinstance(programme.course, Fourier):
+        parts = (programme.course.cos[:MOST_HARMONICS], programme.course.sin[:MOST_HARMONICS])
+        cos, sin = (np.vstack([part, np.zeros((MOST_HARMONICS - len(part), part.shape[1]))]) for part in parts)
+        return _near_zero(programme.course.mean[None, :])[0], cos, sin
+    x = np.arange(float(_FINE)) / _FINE
+    turn = 2 * np.pi * np.array(programme.winding, dtype=np.float64)
+    mean, cos, sin = coefficients(_near_zero(programme.at(x * programme.span).phi - x[:, None] * turn))
+    sizes = np.hypot(cos, sin)
+    real = sizes > 1e-14 * max(1.0, float(np.max(sizes)))
+    return mean, np.where(real, cos, 0.0), np.where(real, sin, 0.0)
+
+
+def coefficients(samples: Array) -> tuple[Array, Array, Array]:
+    """mean (N), cos, sin (H, N) of samples (M, N) of a period; H = MOST_HARMONICS."""
+    result = np.fft.rfft(samples, axis=0) / len(samples)
+    first = result[1 : MOST_HARMONICS + 1]
+    return result[0].real, 2 * first.real, -2 * first.imag
+
+
+def _harmonic_count(sizes: Array, least: float) -> int:
+    """Number of harmonics after which the rest sum to less than `least`."""
+    tails = np.cumsum(np.max(sizes, axis=1)[::-1])[::-1]
+    above = np.flatnonzero(tails > least)
+    return int(above[-1]) + 1 if len(above) else 0
+
+
+def _winding(winding: tuple[int, ...], span: float) -> dict[str, Any]:
+    return {"winding": list(winding), "speed": [2 * np.pi * n / span for n in winding]}
+
+
+def _near_zero(phi: Array) -> Array:
+    """Angles without whole turns in the means, so that a float keeps digits for the variation."""
+    turns: Array = np.round(np.mean(phi, axis=0) / (2 * np.pi))
+    return phi - 2 * np.pi * turns
+
+
+def _in_half_a_turn(phi: Array) -> Array:
+    return phi - 2 * np.pi * np.round(phi / (2 * np.pi))
+
+
+STEP_ERROR = 1e-7
+"""Error per step of the simulated run-up, in amplitudes: enough for feedforward torques."""
+
+
+def free_torques(case: ProgrammeCase, table: RunUpTable, up: bool, t: Array) -> Array:
+    """Drive torques (M, N; N m) of a run-up, or run-down, at rising times t (M, s).
+
+    The carrier is free: (8) from rest at its equilibrium, or from the required state at t = 0. StateError: there is
+    no equilibrium, or the simulation stops.
+    """
+    times = np.unique(np.concatenate([[0.0], t]))
+    y = case.run_up("run-up" if up else "run-down", times, 8, STEP_ERROR)
+    return torques_along(case.stand, y[np.searchsorted(times, t)], table.at(t))
+
+
+POINTS = 1024
+"""Times at which a table is compared."""
+
+WRENCHES = 100
+"""Times among them at which the reference is evaluated."""
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Largest differences between a table and its programme.
+
+    phi, phi_dot, phi_ddot   rad, s
+    relative   of phi'' + phi'^2, the force of an unbalance, with the angle's error turning this force; relative to its
+               largest value
+    tau, tau_peak   of the drive torques, and the largest torque, N m; None without torques
+    given, added    relative residual of the programme, and the part added by the table; None for a run-up, or without a
+                    motion
+    """
+
+    phi: float
+    phi_dot: float
+    phi_ddot: float
+    relative: float
+    tau: float | None = None
+    tau_peak: float | None = None
+    given: float | None = None
+    added: float | None = None
+
+    @property
+    def decisive(self) -> float:
+        """The error that is compared with the limit."""
+        return self.relative if self.added is None else self.added
+
+
+def errors(
+    player: Player, course: Course, table: Table, precision: Precision, prescribed: ProgrammeCase | None
+) -> Errors:
+    """Errors of one table; the wrench is evaluated for the programme only, whose carrier moves as prescribed."""
+    phases = np.array([float(precision.scalar(x)) for x in spread_phases(POINTS)])
+    t = phases * table.span
+    played = player.many(course, list(phases))
+    truth = table.at(t)
+    angle = played["phi"] - truth.phi
+    angle -= 2 * np.pi * np.round(angle / (2 * np.pi))
+    speed, acceleration = played["phi_dot"] - truth.phi_dot, played["phi_ddot"] - truth.phi_ddot
+    force = np.hypot(truth.phi_ddot, truth.phi_dot**2)
+    wrong = np.abs(acceleration) + 2 * np.abs(truth.phi_dot * speed) + force * np.abs(angle)
+    largest, fastest, hardest = (float(np.max(np.abs(array))) for array in (angle, speed, acceleration))
+    relative = float(np.max(wrong)) / max(float(np.max(force)), np.finfo(np.float64).tiny)
+    if table.torques is None:
+        return Errors(largest, fastest, hardest, relative)
+    some = np.linspace(0, POINTS - 1, WRENCHES).astype(int)
+    tau = table.torques(t[some])
+    wrong_tau, peak = float(np.max(np.abs(played["tau"][some] - tau))), float(np.max(np.abs(tau)))
+    if prescribed is None:
+        return Errors(largest, fastest, hardest, relative, wrong_tau, peak)
+    exact, tabled = Angles(*(array[some] for array in truth)), Angles(*(played[name][some] for name in Angles._fields))
+    R, added = (prescribed.equations(t[some], angles)[0] for angles in (exact, tabled))
+    shares = (float(np.max(prescribed.scale.wrench_share(wrench))) for wrench in (R, added - R))
+    return Errors(largest, fastest, hardest, relative, wrong_tau, peak, *shares)
