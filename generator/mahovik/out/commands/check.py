@@ -167,11 +167,11 @@ def _rest(stand: Stand, phases: Sequence[float]) -> tuple[dict[str, Any] | None,
     try:
         rest_pose = rest(stand, phases)
     except CheckError as error:
-        return None, [f"rest pose: {error}"]
+        return None, [str(error).removeprefix(f"{stand.name}: ")]
     words, more = rest_pose.words(), dict[str, Any]()
     if (low := sag(stand, rest_pose.state)) is not None:
         more["sag"] = low.tolist()
-        shown = "  ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, low, strict=True))
+        shown = ", ".join(f"{name} {round(1e3 * x, 6) + 0.0:.4g}" for name, x in zip(TWIST, low, strict=True))
         words.append(f"static sag of the isolators from where they are unloaded, mm and mrad in E1: {shown}")
     numbers = {name: getattr(rest_pose, name) for name in ("V_dot", "free", "unstable", "frequencies")}
     return {"state": state_object(rest_pose.state), **numbers, **more}, words
