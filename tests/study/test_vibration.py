@@ -28,7 +28,7 @@ from mahovik.use.vibration.chain import Makers
 from mahovik.use.vibration.lines import in_band, rms
 from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes, read_structure
 from mahovik.use.vibration.speeds import read_speeds
-from mahovik.use.vibration.steady import Steady, _Search, quasiperiodic, steady
+from mahovik.use.vibration.steady import Steady, quasiperiodic, steady
 from mahovik.use.vibration.study import Vibration
 from mahovik.use.vibration.study import vibration as find
 from mahovik.use.vibration.torus import Torus
@@ -214,17 +214,6 @@ def test_momentum_is_constant_along_the_motion(speeds: list[float]) -> None:
     Z = np.array([momentum_in_E0(pieces(SAT4, solution.state(theta))) for theta in angles])
     spin = np.linalg.norm(Z[:, 3:], axis=1).max()
     assert np.abs(Z[:, :3]).max() < 1e-9 and np.abs(Z - Z.mean(axis=0)).max() < 1e-11 * spin
-
-
-def test_momentum_gives_the_motion_that_the_equations_of_motion_give() -> None:
-    """Two methods, at speeds without slow beats."""
-    search = _Search(SAT4, np.array([300.0, -211.0]), np.eye(4, dtype=int)[:, :2], None)
-    by_momentum = search.judged(3)
-    search.conserves = False
-    search.c = np.zeros((1, 12))
-    other = search.judged(3)
-    size = np.abs(by_momentum.c).max(axis=0)
-    assert np.abs(other.c - by_momentum.c).max(axis=0) / size == pytest.approx(np.zeros(12), abs=1e-6)
 
 
 @given(st.integers(1, 4), st.integers(1, 3), st.integers(0, 2**32 - 1))

@@ -75,13 +75,3 @@ def left_jacobian(r: Array) -> Array:
     second = np.where(angle < SMALL, 1.0 / 6.0 - angle**2 / 120.0 + angle**4 / 5040.0, second)
     turned = skew(r)
     return np.asarray(np.eye(3) + first * turned + second * (turned @ turned))
-
-
-def rotation_vector_rate(r: Array) -> Array:
-    """B (M, 3, 3): r' = B omega of a rotation vector r (M, 3), omega on the turned axes."""
-    angle = np.linalg.norm(r, axis=1)[:, None, None]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        k = (1.0 - angle / 2.0 / np.tan(angle / 2.0)) / angle**2
-    k = np.where(angle < SMALL, 1.0 / 12.0 + angle**2 / 720.0 + angle**4 / 30240.0, k)
-    turned = skew(r)
-    return np.asarray(np.eye(3) + 0.5 * turned + k * (turned @ turned))

@@ -9,11 +9,11 @@ is a function of theta that obeys
 so that coefficient k obeys i k . w y_k = [y'(theta, y)]_k. Kept are all k up to an order. With one base frequency it is
 doubled until the highest harmonics are negligible. With more it is raised by one, and what the others would add is
 measured twice: rates at random phases differ by `left_out`; and `missing` is the motion, to first order, by the lines
-that the equations still have up to MORE higher orders. Where nothing outside acts, momentum takes the place of (8), see
-`conserved`.
+that the equations still have up to MORE higher orders. Newton's method solves the equations, GMRES its linear ones,
+preconditioned by their mean over all phases.
 
 Directions without a restoring force are kept from drifting: of all motions the one is found whose mean pose is that of
-rest and whose mean rotation is zero, for any phases. Where momentum is conserved nothing is needed for that.
+rest and whose mean rotation is zero, for any phases.
 
 The coordinates are those of the freedoms, see `scene`. A clamped carrier has no motion, and its reaction is all.
 """
@@ -26,24 +26,27 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import expm
+from scipy.sparse.linalg import LinearOperator, gmres
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.model import Stand, State
 from mahovik.errors import CheckError
 from mahovik.use.numeric.residual import Drive
 from mahovik.use.numeric.se3 import Array, Complex
-from mahovik.use.vibration.conserved import Conserved, conserves, solve
 from mahovik.use.vibration.lines import coherent
 from mahovik.use.vibration.plant import FREE, LARGEST, Scene
 from mahovik.use.vibration.speeds import Turning, common_period
-from mahovik.use.vibration.torus import Linearised, Solved, Torus, Whole, newton
+from mahovik.use.vibration.torus import Torus, Whole
 from mahovik.use.vibration.view import FullMotion, Observable
 
 FEW_TURNS = 40
 """Most turns of the fastest flywheel in a common period at which its harmonics are fewer than those of a torus."""
 
-SLOW = 1e-9
-"""Part of the fastest speed below which a combination k . w is a constant, as of two flywheels of one speed."""
+SLOW = 1e-7
+"""Part of the fastest speed below which a combination k . w is a constant, as of two flywheels of one speed.
+
+By (8) a slower beat has the displacement of its rounding over the square of its frequency.
+"""
 
 ROUNDING = 1e-15
 """m/s2, rad/s2: smaller rates are rounding."""
@@ -80,6 +83,24 @@ LITTLE = 1e-6
 
 UNSTABLE = 1e-3
 """Multipliers above 1 by more than this grow; less may be rounding of a neutral one."""
+
+
+ACCURATE = 1e-9
+"""Accuracy of GMRES in one step of Newton's method."""
+
+RESTART, ROUNDS = 40, 5
+
+NEWTON = 20
+"""Most steps of Newton's method."""
+
+SETTLED = 1e-11
+"""Relative size of a last step."""
+
+LOOSE = 0.01
+"""Part of a settled step that its linear equations may be off: more accuracy changes nothing."""
+
+SAME = 0.1
+"""The linear equations serve for further steps as long as each step is at most this part of the one before."""
 
 
 class Missing(NamedTuple):
@@ -284,8 +305,88 @@ def _tail(motion: Steady) -> float:
 
 
 @dataclass(frozen=True, eq=False)
+class Linearised:
+    """i w_k dc_k - [J dy + push dh]_k = r_k, with free . dc_k = - free . c_k for constant k; unknown dc, dh.
+
+    J (M, m, m), push (M, m, f) at the nodes; free (f, m); w (n, rad/s); slow: the constant k; size (m).
+    """
+
+    torus: Torus
+    J: Array
+    push: Array
+    free: Array
+    w: Array
+    slow: Whole
+    size: Array
+
+    def solve(self, r: Complex, c: Complex, enough: float = 0.0) -> tuple[Complex, Complex] | None:
+        """dc (n, m), dh (n, f); None if the equations are singular, at an undamped resonance.
+
+        `enough`: error of dc, in units of `size`, below which no more accuracy is wanted.
+        """
+        n, (f, m) = len(self.w), self.free.shape
+        inverse = self.inverse(self.w, self.slow)
+        if inverse is None:
+            return None
+        slow = np.zeros(n, dtype=bool)
+        slow[self.slow] = True
+
+        def pack(result: Complex) -> Array:
+            scaled = result / np.concatenate([self.size, np.ones(f)])
+            return np.concatenate([scaled.real.ravel(), scaled.imag.ravel()])
+
+        def unpack(x: Array) -> Complex:
+            half = len(x) // 2
+            result = (x[:half] + 1j * x[half:]).reshape(n, m + f)
+            result[0] = result[0].real
+            return np.asarray(result * np.concatenate([self.size, np.ones(f)]))
+
+        def back(right: Complex) -> Array:
+            result = (inverse @ right[:, :, None])[:, :, 0]
+            result[0] = result[0].real
+            return pack(result)
+
+        def forward(x: Array) -> Array:
+            result = unpack(x)
+            dc, dh = result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
+            dy, at = self.torus.values(dc), self.torus.values(dh)
+            moved = (self.J @ dy[:, :, None])[:, :, 0] + (self.push @ at[:, :, None])[:, :, 0]
+            left = 1j * self.w[:, None] * dc - self.torus.coefficients(moved)
+            last = np.where(slow[:, None], dc @ self.free.T, result[:, m:])
+            return back(np.concatenate([left, last], axis=1))
+
+        last = np.where(slow[:, None], -c @ self.free.T, 0.0)
+        count = 2 * n * (m + f)
+        operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
+        right = back(np.concatenate([r, last], axis=1))
+        x, missed = gmres(operator, right, rtol=ACCURATE, atol=enough, restart=RESTART, maxiter=ROUNDS)
+        if missed or not np.all(np.isfinite(x)):
+            return None
+        result = unpack(x)
+        return result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
+
+    def inverse(self, w: Array, slow: Whole) -> Complex | None:
+        """Inverses (n, m + f, m + f) of the mean equations at any w (n; rad/s), h unknown at `slow`; None: singular."""
+        n, (f, m) = len(w), self.free.shape
+        A = np.zeros((n, m + f, m + f), dtype=np.complex128)
+        A[:, :m, :m] = -self.J.mean(axis=0)
+        A[:, range(m), range(m)] += 1j * w[:, None]
+        A[:, range(m, m + f), range(m, m + f)] = 1.0
+        A[slow, m:, m:] = 0.0
+        A[slow, :m, m:], A[slow, m:, :m] = -self.push.mean(axis=0), self.free
+        try:
+            result = np.asarray(np.linalg.inv(A), dtype=np.complex128)
+        except np.linalg.LinAlgError:
+            return None
+        return result if np.all(np.isfinite(result)) else None
+
+
+@dataclass(frozen=True, eq=False)
 class _Carrier:
-    """(8) about rest, at the nodes of a torus: see `torus.Equations`; h are wrenches along free directions."""
+    """(8) about rest, y' = rate(y, h), at the nodes of a torus: y a state, h constant wrenches along free directions.
+
+    size   (2 m): natural sizes of the numbers of a state
+    """
 
     scene: Scene
     drive: Drive
@@ -293,17 +394,61 @@ class _Carrier:
 
     @property
     def free(self) -> Array:
+        """(f, 2 m): displacement along free directions from a state."""
         return self.scene.free_displacement
 
     def rate(self, y: Array, h: Array) -> Array:
+        """(M, 2 m)."""
         push = self.scene.effect_of_wrench(self.drive) @ h[:, :, None]
         return np.asarray(self.scene.chart.rate(self.drive, y) + push[:, :, 0])
 
-    def slopes(self, y: Array, _h: Array) -> tuple[Array, Array]:
+    def slopes(self, y: Array) -> tuple[Array, Array]:
+        """Derivatives (M, 2 m, 2 m) of the rates by y, and (M, 2 m, f) by h."""
         return self.scene.chart.jacobian(self.drive, y), self.scene.effect_of_wrench(self.drive)
 
     def is_lost(self, y: Array) -> bool:
+        """Whether states are beyond what the coordinates reach."""
         return float(np.abs(self.scene.whole(y)[:, 3:6]).max()) > LARGEST
+
+
+class Solved(NamedTuple):
+    """States c (n, m), constant numbers h (n, f) on a torus, and the last linear equations."""
+
+    c: Complex
+    h: Complex
+    linear: Linearised
+
+
+def newton(
+    equations: _Carrier, torus: Torus, w: Array, slow: Whole, start: tuple[Complex, Complex],
+    least: Array, rounding: Array,
+) -> Solved | None:  # fmt: skip
+    """The solution at frequencies w (n; rad/s), constant at `slow`, from a guess of c and h. None: there is none near.
+
+    least      (n): size of a step, in units of `size`, that is rounding; rounding (m): likewise of a rate
+    """
+    (c, h), size, linear, before = start, equations.size, None, np.inf
+    for _ in range(NEWTON):
+        y, at = torus.values(c), torus.values(h)
+        if not np.all(np.isfinite(y)) or equations.is_lost(y):
+            return None
+        left = torus.coefficients(equations.rate(y, at)) - 1j * w[:, None] * c
+        if linear is not None and np.all(np.abs(left) <= rounding):
+            return Solved(c, h, linear)
+        if linear is None:
+            linear = Linearised(torus, *equations.slopes(y), equations.free, w, slow, size)
+        enough = LOOSE * float((SETTLED * np.abs(c / size).max(initial=0.0) + least).min())
+        step = linear.solve(left, c, enough)
+        if step is None:
+            return None
+        c, h = c + step[0], h + step[1]
+        change = np.abs(step[0] / size).max(axis=1, initial=0.0)
+        if np.all(change <= SETTLED * np.abs(c / size).max(initial=0.0) + least):
+            return Solved(c, h, linear)
+        if change.max() > SAME * before:  # the linear equations of an earlier step help little here
+            linear = None
+        before = change.max()
+    return None
 
 
 class _Search:
@@ -316,7 +461,6 @@ class _Search:
         self.base, self.turns, self.speeds = base, turns, turns @ base
         self.phases = np.zeros(len(turns)) if phases is None else np.array(phases, dtype=np.float64)
         self.fastest = float(np.abs(self.speeds).max(initial=0.0)) or 1.0
-        self.conserves = len(base) > 1 and self.scene.stand.hold is None and conserves(self.scene)
         self.rounding, self.c = rounding_rates(self.scene, self.speeds), np.zeros((1, 2 * self.scene.count), complex)
 
     def at(self, order: int) -> Steady:
@@ -331,7 +475,7 @@ class _Search:
             larger = Torus.of(len(self.base), order + MORE)
         except CheckError:  # too many nodes
             larger = None
-        motion, missing = (self._by_momentum if self.conserves else self._by_equations)(order, torus, larger)
+        motion, missing = self._by_equations(order, torus, larger)
         if missing is not None and not motion.c[(torus.k != 0).any(axis=1)].any():
             missing = missing._replace(c=0.0 * missing.c, pose=0.0 * missing.pose)  # no order of the wrenches is above
         return replace(motion, left_out=self._left_out(motion), missing=missing)
@@ -343,9 +487,13 @@ class _Search:
         least = np.full(len(w), (ROUNDING + self.scene.noise) / self.fastest**2)
         rounding = np.concatenate([np.full(m, np.inf), self.rounding])
         carrier = _Carrier(self.scene, self._drive(torus), size)
-        start = torus.pad(self.c), np.zeros((len(w), f), dtype=np.complex128)
         still = Linearised(torus, np.zeros((torus.M, 0, 0)), np.zeros((torus.M, 0, f)), carrier.free, w, slow, size)
-        solved = newton(carrier, torus, w, slow, start, least, rounding) if m else Solved(*start, still)  # clamped
+        solved: Solved | None = None
+        for known in (self.c, np.zeros_like(self.c)):  # at a resonance that of a lower order may lead nowhere
+            start = torus.pad(known), np.zeros((len(w), f), dtype=np.complex128)
+            solved = newton(carrier, torus, w, slow, start, least, rounding) if m else Solved(*start, still)  # clamped
+            if solved is not None:
+                break
         if solved is None:
             raise self.failure("", order)
         motion = self._motion(order, torus, solved.c, solved.h)
@@ -359,21 +507,6 @@ class _Search:
         left = larger.coefficients(rate) - 1j * w[:, None] * c
         missing = (inverse[:, : 2 * m, : 2 * m] @ left[:, :, None])[:, :, 0]
         return motion, self._missing(larger, missing, missing[:, :m] @ self.scene.S.T)
-
-    def _by_momentum(self, order: int, torus: Torus, larger: Torus | None) -> tuple[Steady, Missing | None]:
-        w, slow = self._frequencies(torus)
-        conserved = Conserved.of(torus, self._drive(torus))
-        solved = solve(conserved, w, slow, torus.pad(self.c)[:, 3:6])
-        if solved is None:
-            raise self.failure("", order)
-        x, c = conserved.state(solved.c, solved.h, slow)
-        motion = self._motion(order, torus, c, np.zeros((len(w), 6), dtype=np.complex128))
-        if larger is None:
-            return motion, None
-        w, slow = self._frequencies(larger)
-        beyond = Conserved.of(larger, self._drive(larger))
-        pose = beyond.remainder(solved.c, solved.h, x, w, slow, solved.linear)
-        return motion, self._missing(larger, np.concatenate([pose, 1j * w[:, None] * pose], axis=1), pose)
 
     def _missing(self, torus: Torus, c: Complex, pose: Complex) -> Missing:
         w, slow = self._frequencies(torus)

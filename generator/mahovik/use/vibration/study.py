@@ -167,8 +167,11 @@ SMALL = 1e-3
 STILL = 1e-15
 """SI: a smaller RMS is rounding."""
 
-EQUAL = 1e-6
-"""Part by which a sum may be above the largest of the whole equations and count as equal to it."""
+EQUAL, MOST_OFF = 1e-6, 1e-3
+"""Part by which a sum may be above the largest of the whole equations and count as equal to it, beside what the linear
+equations are off where both are known, of which at most MOST_OFF: a free satellite has the same amplitudes at all
+speeds.
+"""
 
 COMPARED = 4
 """Speeds of a sweep at which the whole equations are solved beside those of the largest sums."""
@@ -421,11 +424,16 @@ class _Study:
     def largest(self, vibration: Vibration) -> list[int]:
         """Unsolved steps at which a sum is largest: each sum in each band, on each axis and of all."""
         solved, steps = np.isin(vibration.value, list(self.solved)), set()
+        unbalance, tabled = self.linear(vibration.value)
+        linear = self.without_tabled(unbalance).join(tabled)
         for band in self.bands:
-            for sum_ in vibration.sums(band):
-                total = np.linalg.norm(np.nan_to_num(sum_), axis=1)
-                for size in (*np.nan_to_num(sum_).T, total):
-                    if size.max() > (1.0 + EQUAL) * size[solved].max(initial=0.0) + EQUAL * total.max():
+            for known, estimated in zip(vibration.sums(band), linear.sums(vibration.noises[band], band), strict=True):
+                total, by_linear = (np.linalg.norm(np.nan_to_num(x), axis=1) for x in (known, estimated))
+                pairs = zip((*np.nan_to_num(known).T, total), (*np.nan_to_num(estimated).T, by_linear), strict=True)
+                for size, estimate in pairs:
+                    most = size[solved].max(initial=0.0)
+                    off = min(np.abs(size - estimate)[solved].max(initial=0.0), MOST_OFF * most)
+                    if size.max() > most + off + EQUAL * (most + total.max()):
                         steps.add(int(size.argmax()))
         return sorted(steps)
 

@@ -1,8 +1,5 @@
 """Functions of several phases at once: trigonometric polynomials on a torus, sampled at the nodes of a lattice rule.
 
-Equations y' = rate(y) of such functions are solved by Newton's method; its linear equations by GMRES, preconditioned by
-their mean over all phases.
-
 A motion with speeds in no whole ratio is y(t) = sum_k y_k exp(i k . theta(t)), theta_s = phi_s' t + phi_s(0), k whole
 numbers, one per flywheel that turns. A rank-1 lattice samples it at theta_j = 2 pi j z / M, j = 0 .. M - 1: there
 k . theta_j is the harmonic k . z mod M of one periodic function, so that one FFT finds all coefficients. Source: L.
@@ -15,11 +12,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from itertools import product
 from math import comb
-from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse.linalg import LinearOperator, gmres
 
 from mahovik.errors import CheckError
 from mahovik.use.numeric.se3 import Array, Complex
@@ -34,25 +29,8 @@ BEYOND = 2
 """Orders above the kept ones that stay apart from them at the nodes: products of kept terms would else pass for slow
 beats, whose displacement is their acceleration by the square of a low frequency."""
 
-ACCURATE = 1e-9
-"""Accuracy of GMRES in one step of Newton's method."""
-
-RESTART, ROUNDS = 40, 5
-
 TRIES = 200
 """Generators tried per number of nodes."""
-
-STEPS = 20
-"""Most steps of Newton's method."""
-
-SETTLED = 1e-11
-"""Relative size of a last step."""
-
-SMALL = 0.01
-"""Part of a settled step that its linear equations may be off: more accuracy changes nothing."""
-
-SAME = 0.1
-"""The linear equations serve for further steps as long as each step is at most this part of the one before."""
 
 
 def odd_length(least: int) -> int:
@@ -209,145 +187,3 @@ def _generators(count: int, M: int, rng: np.random.Generator) -> Whole:
     for i in range(1, count):
         powers[:, i] = powers[:, i - 1] * first % M
     return np.asarray(np.concatenate([powers, rng.integers(1, M, (TRIES // 2, count))]))
-
-
-@dataclass(frozen=True, eq=False)
-class Linearised:
-    """i w_k dc_k - [J dy + push dh]_k = r_k, with free . dc_k = - free . c_k for constant k; unknown dc, dh.
-
-    J (M, m, m), push (M, m, f) at the nodes; free (f, m); w (n, rad/s); slow: the constant k; size (m).
-    """
-
-    torus: Torus
-    J: Array
-    push: Array
-    free: Array
-    w: Array
-    slow: Whole
-    size: Array
-
-    def solve(self, r: Complex, c: Complex, enough: float = 0.0) -> tuple[Complex, Complex] | None:
-        """dc (n, m), dh (n, f); None if the equations are singular, at an undamped resonance.
-
-        `enough`: error of dc, in units of `size`, below which no more accuracy is wanted.
-        """
-        n, (f, m) = len(self.w), self.free.shape
-        inverse = self.inverse(self.w, self.slow)
-        if inverse is None:
-            return None
-        slow = np.zeros(n, dtype=bool)
-        slow[self.slow] = True
-
-        def pack(result: Complex) -> Array:
-            scaled = result / np.concatenate([self.size, np.ones(f)])
-            return np.concatenate([scaled.real.ravel(), scaled.imag.ravel()])
-
-        def unpack(x: Array) -> Complex:
-            half = len(x) // 2
-            result = (x[:half] + 1j * x[half:]).reshape(n, m + f)
-            result[0] = result[0].real
-            return np.asarray(result * np.concatenate([self.size, np.ones(f)]))
-
-        def back(right: Complex) -> Array:
-            result = (inverse @ right[:, :, None])[:, :, 0]
-            result[0] = result[0].real
-            return pack(result)
-
-        def forward(x: Array) -> Array:
-            result = unpack(x)
-            dc, dh = result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
-            dy, at = self.torus.values(dc), self.torus.values(dh)
-            moved = (self.J @ dy[:, :, None])[:, :, 0] + (self.push @ at[:, :, None])[:, :, 0]
-            left = 1j * self.w[:, None] * dc - self.torus.coefficients(moved)
-            last = np.where(slow[:, None], dc @ self.free.T, result[:, m:])
-            return back(np.concatenate([left, last], axis=1))
-
-        last = np.where(slow[:, None], -c @ self.free.T, 0.0)
-        count = 2 * n * (m + f)
-        operator = LinearOperator((count, count), matvec=forward, dtype=np.float64)
-        right = back(np.concatenate([r, last], axis=1))
-        x, missed = gmres(operator, right, rtol=ACCURATE, atol=enough, restart=RESTART, maxiter=ROUNDS)
-        if missed or not np.all(np.isfinite(x)):
-            return None
-        result = unpack(x)
-        return result[:, :m], np.where(slow[:, None], result[:, m:], 0.0)
-
-    def inverse(self, w: Array, slow: Whole) -> Complex | None:
-        """Inverses (n, m + f, m + f) of the mean equations at any w (n; rad/s), h unknown at `slow`; None: singular."""
-        n, (f, m) = len(w), self.free.shape
-        A = np.zeros((n, m + f, m + f), dtype=np.complex128)
-        A[:, :m, :m] = -self.J.mean(axis=0)
-        A[:, range(m), range(m)] += 1j * w[:, None]
-        A[:, range(m, m + f), range(m, m + f)] = 1.0
-        A[slow, m:, m:] = 0.0
-        A[slow, :m, m:], A[slow, m:, :m] = -self.push.mean(axis=0), self.free
-        try:
-            result = np.asarray(np.linalg.inv(A), dtype=np.complex128)
-        except np.linalg.LinAlgError:
-            return None
-        return result if np.all(np.isfinite(result)) else None
-
-
-class Equations(Protocol):
-    """y' = rate(y, h): y a state (m), h numbers (f) that are constant on the torus, where a direction is free.
-
-    free   (f, m): displacement along these directions from a state
-    size   (m): natural sizes of the numbers of a state
-    """
-
-    @property
-    def free(self) -> Array:
-        """See above."""
-
-    @property
-    def size(self) -> Array:
-        """See above."""
-
-    def rate(self, y: Array, h: Array) -> Array:
-        """(M, m) at the nodes."""
-
-    def slopes(self, y: Array, h: Array) -> tuple[Array, Array]:
-        """Derivatives (M, m, m) by y and (M, m, f) by h."""
-
-    def is_lost(self, y: Array) -> bool:
-        """Whether states are beyond what the coordinates reach."""
-
-
-class Solved(NamedTuple):
-    """States c (n, m), constant numbers h (n, f) on a torus, and the last linear equations."""
-
-    c: Complex
-    h: Complex
-    linear: Linearised
-
-
-def newton(
-    equations: Equations, torus: Torus, w: Array, slow: Whole, start: tuple[Complex, Complex],
-    least: Array, rounding: Array,
-) -> Solved | None:  # fmt: skip
-    """The solution at frequencies w (n; rad/s), constant at `slow`, from a guess of c and h. None: there is none near.
-
-    least      (n): size of a step, in units of `size`, that is rounding; rounding (m): likewise of a rate
-    """
-    (c, h), size, linear, before = start, equations.size, None, np.inf
-    for _ in range(STEPS):
-        y, at = torus.values(c), torus.values(h)
-        if not np.all(np.isfinite(y)) or equations.is_lost(y):
-            return None
-        left = torus.coefficients(equations.rate(y, at)) - 1j * w[:, None] * c
-        if linear is not None and np.all(np.abs(left) <= rounding):
-            return Solved(c, h, linear)
-        if linear is None:
-            linear = Linearised(torus, *equations.slopes(y, at), equations.free, w, slow, size)
-        enough = SMALL * float((SETTLED * np.abs(c / size).max(initial=0.0) + least).min())
-        step = linear.solve(left, c, enough)
-        if step is None:
-            return None
-        c, h = c + step[0], h + step[1]
-        change = np.abs(step[0] / size).max(axis=1, initial=0.0)
-        if np.all(change <= SETTLED * np.abs(c / size).max(initial=0.0) + least):
-            return Solved(c, h, linear)
-        if change.max() > SAME * before:  # the linear equations of an earlier step help little here
-            linear = None
-        before = change.max()
-    return None
