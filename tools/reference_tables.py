@@ -49,7 +49,6 @@ from mahovik.core.stand.units import Dimension
 from mahovik.out.campaign.file import CampaignTable
 from mahovik.out.campaign.quantities import QuantityTable
 from mahovik.stands import path
-from mahovik.use.balance.pieces import PiecesTable
 
 HELD = Path(__file__).resolve().parents[1] / "docs" / "held" / "pendulum.toml"
 
@@ -199,7 +198,6 @@ def key_tables() -> dict[str, Callable[[], Iterable[str]]]:
     rows["unbalance"] = partial(key_rows, UnbalanceTable, Flywheel)
     rows["top"] = top_rows
     rows["campaign"] = partial(key_rows, CampaignTable, CampaignTable)
-    rows["pieces"] = partial(key_rows, PiecesTable, PiecesTable)
     rows["regime"] = partial(key_rows, DrivenTable, DrivenTable)
     rows["motion"] = partial(key_rows, MotionTable, MotionTable)
     rows["slew"] = partial(key_rows, SlewTable, SlewTable)

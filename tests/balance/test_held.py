@@ -11,7 +11,7 @@ import pytest
 import mahovik
 from identify.test_held import START, TRUE, readings, table, with_noise, write
 from mahovik.errors import BalanceError
-from mahovik.use.balance.by_model import Planes, balance_wheels
+from mahovik.use.balance.by_model import balance_wheels
 from mahovik.use.measured.read import read_recordings
 
 
@@ -23,7 +23,7 @@ def exact() -> Any:
 def test_a_force_table_tells_corrections_in_two_planes(tmp_path: Path, exact: Any) -> None:
     """Static and dynamic unbalance are within the intervals of the noise."""
     file = write(tmp_path / "run.csv", with_noise(exact, 1))
-    stand, planes = table([], **START), Planes((-0.02, 0.02))
+    stand, planes = table([], **START), (-0.02, 0.02)
     recordings = read_recordings([file], stand)
     wheels = balance_wheels(stand, recordings, {"first": planes, "second": planes})
     unbalances = {"first": (72e-6, 40.0, 3e-6, 110.0), "second": (50e-6, -70.0, 2e-6, -20.0)}

@@ -1,8 +1,7 @@
-"""Properties of corrections, corrections that can be made, and refused input."""
+"""Properties of corrections, split ones, and refused input."""
 
 from __future__ import annotations
 
-import itertools
 import json
 from pathlib import Path
 
@@ -14,9 +13,8 @@ from hypothesis import strategies as st
 import mahovik
 from balance.published import solved
 from cli.run import run
-from mahovik.errors import BalanceError
+from mahovik.errors import BalanceError, UsageError
 from mahovik.use.balance.influence import read_influence, read_polar, write_polar
-from mahovik.use.balance.pieces import Made, choose_pieces
 
 RUNS = {"A": ["170@112", "53@78"], "B": [["235@94", "185@115"], ["58@68", "77@104"]], "U": ["1.15@0", "1.15@0"]}
 
@@ -60,32 +58,17 @@ def test_trial_weights_that_stay_on() -> None:
     assert np.allclose(weights[0], -np.linalg.solve(alpha, A)) and np.allclose(weights[0], weights[1])
 
 
-def made(runs: dict[str, object]) -> Made:
-    (problem,), _ = read_influence(runs)
-    return choose_pieces(problem.A, problem.alpha, problem.choices)
-
-
-def test_pieces_are_the_best_of_all() -> None:
-    """No other choice of one weight or none in each of two planes leaves less."""
-    pieces = {"holes": 8, "amounts": [1, 2], "forbidden": [[200, 230]], "most": 1}
-    chosen, ((problem,), _) = made({**RUNS, "pieces": pieces}), read_influence(RUNS)
-    assert chosen.proven
-    allowed = [0j, *(a * np.exp(1j * np.radians(45 * i)) for i in range(8) for a in (1, 2) if i != 5)]
-    sizes = [
-        np.abs(problem.A + problem.alpha @ np.array(weights)).max() for weights in itertools.product(allowed, repeat=2)
-    ]
-    assert min(sizes) * (1 - 1e-9) <= np.abs(chosen.left).max() <= min(sizes) / np.cos(np.pi / 36) * (1 + 1e-5)
-    result = mahovik.balance(influence={**RUNS, "pieces": pieces})
-    assert result["made"].tolist() == [write_polar(weights) for weights in chosen.w.tolist()]
-    assert set(result["pieces"]["kind"]) == {"weight"}
-
-
-def test_holes_are_opposite_and_screws_split() -> None:
-    screws = {"amounts": [3], "split": True}
-    weight = made({**RUNS, "pieces": {**screws, "positions": [0, 120, 240]}})
-    hole = made({**RUNS, "pieces": {**screws, "positions": [180, 300, 60], "remove": True}})
-    w = solved(RUNS).w
-    assert np.allclose(weight.w, w, atol=1e-3) and np.allclose(hole.w, w, atol=1e-3)
+def test_a_split_correction_is_what_it_was() -> None:
+    """At the two places beside it, none of them further than a division; at a place itself it is whole."""
+    result = mahovik.balance(influence=RUNS, places=7)
+    for whole, split in zip(result["w"], result["split"], strict=True):
+        w, parts = read_polar(whole) or 0j, [read_polar(part) or 0j for part in split.split(" + ")]
+        assert sum(parts) == pytest.approx(w, abs=1e-2)
+        off = [abs(np.degrees(np.angle(part / w))) for part in parts]
+        assert sum(off) == pytest.approx(360 / 7, abs=0.2)
+    assert mahovik.balance(influence={"A": ["1@180"], "ALPHA": [["1@0"]]}, places="0,90")["split"].tolist() == ["1@0"]
+    with pytest.raises(UsageError, match="places: none within half a turn on both sides of 180 degrees"):
+        mahovik.balance(influence={"A": ["1@0"], "ALPHA": [["1@0"]]}, places="0,90")
 
 
 NO_PHASE = (
@@ -148,8 +131,6 @@ REFUSED = (
     ({"A": ["1@0"], "ALPHA": [["1@0", "2@0"]]}, "2 planes, but only 1 sensor"),
     ({**RUNS, "keep": True}, 'unknown key "keep"'),
     ({**RUNS, "keep_trial": 1}, "keep_trial"),
-    ({**RUNS, "pieces": {"holes": 4, "amounts": []}}, "pieces: amounts"),
-    ({**RUNS, "pieces": {"holes": 4, "amounts": [1], "forbidden": [[0, 359]]}}, "pieces.forbidden: leaves no position"),
     ({"A": ["1@0"]}, "B: expected a list of rows"),
     ({"A": ["1@0", 2], "B": [["1@0"], ["1@0"]], "U": ["1@0"]}, "A[1]"),
     ({"A": [1], "B": [1], "U": ["1@0"]}, "weights at two different places"),
@@ -179,15 +160,10 @@ def test_command(tmp_path: Path) -> None:
 
 
 def test_a_file_is_read_strictly(tmp_path: Path) -> None:
-    """A repeated key and a missing file are refused in a line; decimal numbers of limits and pieces are read."""
+    """A repeated key and a missing file are refused in a line."""
     file = tmp_path / "a.json"
     file.write_text(json.dumps(RUNS)[:-1] + ', "U": ["2@0", "2@0"]}', encoding="utf-8")
     with pytest.raises(BalanceError, match=r'a\.json: not JSON: key "U" appears twice'):
         mahovik.balance(influence=file)
     with pytest.raises(BalanceError, match=r"gone\.json: no such file"):
         mahovik.balance(influence=tmp_path / "gone.json")
-    for more in ({"pieces": {"holes": 4, "first": 0.5, "amounts": [0.5, 1.5]}},):
-        file.write_text(json.dumps({**RUNS, **more}), encoding="utf-8")
-        assert (
-            mahovik.balance(influence=file)["made"].tolist() == mahovik.balance(influence=RUNS | more)["made"].tolist()
-        )

@@ -3,37 +3,32 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
-from mahovik.errors import BalanceError, UsageError
-from mahovik.nearest import suggestion
+from mahovik.core.stand.units import PLAIN
+from mahovik.errors import UsageError
 from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
 from mahovik.out.result import Column, Result, column
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
-    from mahovik.use.balance.by_model import Planes
-    from mahovik.use.balance.pieces import Made
 
 NOTHING = 1e-12
 """Part of the largest vibration before that is written as zero."""
-
-CUT = "warning: the search for pieces was cut: a better choice may exist"
 
 
 def balance(
     stand: StandGiven | None = None,
     *,
     data: DataGiven = (),
-    plane: Annotated[Mapping[str, Sequence[Number] | Mapping[str, Any] | Number] | str | Path, "NAME=X,..|FILE"] = "",
+    plane: Annotated[Mapping[str, Sequence[Number] | Number], "NAME=X,.."] | None = None,
     influence: FileGiven | None = None,
     method: Literal["least-squares", "min-max"] = "least-squares",
+    places: Annotated[int | str | Sequence[float], "COUNT|DEGREES,.."] = "",
 ) -> Result:
     """Find correction weights of flywheels or of any rotor.
 
@@ -46,10 +41,12 @@ def balance(
     Args:
         stand: the stand file, with the sensors as points.
         data: a file of measured data, with channels of sensors and phases of flywheels, as often as needed.
-        plane: planes of a flywheel, or of "all" others, at these places on its axis, as w1=-10mm,10mm; or a TOML file
-            with a table a flywheel of `positions` and `pieces`. Default one plane, at the flywheel's origin.
+        plane: planes of a flywheel, or of "all" others, at these places on its axis, as w1=-10mm,10mm. Default one
+            plane, at the flywheel's origin.
         influence: a JSON file with "A", and "B" and "U" of trial runs, or "ALPHA"; numbers are "amplitude@degrees".
         method: of --influence, least squares, or the smallest largest vibration.
+        places: split each correction between the two of these places beside it: so many equal divisions from 0 on, or
+            angles in degrees.
 
     Raises:
         BalanceError: data that cannot be used.
@@ -63,16 +60,15 @@ def balance(
     if influence is not None:
         if files or plane:
             raise UsageError("data, plane: need a stand; a file of influences takes none of them")
-        return _by_influence(influence, method)
+        return _by_influence(influence, method, places)
     if not files:
         raise UsageError("data: missing, expected files of measured data of the stand")
     assert stand is not None
-    return _by_model(stand, files, plane)
+    return _by_model(stand, files, plane, places)
 
 
-def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -> Result:
+def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], places: Any) -> Result:
     from mahovik.use.balance.influence import read_influence, solve, write_polar
-    from mahovik.use.balance.pieces import choose_pieces
 
     problems, off = reading("influence", influence, read_influence)
     problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
@@ -103,28 +99,11 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"]) -
         messages.append("two answers fit the amplitudes: try one, or add a trial run with a weight at another place")
     if off > 0.0:
         meta["misfit"] = off
-    if problem.choices:
-        made = choose_pieces(problem.A, problem.alpha, problem.choices)
-        columns.append(column("made", "", polar(made.w)))
-        meta["left_by_pieces"] = [write_polar(value, zero) for value in made.left.tolist()]
-        meta |= {"pieces": Result("Pieces", _pieces(made)), "proven": made.proven}
-        messages += [] if made.proven else [CUT]
+    columns += _split(places, w.tolist())
     return Result("correction weights", columns, meta=meta, messages=messages, details=("corrections",))
 
 
-def _pieces(made: Made) -> list[Column]:
-    placed = made.placed
-    return [
-        column("plane", "", np.array([placement.plane for placement in placed], dtype=int)),
-        column("degrees", "", [placement.piece.degrees % 360.0 for placement in placed]),
-        column("amount", "", [placement.piece.amount for placement in placed]),
-        column("radius", "", [placement.piece.radius for placement in placed]),
-        column("count", "", [placement.count for placement in placed]),
-        column("kind", "", ["hole" if placement.piece.value < 0.0 else "weight" for placement in placed]),
-    ]
-
-
-def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
+def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Result:
     from mahovik.out.api.stands import Stand
     from mahovik.use.balance.by_model import HALF_WIDTH, balance_wheels
     from mahovik.use.measured.read import read_recordings
@@ -133,8 +112,8 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
     planes = _planes(stand, plane or {})
     recordings = reading("data", list(files), read_recordings, stand)
     wheels = balance_wheels(stand, recordings, planes)
-    w, made, error, residual = (
-        np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "applied", "error", "residual")
+    w, error, residual = (
+        np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "error", "residual")
     )
     half = HALF_WIDTH * error
     columns = [
@@ -145,12 +124,9 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
         column("interval", "kg m", half),
         column("interval_at", "rad", np.arctan2(half, np.abs(w))),
     ]
-    pieces = {wheel.name: Result(f"Pieces of {wheel.name}", _pieces(wheel.made)) for wheel in wheels if wheel.made}
-    if pieces:
-        columns += [column("made", "kg m", np.abs(made)), column("made_at", "rad", np.angle(made) % (2.0 * math.pi))]
+    columns += _split(places, w.tolist())
     change = [(wheel.name, kind, *sizes) for wheel in wheels for kind, sizes in wheel.vibration.items()]
     heads = ("flywheel", "quantity", "before", "after")
-    cut = any(wheel.made is not None and not wheel.made.proven for wheel in wheels)
     return Result(
         f"{stand.name}: corrections",
         (*columns, column("residual", "kg m", residual)),
@@ -161,9 +137,8 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any) -> Result:
             "vibration": Result(
                 "First order, in SI", [column(head, "", [row[k] for row in change]) for k, head in enumerate(heads)]
             ),
-            **{f"pieces of {name}": table for name, table in pieces.items()},
         },
-        messages=[*(note for recording in recordings for note in recording.notes), *([CUT] if cut else [])],
+        messages=[note for recording in recordings for note in recording.notes],
         details=("stand",),
     )
 
@@ -179,32 +154,28 @@ def _static(wheels: Sequence[Any]) -> Result:
     return Result("Static unbalance", [*columns, column("fit", "", [wheel.fit for wheel in wheels])])
 
 
-def _planes(stand: Stand, plane: Any) -> dict[str, Planes]:
-    """Planes by flywheel. Raises UsageError: a name or a number; BalanceError: pieces."""
-    if not isinstance(plane, Mapping):
-        try:
-            plane = tomllib.loads(Path(plane).read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            raise BalanceError([f"{plane}: {getattr(error, 'strerror', None) or f'not TOML: {error}'}"]) from None
-    return {wheel: _planes_of(wheel, value) for wheel, value in by_name("plane", plane, stand).items()}
+def _planes(stand: Stand, plane: Any) -> dict[str, tuple[float, ...]]:
+    """Positions of planes (m) by flywheel. Raises UsageError: a name or a number."""
+    from mahovik.core.stand.units import LENGTH
+
+    result = {}
+    for wheel, value in by_name("plane", plane, stand).items():
+        texts = value.split(",") if isinstance(value, str) else value if isinstance(value, list | tuple) else [value]
+        result[wheel] = tuple(quantity(f"plane of {wheel}", text, LENGTH) for text in texts)
+        if len(set(result[wheel])) < max(len(texts), 1):
+            raise UsageError(f"plane of {wheel}: expected different positions, found {value}")
+    return result
 
 
-def _planes_of(name: str, plane: Any) -> Planes:
-    from mahovik.core.stand.units import LENGTH, MASS, QuantityError
-    from mahovik.use.balance.by_model import Planes
-    from mahovik.use.balance.pieces import read_choices
+def _split(places: int | str | Sequence[float], w: Sequence[complex]) -> list[Column]:
+    """A column of what corrections are at these places; none without places. Raises UsageError."""
+    from mahovik.use.balance.influence import split_weight, write_polar
 
-    where = f"plane of {name}"
-    table = plane if isinstance(plane, Mapping) else {"positions": plane}
-    for key in table:
-        if key not in ("positions", "pieces"):
-            raise UsageError(f"{where}: unknown key {key}{suggestion(str(key), ('positions', 'pieces'))}")
-    values = table.get("positions", [0.0])
-    texts = values.split(",") if isinstance(values, str) else values if isinstance(values, list | tuple) else [values]
-    places = tuple(quantity(where, text, LENGTH) for text in texts)
-    if not places or len(set(places)) < len(places):
-        raise UsageError(f"{where}: expected different positions, found {values}")
-    try:
-        return Planes(places, read_choices(table.get("pieces"), len(places), MASS, LENGTH))
-    except QuantityError as error:
-        raise BalanceError([f"{where}: {error}"]) from None
+    if places in ("", ()):
+        return []
+    texts = [places] if isinstance(places, int) else places.split(",") if isinstance(places, str) else list(places)
+    angles = [quantity("places", text, PLAIN) for text in texts]
+    if len(angles) == 1 and angles[0] >= 3 and angles[0] % 1 == 0:
+        angles = [360.0 * k / angles[0] for k in range(int(angles[0]))]
+    parts = (split_weight(correction, angles) for correction in w)
+    return [column("split", "", [" + ".join(map(write_polar, part)) for part in parts])]

@@ -14,16 +14,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mahovik.core.stand.masses import grade, pose
 from mahovik.core.stand.model import Stand
 from mahovik.errors import BalanceError
 from mahovik.use.balance.influence import INDEPENDENT
-from mahovik.use.balance.pieces import Choice, Made, choose_pieces
 from mahovik.use.measured.clocks import Recording
 from mahovik.use.measured.headers import AXES, LETTERS
 from mahovik.use.numeric.se3 import Array, Complex
@@ -36,9 +34,6 @@ HALF_WIDTH = 1.959963984540054
 
 RADIUS = math.sqrt(-2.0 * math.log(0.05))
 """Standard errors of one component in the radius of a circle that has 95 % of a plane's normal distribution."""
-
-WORTH, SECONDS = 1e-3, 10.0
-"""Part of the vibration by which a piece has to lower it; wall-clock limit of the choice for one flywheel, s."""
 
 VARIES, PARTS = 0.01, 8
 """Largest relative change of a speed between the parts of a recording, and how many parts."""
@@ -142,14 +137,6 @@ def _require_apart(recording: Recording, names: Sequence[str], speeds: Array) ->
                 raise BalanceError([f"{recording.source}: {reason}"])
 
 
-@dataclass(frozen=True)
-class Planes:
-    """Planes of a flywheel: positions (P, m) on its axis, and pieces that can be made in each (P, or none: any)."""
-
-    positions: tuple[float, ...] = (0.0,)
-    choices: tuple[Choice | None, ...] = ()
-
-
 @dataclass(frozen=True, eq=False)
 class WheelBalance:
     """Corrections of one flywheel, kg m, in planes at positions (P, m) on its axis.
@@ -160,7 +147,6 @@ class WheelBalance:
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
     vibration   by quantity: amplitude of the first order (root of the sum of squares over its channels) as measured and
                 with the corrections, at the fastest of the recordings
-    made        pieces that stand for w; None where any correction can be made
     """
 
     name: str
@@ -171,22 +157,16 @@ class WheelBalance:
     covariance: Complex
     fit: float
     vibration: Mapping[str, tuple[float, float]]
-    made: Made | None = None
-
-    @property
-    def applied(self) -> Complex:
-        """Corrections that are made (P), kg m: those of the pieces, else w."""
-        return self.w if self.made is None else self.made.w
 
     @property
     def residual(self) -> Array:
         """Unbalance (P, kg m) of each plane that is not exceeded after correction, with 95 % confidence."""
-        return np.asarray(np.abs(self.applied - self.w) + RADIUS * self.error)
+        return np.asarray(RADIUS * self.error)
 
     @property
     def static_residual(self) -> float:
         """Static unbalance, kg m, likewise."""
-        return abs(complex((self.applied - self.w).sum())) + RADIUS * self.static_error
+        return RADIUS * self.static_error
 
     @property
     def error(self) -> Array:
@@ -209,11 +189,11 @@ class WheelBalance:
 
 
 def balance_wheels(
-    stand: Stand, recordings: Sequence[Recording], planes: Mapping[str, Planes]
+    stand: Stand, recordings: Sequence[Recording], planes: Mapping[str, Sequence[float]]
 ) -> tuple[WheelBalance, ...]:
     """Corrections of all flywheels that turn in the recordings, from their first orders in all channels.
 
-    planes   by flywheel; others have one plane, at the flywheel's origin
+    planes   positions (m) on its axis by flywheel; others have one plane, at the flywheel's origin
 
     Raises BalanceError, CheckError: the stand has no equilibrium.
     """
@@ -221,11 +201,13 @@ def balance_wheels(
     scene = Scene.of(stand)
     plant = Plant.of(scene)
     turning = np.flatnonzero(np.any([recording.speeds != 0.0 for recording in measured], axis=0)).tolist()
-    return tuple(_wheel(scene, plant, s, planes.get(stand.flywheels[s].name, Planes()), measured) for s in turning)
+    return tuple(_wheel(scene, plant, s, planes.get(stand.flywheels[s].name, (0.0,)), measured) for s in turning)
 
 
-def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, measured: Sequence[FirstOrders]) -> WheelBalance:
-    flywheel, positions, P = scene.stand.flywheels[s], planes.positions, len(planes.positions)
+def _wheel(
+    scene: Scene, plant: Plant, s: int, positions: Sequence[float], measured: Sequence[FirstOrders]
+) -> WheelBalance:  # fmt: skip
+    flywheel, P = scene.stand.flywheels[s], len(positions)
     seen = sorted((orders for orders in measured if orders.speeds[s]), key=lambda orders: -abs(orders.speeds[s]))
     alpha = np.vstack([influences(scene, plant, s, positions, orders) for orders in seen])
     X, error = (np.concatenate([getattr(orders, key)[:, s] for orders in seen]) for key in ("X", "error"))
@@ -241,30 +223,13 @@ def _wheel(scene: Scene, plant: Plant, s: int, planes: Planes, measured: Sequenc
     fit = math.sqrt(float(np.sum(np.abs((X + alpha @ w) / error) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
     covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2, dtype=np.complex128)
     speed = float(seen[0].speeds[s])
-    wheel = WheelBalance(flywheel.name, flywheel.mass, speed, positions, w, covariance, fit, {})
-    if any(choice is not None for choice in planes.choices):
-        wheel = replace(wheel, made=_best_pieces(alpha, labels, w, planes.choices))
     fastest = slice(0, len(seen[0].channels))
-    after = (X + alpha @ wheel.applied)[fastest]
+    after = (X + alpha @ w)[fastest]
     vibration = {}
     for kind in dict.fromkeys(labels[fastest].tolist()):
         rows = labels[fastest] == kind
         vibration[kind] = float(np.linalg.norm(X[fastest][rows])), float(np.linalg.norm(after[rows]))
-    return replace(wheel, vibration=vibration)
-
-
-def _best_pieces(alpha: Complex, labels: NDArray[np.str_], w: Complex, choices: tuple[Choice | None, ...]) -> Made:
-    """The pieces that make the modelled vibration in all channels and recordings least, by its principal components.
-
-    Each quantity counts as a part of its largest amplitude. With A = U S V^H of the influences, the vibration that is
-    left by corrections c has the components S V^H (c - w), and their root of the sum of squares is that over all rows.
-    """
-    before = np.abs(alpha @ w)
-    size = np.array([before[labels == label].max() for label in labels])
-    size[size == 0.0] = np.inf
-    _, sigma, rows = np.linalg.svd(alpha / size[:, None], full_matrices=False)
-    influence = sigma[:, None] * rows
-    return choose_pieces(-influence @ w, influence, choices, WORTH, SECONDS)
+    return WheelBalance(flywheel.name, flywheel.mass, speed, tuple(positions), w, covariance, fit, vibration)
 
 
 def influences(scene: Scene, plant: Plant, s: int, positions: Sequence[float], measured: FirstOrders) -> Complex:

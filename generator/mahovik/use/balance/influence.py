@@ -23,7 +23,7 @@ import cmath
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -34,9 +34,8 @@ from scipy.optimize import linprog
 from mahovik.core.stand.fields import Flag
 from mahovik.core.stand.files import TEXT, parse_json, text_of
 from mahovik.core.stand.tables import Problems, Table
-from mahovik.core.stand.units import PLAIN, QuantityError
-from mahovik.errors import BalanceError, CheckError
-from mahovik.use.balance.pieces import Choice, read_choices
+from mahovik.core.stand.units import QuantityError
+from mahovik.errors import BalanceError, CheckError, UsageError
 from mahovik.use.numeric.se3 import Array, Complex
 
 Method = Literal["least-squares", "min-max"]
@@ -62,16 +61,14 @@ ROUNDS, SIDES = 200, 8
 
 @dataclass(frozen=True, eq=False)
 class Influence:
-    """A (M), ALPHA (M, N), and what corrections are allowed.
+    """A (M), ALPHA (M, N).
 
     trial    (N): trial weights that stay on the rotor; None: they were removed, or there were none
-    choices  corrections that can be made in each plane (N); empty: any
     """
 
     A: Complex
     alpha: Complex
     trial: Complex | None
-    choices: tuple[Choice | None, ...] = ()
 
 
 class InfluenceFile(Table):
@@ -82,7 +79,6 @@ class InfluenceFile(Table):
     U: Any = None
     ALPHA: Any = None
     keep_trial: Flag = False
-    pieces: Any = None
 
 
 def read_polar(text: str) -> complex | None:
@@ -102,6 +98,21 @@ def write_polar(value: complex, zero: float = 0.0) -> str:
         return "0@0"
     degrees = round(math.degrees(cmath.phase(value)) % 360.0, 1) % 360.0
     return f"{float(f'{abs(value):.4g}'):.12g}@{degrees:.10g}"
+
+
+def split_weight(w: complex, places: Sequence[float]) -> list[complex]:
+    """Weights at the one or two places (degrees) beside a correction that together are it. Raises UsageError."""
+    angle = math.degrees(cmath.phase(w))
+    turned = sorted((place - angle) % 360.0 for place in places)
+    after, before = turned[0], 360.0 - turned[-1]
+    for at in (after, -before):
+        if abs(at) < 1e-9:
+            return [cmath.rect(abs(w), math.radians(angle))]
+    if after + before >= 180.0:
+        raise UsageError(f"places: none within half a turn on both sides of {angle % 360.0:.4g} degrees; give more")
+    a, b = math.radians(after), math.radians(before)
+    size, direction = abs(w) / math.sin(a + b), math.radians(angle)
+    return [cmath.rect(size * math.sin(b), direction + a), cmath.rect(size * math.sin(a), direction - b)]
 
 
 # -- reading ---------------------------------------------------------------------------------------------------------
@@ -166,8 +177,7 @@ def _influences(table: InfluenceFile) -> tuple[list[Influence], float]:
             amplitudes, off = _without_phase(float(A[0].real), B[0].real, U)
             alphas = [np.array([[alpha]]) for alpha in amplitudes]
     _require_independent(alphas[0])
-    choices = read_choices(table.pieces, alphas[0].shape[1], PLAIN, PLAIN)
-    return [Influence(A, alpha, trial, choices) for alpha in alphas], off
+    return [Influence(A, alpha, trial) for alpha in alphas], off
 
 
 def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, bool]:
