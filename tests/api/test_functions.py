@@ -6,10 +6,12 @@ import math
 from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
 
 import mahovik
 from mahovik import stands
+from mahovik.core.stand.masses import pose
 from mahovik.out.commands.simulate import share_of
 
 SHAKER2 = str(stands.path("shaker2"))
@@ -118,3 +120,20 @@ def test_other_texts_are_refused_by_name(name: str, text: str, words: str) -> No
 def test_a_search_reads_its_limit_before_it_begins(text: str, words: str) -> None:
     with pytest.raises(mahovik.UsageError, match=words):
         mahovik.plan(SHAKER2, motion=TILT, time=text)
+
+
+def test_wheels_alone_act_on_the_body_of_a_simulator() -> None:
+    """A body without flywheels, on which the negative mount wrenches act, moves as the whole stand does."""
+    stand = mahovik.example("sat4").replace({"carrier.wrench_input": True})
+    keys = {key: value for key, value in stand.to_dict().items() if key not in ("flywheel", "task")}
+    model, body = mahovik.build(stand), mahovik.build(mahovik.Stand.from_dict(keys, "body"))
+    V, phi_ddot = [0.1, -0.2, 0.3, 0.4, -0.5, 0.6], [30.0, -20.0, 10.0, 40.0]
+    x = model.state(V=V, phi=[0.1, 2.0, 4.0, 6.0], phi_dot=[500.0, -300.0, 200.0, 100.0])
+    whole = model.forward(x, phi_ddot)["V_dot"]
+    wrench = np.zeros(6)
+    for wheel, on in zip(stand.flywheels, model.mounts(x, whole, phi_ddot)["mount_wrench"], strict=True):
+        origin, axes = pose(stand, wheel)
+        force, moment = axes @ on[:3], axes @ on[3:]
+        wrench -= [*force, *(moment + np.cross(origin, force))]
+    alone = body.forward(body.state(V=V), wrench={"carrier": wrench})["V_dot"]
+    np.testing.assert_allclose(alone, whole, rtol=1e-12, atol=1e-12 * np.abs(whole).max())

@@ -15,6 +15,7 @@ from export import programmes, servos
 from mahovik import stands as examples
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.delivery import selftest_files
+from mahovik.core.emit.generate import generate
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.templates import folders
 from mahovik.core.stand.stand_file import loads
@@ -61,6 +62,19 @@ def test_structs_are_the_same_after_windows_h(compiler: str, flags: tuple[str, .
         user = tmp_path / "user.c"
         user.write_text(f'#include <winsock2.h>\n#include <windows.h>\n#include "{name}_batch.h"\n')
         run(compiler, *flags, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", user)
+
+
+def test_names_of_the_file_may_be_macros(tmp_path: Path) -> None:
+    """Bodies called as macros of C are enumerators with the stand's name before them."""
+    text = examples.path("demo3").read_text().replace('"demo3"', '"linux"')
+    for name, macro in zip(("w1", "w2", "w3"), ("I", "NULL", "errno"), strict=True):
+        text = text.replace(f'"{name}"', f'"{macro}"')
+    write(generate(loads(text + '[[point]]\nname = "near"\nposition = [0.1, 0, 0]\n')), tmp_path)
+    user = tmp_path / "user.c"
+    heads = "#include <complex.h>\n#include <errno.h>\n#define near\n"
+    user.write_text(f'{heads}#include "linux.h"\nint at = LINUX_NULL;\n')
+    for command in (("gcc", "-std=c99", tmp_path / "linux.c"), ("gcc", "-std=gnu17"), ("g++", "-std=c++17", "-xc++")):
+        run(*command, "-Wall", "-Wextra", "-Werror", "-fsyntax-only", user)
 
 
 def test_a_prefix_that_c_reserves_is_refused() -> None:
