@@ -122,7 +122,7 @@ def marked_pages() -> list[Path]:
 def draw(page: Path) -> None:
     """Run the commands of a page, and keep the pictures that it shows. Raises AssertionError where a command fails."""
     sys.path.append(str(ROOT / "tests"))
-    from docs.execute import Session, steps
+    from docs.pages import Session, steps
 
     with tempfile.TemporaryDirectory() as scratch:
         session = Session(page, Path(scratch))

@@ -1,8 +1,9 @@
-"""new, check, derive, and the group itself."""
+"""new, check, plan of a slew, modes, verify --rigorous, derivations, and the group itself."""
 
 from __future__ import annotations
 
 import inspect
+import json
 import os
 import resource
 import subprocess
@@ -15,11 +16,15 @@ import click
 import pytest
 
 import mahovik
-from cli.run import BENCH8, process, refused, run
+from cli.run import BENCH8, DEMO3, process, refused, run
 from mahovik import stands
+from mahovik.contract.functions import wants_of, wants_of_carrier
+from mahovik.core.motion.programme import load_programme
 from mahovik.core.stand import load
 from mahovik.out.command_line import make_command, read_docstring
 from mahovik.out.commands import COMMANDS
+from mahovik.stands import path
+from mahovik.stands import path as stand_path
 
 
 def test_help_fits_on_a_screen() -> None:
@@ -128,3 +133,72 @@ def test_what_a_shell_completes(words: str, expected: list[str]) -> None:
     last = str(words.count(" "))
     done = process(_MAHOVIK_COMPLETE="bash_complete", COMP_WORDS=words, COMP_CWORD=last)
     assert done.stdout.splitlines() == expected, done.stderr
+
+
+@pytest.mark.slow
+def test_a_slew_goes_through_the_same_commands(tmp_path: Path) -> None:
+    """A slew is planned, verified and exported; one that is out of reach is refused in one line."""
+    motion, programme = tmp_path / "turn.json", tmp_path / "p.json"
+    keys = {"schema": 1, "type": "slew", "name": "turn", "task": "pointing", "end": {"angles": [0.3, 0, 0]}}
+    motion.write_text(json.dumps(keys | {"duration": 6}), encoding="utf-8")
+    sat4 = str(stand_path("sat4"))
+    told = run("plan", sat4, "--motion", str(motion), "-o", str(programme))
+    assert told.exit_code == 0 and "duration: 6 s" in told.stdout and "status: OK\n" in told.stdout
+    assert load_programme(programme).carrier is not None
+    judged = run("verify", sat4, str(programme), "--motion", str(motion), "--json")
+    names = {row["quantity"] for row in json.loads(judged.stdout)["rows"] if row["verdict"] == "ok"}
+    assert judged.exit_code == 0 and names >= {"slew start", "slew end", "slew path", "slew rest", "motor torque"}
+    motion.write_text(json.dumps(keys | {"duration": 1}), encoding="utf-8")
+    short = run("plan", sat4, "--motion", str(motion), "-o", str(tmp_path / "q.json"))
+    assert short.exit_code == 1 and "BOUND_REACH" in short.stdout and not (tmp_path / "q.json").exists()
+
+
+def test_json_in_float() -> None:
+    result = run("verify", DEMO3, "--rigorous", "--states", "3", "--real", "float", "--json")
+    assert result.exit_code == 0
+    report = json.loads(result.stdout)
+    assert (report["passed"], report["states"], report["judged"]) == (True, 3, "float C")
+    assert {row["judged"] for row in report["rows"]} == set(wants_of("rigorous")) & set(wants_of_carrier(held=False))
+    forward = next(row for row in report["rows"] if row["judged"] == "forward")
+    assert (forward["quantity"], forward["verdict"]) == ("V_dot", "ok")
+    assert 0 < forward["value"] < forward["limit"] == 1e-5
+
+
+def test_without_python_flint_one_line_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "flint", None)
+    monkeypatch.delitem(sys.modules, "mahovik.proof.verify.rigorous", raising=False)
+    said = refused("verify", DEMO3, "--rigorous")
+    assert said == 'error: flint is not installed: pip install "mahovik[rigorous]"\n'
+
+
+SHAKER2 = str(path("shaker2"))
+FREE = ("--flywheels", "free")
+
+
+def test_about_a_state(tmp_path: Path) -> None:
+    state = tmp_path / "state.json"
+    state.write_text(json.dumps({"V": [1, 0, 0, 0, 0, 0.1], "phi_dot": [10, 0], "phi_ddot": [5, 0]}), encoding="utf-8")
+    target = tmp_path / "model.json"
+    assert run("modes", SHAKER2, *FREE, "--at", str(state), "--points", "carrier", "-o", str(target)).exit_code == 0
+    model = json.loads(target.read_text(encoding="utf-8"))
+    assert model["state"]["phi_ddot"] == [5.0, 0.0]
+    assert model["state"]["tau"][0] != 0.0
+    assert model["A"][0][1] == 0.1  # -<omega>
+    assert model["points"] == ["carrier"]
+    rest = tmp_path / "rest.json"
+    rest.write_text(json.dumps(json.loads(run("check", SHAKER2, "--json").stdout)["rest"]["state"]), encoding="utf-8")
+    assert run("modes", SHAKER2, "--at", str(rest), "-o", str(target)).exit_code == 0
+    model = json.loads(target.read_text(encoding="utf-8"))
+    assert len(model["states"]) == 12
+    assert model["points"] == ["carrier"]  # shaker2 has no points
+
+
+def test_an_unstable_pose_is_named(tmp_path: Path) -> None:
+    """The pose with the unbalance up is called unstable, that with the unbalance down is not."""
+    state = tmp_path / "state.json"
+    for angle, unstable in ((90, True), (270, False)):
+        phases = [part for name in ("left", "right") for part in ("--phase", f"{name}={angle} deg")]
+        pose = json.loads(run("check", SHAKER2, "--json", *phases).stdout)["rest"]["state"]
+        state.write_text(json.dumps(pose), encoding="utf-8")
+        said = run("modes", SHAKER2, "--flywheels", "free", "--at", str(state)).stdout
+        assert ("warning: unstable" in said) == unstable

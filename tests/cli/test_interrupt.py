@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from cli.run import DEMO3
-from cli.terminal import RUN
+from cli.test_terminal import RUN
 from toolchain.quick import quick
 
 ENDS = 60.0

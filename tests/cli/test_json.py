@@ -15,7 +15,7 @@ import mahovik.proof.evidence as all_pieces
 from cli.run import DEMO3, run
 from mahovik.out.command_line import main
 from mahovik.stands import path
-from report.evidence import BAD, GOOD
+from report.reports import BAD, GOOD
 
 SAT4, SHAKER2 = str(path("sat4")), str(path("shaker2"))
 SPIN = str(Path(SHAKER2).with_name("shaker2_spin.motion.json"))

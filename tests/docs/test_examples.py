@@ -11,8 +11,7 @@ import click
 import pages
 import pytest
 
-from docs.execute import Session, name, steps
-from docs.pages import PAGES, ROOT, prose
+from docs.pages import PAGES, ROOT, Session, name, prose, steps
 from mahovik.out.command_line import main
 from toolchain.tools import require
 

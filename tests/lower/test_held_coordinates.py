@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cli.test_eval_held import answers, file
+from cli.test_eval import answers, file
 from mahovik.contract.limits import DOUBLE
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.emit.generate import generate_all

@@ -1,10 +1,16 @@
-"""Reports of example stands, and a page as its reader has it."""
+"""Reports of example stands, a page as its reader has it, and pieces of evidence that say what a test wants."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
+from pathlib import Path
+
+from mahovik.core.stand import load
+from mahovik.proof.evidence import Need, Outcome, Piece, collect
+from mahovik.stands import path
 
 VOID = {"meta", "link", "br", "img", "input", "hr", "source", "path", "circle", "line", "rect", "polygon", "polyline"}
 """Elements without an end; those of SVG may have one."""
@@ -82,3 +88,23 @@ def words(page: str) -> str:
 def plain(html: str) -> str:
     """Text with ordinary minus signs, without thin spaces and those that align numbers."""
     return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
+
+
+DEMO3 = str(path("demo3"))
+
+
+def piece(name: str, command: str, *needs: Need, **more: object) -> Piece:
+    """A piece that is this command of the shell."""
+    return Piece(name, f"Title of {name}", "shows `that`", "not this", lambda _: command, lambda _: needs, **more)  # type: ignore[arg-type]  # what a test gives by name is not typed
+
+
+ABSENT = Need("no-such-tool", "apt-get install no-such-tool", lambda: False)
+THERE = Need("gcc", "apt-get install gcc", lambda: True, lambda: "gcc 1.2.3")
+GOOD = piece("good", "echo a figure", THERE)
+BAD = piece("bad", "echo again a-difference; false")
+ABLE = piece("able", "exit 1", ABSENT)
+
+
+def collected(folder: Path, pieces: Sequence[Piece], **options: object) -> list[Outcome]:
+    """The evidence of demo3."""
+    return collect(load(DEMO3), Path(DEMO3).read_bytes(), folder, pieces, **options)  # type: ignore[arg-type]  # what a test gives by name is not typed

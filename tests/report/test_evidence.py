@@ -20,8 +20,7 @@ from mahovik.errors import UsageError
 from mahovik.out.command_line import main
 from mahovik.proof.evidence import PIECES, Subject, Verdict, check, conclusion, failures
 from mahovik.stands import path
-from report.evidence import ABLE, BAD, DEMO3, GOOD, collected, piece
-from report.reports import read
+from report.reports import ABLE, BAD, DEMO3, GOOD, collected, piece, read
 from toolchain.quick import quick
 from toolchain.tools import require
 

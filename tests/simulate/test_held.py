@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 import mahovik
 from cli.run import refused
-from cli.test_eval_held import pendulum_file
+from cli.test_eval import pendulum_file
 from mahovik.core.motion.regime import loads_regime
 from mahovik.core.stand.hold import twist_of
 from mahovik.core.stand.model import Hold, Stand, rest_state

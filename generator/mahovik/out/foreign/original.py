@@ -16,10 +16,9 @@ from mahovik.core.stand.law import HeldLaw
 from mahovik.core.stand.model import MountingAxes, rest_state
 from mahovik.errors import ForeignError, UsageError
 from mahovik.out.foreign.model import Array, Model, read_xml, rows
-from mahovik.out.foreign.reader import Reader
+from mahovik.out.foreign.reader import Reader, Urdf
 from mahovik.out.foreign.sdf import Sdf
 from mahovik.out.foreign.stand import ImportedStand
-from mahovik.out.foreign.urdf import Urdf
 from mahovik.proof.reference import evaluate
 
 INSTALL = 'pip install "mahovik[import]"'
