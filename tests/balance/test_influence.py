@@ -152,6 +152,9 @@ def test_command(tmp_path: Path) -> None:
     done = run("balance", "--influence", str(tmp_path / "a.json"), "--json", "-o", str(tmp_path / "b.json"))
     assert done.exit_code == 0
     assert json.loads(done.stdout)["w"] == ["1.979@236.2", "1.071@121.8"]
+    for places, split in (("24", "1.482@240 + 0.5108@225"), ("200,300,0,100", "1.186@300 + 1.804@200")):
+        done_split = run("balance", "--influence", str(tmp_path / "a.json"), "--json", "--places", places)
+        assert json.loads(done_split.stdout)["split"][0] == split
     assert json.loads((tmp_path / "b.json").read_text(encoding="utf-8")) == json.loads(done.stdout)
     (tmp_path / "c.json").write_text("{", encoding="utf-8")
     for name in ("c.json", "missing.json"):

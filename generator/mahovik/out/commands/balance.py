@@ -173,7 +173,7 @@ def _split(places: int | str | Sequence[float], w: Sequence[complex]) -> list[Co
 
     if places in ("", ()):
         return []
-    texts = [places] if isinstance(places, int) else places.split(",") if isinstance(places, str) else list(places)
+    texts = places.split(",") if isinstance(places, str) else places if isinstance(places, Sequence) else [places]
     angles = [quantity("places", text, PLAIN) for text in texts]
     if len(angles) == 1 and angles[0] >= 3 and angles[0] % 1 == 0:
         angles = [360.0 * k / angles[0] for k in range(int(angles[0]))]
