@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 from mahovik.core.motion.motion_file import motion_of_slew
 from mahovik.core.motion.programme import Programme
 from mahovik.core.stand import Stand
-from mahovik.core.stand.capacity import torque_capacity
+from mahovik.core.stand.capacity import Envelope, torque_capacity
 from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.proof.verify.programme.mechanics import carrier_at, scale_of, simulate
 from mahovik.use.numeric.mechanics import Mechanics
@@ -69,8 +69,8 @@ def test_more_wheels_use_their_null_space() -> None:
     assert weak.motor is not None
     stand = replace(stand, flywheels=(*stand.flywheels[:-1], replace(weak, motor=replace(weak.motor, torque=0.01))))
     along = inertia(stand) @ np.array([0.0, 0.0, 1.0])
-    reach = torque_capacity(stand).envelope.reach(along)
-    columns = np.array(torque_capacity(stand).envelope.vectors)
+    reach = Envelope(torque_capacity(stand).vectors).reach(along)
+    columns = np.array(torque_capacity(stand).vectors)
     units = columns / np.linalg.norm(columns, axis=1)[:, None]
     least = np.linalg.pinv(units.T) @ (along / np.linalg.norm(along))
     by_norm = float(np.min(np.linalg.norm(columns, axis=1) / np.abs(least)))

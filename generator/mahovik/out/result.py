@@ -11,11 +11,13 @@ import dataclasses
 import io
 import json
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from html import escape
-from itertools import product
+from itertools import product, zip_longest
 from pathlib import Path
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
+from unicodedata import east_asian_width
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -50,6 +52,9 @@ UNITS: dict[str, tuple[tuple[str, float], ...]] = {
 
 FITS = 0.1, 1e5
 """A unit fits if the largest figure is at least the first, and below the second."""
+
+CODES = {"bold": "1", "red": "31", "bold red": "1;31", "green": "32", "yellow": "33"}
+"""Control characters of styles."""
 
 STYLES = {"ok": "green", "yes": "green", "passed": "green", "FAILED": "bold red", "failed": "bold red", "no": "red"}
 """Styles of words in a table on a terminal."""
@@ -334,46 +339,46 @@ class Result(Mapping[str, Any]):
         width   columns of the terminal, where long cells are folded; None: nothing is folded
         styles  with the control characters that give colours
         """
-        from rich.console import Console
-        from rich.text import Text
+        paint = painted if styles else lambda text, _: text
+        lines = [paint(line, "bold") for line in folded(self.title, width)] if self.title else []
+        for title, table in self._tables():
+            lines += table._table_lines(title, width, paint)
+        for message in (*self._lines(), *self.messages):
+            style = "yellow" if message.startswith("warning") else ""
+            lines += [paint(line, style) for line in folded(message, width)]
+        return "".join(f"{line}\n" for line in lines)
 
-        file = io.StringIO()
-        console = Console(
-            file=file, width=width or 10_000, force_terminal=styles, color_system="standard" if styles else None,
-            highlight=False, markup=False, emoji=False, legacy_windows=False,
-        )  # fmt: skip
-        if self.title:
-            console.print(Text(self.title, "bold"))
-        for table in self._tables():
-            console.print(table)
-        for line in self._lines():
-            console.print(Text(line))
-        for message in self.messages:
-            console.print(Text(message, "yellow" if message.startswith("warning") else ""))
-        return "".join(f"{line.rstrip()}\n" for line in file.getvalue().split("\n")[:-1])
-
-    def _tables(self) -> Iterator[Any]:
-        """The main table and those of `meta`, as rich prints them."""
+    def _tables(self) -> Iterator[tuple[str, Result]]:
+        """The main table and those of `meta`, with their titles."""
         if self.columns:
-            yield self._table("")
+            yield "", self
         shown = {key: value for key, value in self.meta.items() if key not in self.details}
         tables = {key: value for key, value in shown.items() if isinstance(value, Result) and value.count}
         alone = len(tables) == 1 and not self.columns
         for key, value in tables.items():
-            yield value._table(value.title or ("" if alone else key_words(key)))
+            yield value.title or ("" if alone else key_words(key)), value
 
-    def _table(self, title: str) -> Any:
-        from rich.box import SIMPLE_HEAD
-        from rich.table import Table
-        from rich.text import Text
-
+    def _table_lines(self, title: str, width: int | None, paint: Callable[[str, str], str]) -> Iterator[str]:
+        """The lines of its table; between two columns there are three spaces."""
         heads, rows, numbers = self.cells()
-        table = Table(title=title or None, title_justify="left", title_style="bold", box=SIMPLE_HEAD, pad_edge=False)
-        for head, number in zip(heads, numbers, strict=True):
-            table.add_column(Text(head), justify="right" if number else "left", overflow="fold")
-        for row in rows:
-            table.add_row(*(Text(cell, STYLES.get(cell, "")) for cell in row))
-        return table
+        columns = list(zip(heads, *rows, strict=True))
+        longest = [max(columns_of_text(line) for cell in column for line in cell.split("\n")) for column in columns]
+        widths = narrowed(longest, None if width is None else width - 3 * len(heads) + 1)
+        yield from [paint(line, "bold") for line in folded(title, width)] if title else []
+        yield ""
+        for row in (heads, *rows):
+            cells = [folded(cell, most) for cell, most in zip(row, widths, strict=True)]
+            styles = ["bold" if row is heads else STYLES.get(cell, "") for cell in row]
+            for parts in zip_longest(*cells, fillvalue=""):
+                line = ""
+                for part, most, number, style in zip(parts, widths, numbers, styles, strict=True):
+                    space = " " * (most - columns_of_text(part))
+                    text = paint(part, style)
+                    line += f"   {space}{text}" if number else f"   {text}{space}"
+                yield line[2:].rstrip()
+            if row is heads:
+                yield " " + "─" * (sum(widths) + 3 * len(widths) - 3)
+        yield ""
 
     def cells(self) -> tuple[list[str], list[list[str]], list[bool]]:
         """Heads with units, the cells of the rows that are shown, and which columns are of numbers.
@@ -427,6 +432,32 @@ class Result(Mapping[str, Any]):
                 parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>")
         parts += [f"<div>{escape(line)}</div>" for line in (*self._lines(), *self.messages)]
         return "".join(parts)
+
+
+def painted(text: str, style: str) -> str:
+    """A text with the control characters of a style; as it is without one."""
+    return f"\x1b[{CODES[style]}m{text}\x1b[0m" if style and text else text
+
+
+def columns_of_text(text: str) -> int:
+    """Columns of a terminal that a line takes."""
+    return len(text) if text.isascii() else sum(1 + (east_asian_width(sign) in "WF") for sign in text)
+
+
+def folded(text: str, width: int | None) -> list[str]:
+    """The lines of a text, none longer than the width, broken between words where that can be."""
+    lines = text.split("\n")
+    if width is None or all(columns_of_text(line) <= width for line in lines):
+        return lines
+    return [part for line in lines for part in wrap(line, max(width, 1)) or [""]]
+
+
+def narrowed(widths: Sequence[int], most: int | None) -> list[int]:
+    """Widths of columns that together take at most so much, the widest made less; at least one each."""
+    result = list(widths)
+    while most is not None and sum(result) > max(most, len(result)):
+        result[result.index(max(result))] -= 1
+    return result
 
 
 def key_words(key: str) -> str:

@@ -145,6 +145,9 @@ def check_stand(stand: Stand, problems: Problems) -> None:
         problems.add("total mass is zero: there is no centre of mass")
         return
     with np.errstate(all="ignore"):  # numbers near the ends of double precision
+        if _moved_everywhere(stand, 1, _FAR)[0]:
+            _check_basis(stand, problems)
+            return
         try:
             least, phases = least_eigenvalue(stand)
         except np.linalg.LinAlgError:
@@ -385,6 +388,9 @@ Flags = NDArray[np.bool_]
 
 _FIXED = 1000 * LEAST_EIGENVALUE
 
+_FAR = 100 * RELATIVE
+"""Far above what `check_body` lets bodies lack, of which `doubtful_samples` allows less."""
+
 
 def doubtful_samples(stand: Stand, n: int) -> Flags:
     """Samples, of a stand with columns, that are not surely in order.
@@ -463,8 +469,8 @@ def _definite(matrices: Array) -> Flags:
     return sure
 
 
-def _moved_everywhere(stand: Stand, n: int) -> Flags:
-    """Has every motion of the carrier inertia by the carrier alone, for all phases?"""
+def _moved_everywhere(stand: Stand, n: int, least: float = _FIXED) -> Flags:
+    """Has every motion of the carrier inertia by the carrier alone, for all phases? `least`: a share of the whole."""
     diagonal = np.zeros((n, 6))
     for body in stand.bodies:
         m, (_, central, _) = _samples(body.mass, n), _tensors(body, n)
@@ -482,4 +488,4 @@ def _moved_everywhere(stand: Stand, n: int) -> Flags:
     theta[:, 3:, :3] = m[:, None, None] * np.cross(np.eye(3), c[:, None, :])
     theta[:, :3, 3:] = np.swapaxes(theta[:, 3:, :3], 1, 2)
     theta[:, 3:, 3:] = _tensors(stand.carrier, n)[0]
-    return _definite(theta * scale[:, :, None] * scale[:, None, :] - _FIXED * np.eye(6))
+    return _definite(theta * scale[:, :, None] * scale[:, None, :] - least * np.eye(6))

@@ -154,7 +154,7 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
 
 def _weakest(capacity: Capacity) -> str:
     """The direction in E1 in which the motors together reach least."""
-    first, *equals = capacity.envelope.worst
+    first, *equals = capacity.worst
     more = f"; {len(equals)} more such" if equals else ""
     return f"({', '.join(f'{x:.5g}' for x in first)}){more}"
 

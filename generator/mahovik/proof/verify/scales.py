@@ -59,12 +59,12 @@ class Measured:
 class Scales:
     """Answers of the literal reference on one stand, with their scales."""
 
-    def __init__(self, stand: Stand, real: str = "double", seed: int = 0) -> None:
+    def __init__(self, stand: Stand, real: str = "double", seed: int = 0, neighbours: int = PERTURBATIONS) -> None:
         self.stand, self.real = stand, real
         threshold = THRESHOLDS[real]
         self.cuts = Cuts(threshold.rank, reached=threshold.unreachable)
         self._size, self._rng = PERTURBATION[real], np.random.default_rng(seed)
-        changed_stands = (self.change(stand, self._size) for _ in range(PERTURBATIONS))
+        changed_stands = (self.change(stand, self._size) for _ in range(neighbours))
         self._stands = [(near, bodies_of(near)) for near in (stand, *changed_stands)]
         self._kept: dict[int, tuple[State, list[tuple[Stand, State, Pieces]]]] = {}
         self._ordinary: dict[str, Mapping[str, Any]] = {}

@@ -14,7 +14,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from mahovik.core.stand.capacity import Array, envelope, momentum_capacity, torque_capacity
+from mahovik.core.stand.capacity import Array, Envelope, momentum_capacity, torque_capacity
 from mahovik.core.stand.masses import inertia_about_origin, mass_properties, placed_bodies
 from mahovik.core.stand.model import Flywheel, Stand, Task
 from mahovik.core.stand.motor import UNLIMITED, Motor
@@ -224,7 +224,7 @@ def _limits(stand: Stand, speed: float) -> tuple[float, float]:
     """
     left = max(0.1, 1.0 - speed / _no_load([wheel.motor or UNLIMITED for wheel in stand.flywheels]))
     inertia = mass_properties(stand).principal_inertia[-1]
-    reach = [_reach_without_one(c.envelope.vectors) for c in (momentum_capacity(stand), torque_capacity(stand))]
+    reach = [_reach_without_one(c.vectors) for c in (momentum_capacity(stand), torque_capacity(stand))]
     rate = min(PART * left * reach[0] / inertia, FASTEST) if reach[0] > 0 else SLOWEST[1]
     return rate, PART * left * reach[1] / inertia if reach[1] > 0 else SLOWEST[0]
 
@@ -232,8 +232,8 @@ def _limits(stand: Stand, speed: float) -> tuple[float, float]:
 def _reach_without_one(vectors: tuple[tuple[float, float, float], ...]) -> float:
     """Radius of the largest sphere in the envelope without its weightiest vector; with all where three are needed."""
     columns = np.array(vectors)
-    least = min(envelope(np.delete(columns, s, axis=0)).radius for s in range(len(columns)))
-    return least if least > 0.0 else envelope(columns).radius
+    least = min(Envelope(np.delete(columns, s, axis=0)).radius for s in range(len(columns)))
+    return least if least > 0.0 else Envelope(columns).radius
 
 
 def _preferred_speeds(axes: Array, spins: Array, motors: list[Motor]) -> Array:

@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from mahovik.contract.limits import PERTURBATIONS
 from mahovik.core.stand.coordinates import row_name
 from mahovik.core.stand.model import COMPONENTS, Flywheel, Stand, State, Task, TaskRow, Vec6, rest_state
 from mahovik.proof import reference
@@ -166,6 +167,9 @@ PART = 0.5
 DOUBLE_NOISE = 1e-13
 """Part of the scale: a smaller effect is rounding of the reference, from a flywheel without unbalance."""
 
+FEW, CLEARLY = 2, 100.0
+"""Neighbours by which scales are first measured, and how far above rounding all effects are then surely resolved."""
+
 PHASES = 2
 """Phases a quarter turn apart, so that no component of a turning vector is missed; half a turn on is the opposite."""
 
@@ -222,10 +226,15 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Unresolved]:
 
     None of a held carrier, which has no C in float yet.
     """
-    if stand.hold is not None or not stand.flywheels:
+    if stand.hold is not None or not stand.flywheels or not _unresolved(stand, speeds, FEW, CLEARLY):
         return []
+    return _unresolved(stand, speeds, PERTURBATIONS, 1.0)
+
+
+def _unresolved(stand: Stand, speeds: Sequence[float], neighbours: int, margin: float) -> list[Unresolved]:
+    """Quantities with an effect below rounding times a margin, by scales that are measured with so many neighbours."""
     result: dict[tuple[int, str], Unresolved] = {}
-    scales = Scales(stand, "float")
+    scales = Scales(stand, "float", neighbours=neighbours)
     balanced = replace(stand, flywheels=tuple(map(balanced_flywheel, stand.flywheels)))
     balanced_bodies = bodies_of(balanced)
     for motion in MOTIONS:
@@ -236,7 +245,7 @@ def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Unresolved]:
                 best[want][better] = effects[better]
         for want, rows in best.items():
             for number, (effect, rounding) in enumerate(rows.tolist()):
-                if 0.0 < effect * PART < rounding:
+                if 0.0 < effect * PART < margin * rounding:
                     name, words = stand.flywheels[number].name, QUANTITIES[want][1]
                     result[number, want] = Unresolved(name, speeds[number], want, words, motion, effect, rounding)
     return [result[key] for key in sorted(result)]
