@@ -339,13 +339,12 @@ class Result(Mapping[str, Any]):
         width   columns of the terminal, where long cells are folded; None: nothing is folded
         styles  with the control characters that give colours
         """
-        paint = painted if styles else lambda text, _: text
-        lines = [paint(line, "bold") for line in folded(self.title, width)] if self.title else []
+        paint, width = painted if styles else lambda text, _: text, width or 10_000
+        lines = [paint(line, "bold") for line in folded(self.title, width) if self.title]
         for title, table in self._tables():
             lines += table._table_lines(title, width, paint)
         for message in (*self._lines(), *self.messages):
-            style = "yellow" if message.startswith("warning") else ""
-            lines += [paint(line, style) for line in folded(message, width)]
+            lines += [paint(line, "yellow" * message.startswith("warning")) for line in folded(message, width)]
         return "".join(f"{line}\n" for line in lines)
 
     def _tables(self) -> Iterator[tuple[str, Result]]:
@@ -358,24 +357,21 @@ class Result(Mapping[str, Any]):
         for key, value in tables.items():
             yield value.title or ("" if alone else key_words(key)), value
 
-    def _table_lines(self, title: str, width: int | None, paint: Callable[[str, str], str]) -> Iterator[str]:
+    def _table_lines(self, title: str, width: int, paint: Callable[[str, str], str]) -> Iterator[str]:
         """The lines of its table; between two columns there are three spaces."""
         heads, rows, numbers = self.cells()
-        columns = list(zip(heads, *rows, strict=True))
-        longest = [max(columns_of_text(line) for cell in column for line in cell.split("\n")) for column in columns]
-        widths = narrowed(longest, None if width is None else width - 3 * len(heads) + 1)
-        yield from [paint(line, "bold") for line in folded(title, width)] if title else []
-        yield ""
+        columns = zip(heads, *rows, strict=True)
+        widths = [max(columns_of_text(line) for cell in column for line in cell.split("\n")) for column in columns]
+        while sum(widths) > max(width - 3 * len(widths) + 1, len(widths)):  # the widest gives way
+            widths[widths.index(max(widths))] -= 1
+        yield from [*(paint(line, "bold") for line in folded(title, width) if title), ""]
         for row in (heads, *rows):
             cells = [folded(cell, most) for cell, most in zip(row, widths, strict=True)]
             styles = ["bold" if row is heads else STYLES.get(cell, "") for cell in row]
             for parts in zip_longest(*cells, fillvalue=""):
-                line = ""
-                for part, most, number, style in zip(parts, widths, numbers, styles, strict=True):
-                    space = " " * (most - columns_of_text(part))
-                    text = paint(part, style)
-                    line += f"   {space}{text}" if number else f"   {text}{space}"
-                yield line[2:].rstrip()
+                spaces = [" " * (most - columns_of_text(part)) for part, most in zip(parts, widths, strict=True)]
+                texts = zip(map(paint, parts, styles), spaces, numbers, strict=True)
+                yield " " + "   ".join(space + text if right else text + space for text, space, right in texts).rstrip()
             if row is heads:
                 yield " " + "─" * (sum(widths) + 3 * len(widths) - 3)
         yield ""
@@ -444,20 +440,12 @@ def columns_of_text(text: str) -> int:
     return len(text) if text.isascii() else sum(1 + (east_asian_width(sign) in "WF") for sign in text)
 
 
-def folded(text: str, width: int | None) -> list[str]:
+def folded(text: str, width: int) -> list[str]:
     """The lines of a text, none longer than the width, broken between words where that can be."""
     lines = text.split("\n")
-    if width is None or all(columns_of_text(line) <= width for line in lines):
+    if all(columns_of_text(line) <= width for line in lines):
         return lines
     return [part for line in lines for part in wrap(line, max(width, 1)) or [""]]
-
-
-def narrowed(widths: Sequence[int], most: int | None) -> list[int]:
-    """Widths of columns that together take at most so much, the widest made less; at least one each."""
-    result = list(widths)
-    while most is not None and sum(result) > max(most, len(result)):
-        result[result.index(max(result))] -= 1
-    return result
 
 
 def key_words(key: str) -> str:
