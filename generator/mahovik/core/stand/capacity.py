@@ -68,13 +68,13 @@ def _facets(columns: Array, axes: Array) -> tuple[Array, Array]:
         return axes, np.abs(columns @ axes[0]).sum(keepdims=True)
     if len(axes) == 2:
         return _edges(columns, axes, np.arange(len(columns)))
-    lengths, found = np.linalg.norm(columns, axis=1), []
+    lengths, parts = np.linalg.norm(columns, axis=1), []
     for s, column in enumerate(columns):  # the facets with this vector: seen along it they are edges
         _, _, axes = np.linalg.svd(column[None] / lengths[s])
         sines = np.linalg.norm(columns @ axes[1:].T, axis=1) / lengths
         beside = np.flatnonzero(sines > _PARALLEL)
-        found.append(_edges(columns[beside], axes[1:], np.flatnonzero(beside > s)))
-    return np.concatenate([normals for normals, _ in found]), np.concatenate([distances for _, distances in found])
+        parts.append(_edges(columns[beside], axes[1:], np.flatnonzero(beside > s)))
+    return np.concatenate([normals for normals, _ in parts]), np.concatenate([distances for _, distances in parts])
 
 
 def _edges(columns: Array, axes: Array, wanted: NDArray[np.intp]) -> tuple[Array, Array]:
