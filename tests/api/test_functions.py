@@ -1,8 +1,10 @@
-"""The commands as functions: results with names, units and arrays; equal to what the commands print."""
+"""The commands as functions: results with names, units and arrays, as printed; wrong inputs are refused in one line."""
 
 from __future__ import annotations
 
 import math
+import pickle
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -10,6 +12,7 @@ import numpy as np
 import pytest
 
 import mahovik
+from api.models import model
 from mahovik import stands
 from mahovik.core.stand.masses import pose
 from mahovik.out.commands.simulate import share_of
@@ -137,3 +140,118 @@ def test_wheels_alone_act_on_the_body_of_a_simulator() -> None:
         wrench -= [*force, *(moment + np.cross(origin, force))]
     alone = body.forward(body.state(V=V), wrench={"carrier": wrench})["V_dot"]
     np.testing.assert_allclose(alone, whole, rtol=1e-12, atol=1e-12 * np.abs(whole).max())
+
+
+SPOILT = [
+    ("phi", 0, "w1", 2e7, "phi w1 is 20000000, at most 1e+07 rad"),
+    ("V", 1, "v", 1e5, "V v is 100000, at most 10000 m/s"),
+    ("V", 4, "q", np.nan, "V q is nan"),
+    ("attitude", 0, "w", 0.5, "attitude has length 0.5, expected 1 within 0.001"),
+    ("position", 2, "z", -np.inf, "position z is -inf"),
+]
+
+
+@pytest.mark.parametrize(("name", "place", "label", "value", "reason"), SPOILT)
+def test_the_first_refused_state_is_named(name: str, place: int, label: str, value: float, reason: str) -> None:
+    m = model("bench8")
+    x = m.states(6)
+    x[name, label][[2, 4]] = value
+    assert np.array_equal(x[name][2, place], value, equal_nan=True)
+    with pytest.raises(mahovik.RefusedError) as caught:
+        m.forward(x)
+    error = caught.value
+    status = "RANGE" if np.isfinite(value) else "NOT_FINITE"
+    assert str(error) == f"forward: state 2: {status}: {reason}; 2 of 6 states refused"
+    assert (error.function, error.index, error.name, error.count) == ("forward", 2, status, 2)
+    assert isinstance(error, mahovik.StateError) and str(pickle.loads(pickle.dumps(error))) == str(error)
+
+
+@pytest.mark.parametrize("function", ["forward", "inverse", "step"])
+def test_on_request_refused_states_are_nan_and_the_others_as_ever(function: str) -> None:
+    m = model("bench8")
+    x = m.states(9, V=np.random.default_rng(1).normal(size=(9, 6)))
+    options: dict[str, list[Any]] = {"inverse": [np.ones(6)], "step": [1e-3]}
+    more = options.get(function, [])
+    good = dict(getattr(m, function)(x, *more))
+    x.phi[4, 0] = np.nan
+    result = getattr(m, function)(x, *more, on_error="nan")
+    rest = [j for j in range(9) if j != 4]
+    for key, value in dict(result).items():
+        assert np.array_equal(value[rest], good[key][rest]), key
+        if value.dtype.kind == "f":
+            assert np.isnan(value[4]).all(), key
+    if not function.startswith("step"):
+        assert result.status[4] == mahovik.Status.NOT_FINITE and np.all(result.status[rest] >= 0)
+        assert mahovik.status_words(result.status)[4] == "NOT_FINITE" and result.messages == ["1 of 9 refused: NaN"]
+
+
+NO_STAND: Any = "bench8.toml"
+NO_REAL: Any = "half"
+
+CALLS: dict[str, Callable[[Any], Any]] = {
+    "phi_ddot: expected shape (8,) or (n, 8) (w1, w2, w3, w4, w5, w6, w7, w8), found (7,)": lambda m: m.forward(
+        m.state(), np.ones(7)
+    ),
+    "phi_ddot: expected real numbers, found an array of <U4": lambda m: m.forward(m.state(), "fast"),
+    "tau: no array of numbers: setting an array element with a sequence": lambda m: m.coupled(
+        m.state(), [[1.0], [2.0, 3.0]]
+    ),
+    'tau: no flywheel "W1", did you mean "w1"?': lambda m: m.coupled(m.state(), {"W1": 1.0}),
+    'locked: no flywheel "w9", did you mean "w1"?': lambda m: m.coupled(m.state(), locked=["w9"]),
+    'wrench: no body "carier", did you mean "carrier"?': lambda m: m.forward(m.state(), wrench={"carier": [0] * 6}),
+    'wrench: the C takes none on "carrier": set `wrench_input = true` in the stand file': lambda m: m.forward(
+        m.state(), wrench={"carrier": [0] * 6}
+    ),
+    "different numbers of states: x 3, phi_ddot 4": lambda m: m.forward(m.states(3), np.zeros((4, 8))),
+    "states: n is 3, but arrays of 4 states were given": lambda m: m.states(3, V=np.zeros((4, 6))),
+    "states: n: expected a number of states, found -1": lambda m: m.states(-1),
+    "state: 2 states given, expected one: use states": lambda m: m.state(V=np.zeros((2, 6))),
+    "states: expected shape (29,) or (n, 29), found (28,)": lambda m: m.forward(np.zeros(28)),
+    "attitude, angles: both given, expected one of them": lambda m: m.state(attitude=[1, 0, 0, 0], angles=[0, 0, 0]),
+    "order: expected 2 or 4, found 3": lambda m: m.step(m.state(), 1e-3, order=3),
+    "dt: expected one number for all states, found shape (2,)": lambda m: m.step(m.state(), [1e-3, 1e-3]),
+    'dt: unit "m" does not fit, expected a time (s)': lambda m: m.step(m.state(), "1 m"),
+    "step: BAD_ARGUMENT: dt is -1 s, expected above 0 and at most 10": lambda m: m.step(m.state(), -1.0),
+    'on_error: expected "raise" or "nan", found \'ignore\'': lambda m: m.forward(m.state(), on_error="ignore"),
+    '"phidot": no such name, did you mean "phi_dot"?': lambda m: m.state()["phidot"],
+    'phi: no "w0" on axis 0, did you mean "w1"?': lambda m: m.state()["phi", "w0"],
+    'phidot: states have no such array, did you mean "phi_dot"?': lambda m: setattr(m.state(), "phidot", 1.0),
+    "inverse: BAD_ARGUMENT: limit w2 is -1 rad/s2, expected above 0": lambda m: m.inverse(
+        m.state(), 0.0, limit={"w2": -1.0}
+    ),
+    "inverse: RANGE: weight w1 is 0, expected at least 1e-06": lambda m: m.inverse(m.state(), 0.0, weight={"w1": 0}),
+    "inverse: BAD_ARGUMENT: near_singular is 2, expected 0 to 1": lambda m: m.inverse(m.state(), 0.0, near_singular=2),
+    "points: the stand has no instruments or points": lambda m: m.points(m.state()),
+    "limit: expected shape (8,), the same for all states": lambda m: m.inverse(m.state(), 0.0, limit=np.ones((2, 8))),
+    "build: expected a Stand, found str: mahovik.load(path) reads one": lambda _: mahovik.build(NO_STAND),
+    'build: real: expected "double" or "float", found \'half\'': lambda m: mahovik.build(m.stand, real=NO_REAL),
+    "build: threads: expected a number from 1, found 0": lambda m: mahovik.build(m.stand, threads=0),
+    "compiler tcc9: no such command; leave it out or name an installed C compiler": lambda m: mahovik.build(
+        m.stand, compiler="tcc9"
+    ),
+}
+
+
+@pytest.mark.parametrize("message", CALLS)
+def test_one_line_says_what_is_wrong(message: str) -> None:
+    with pytest.raises(mahovik.MahovikError) as caught:
+        CALLS[message](model("bench8"))
+    assert str(caught.value) == message
+    assert "\n" not in message
+
+
+def test_an_input_error_is_a_value_error() -> None:
+    with pytest.raises(ValueError, match="expected shape"):
+        model("bench8").forward(np.zeros(28))
+
+
+def test_states_of_another_stand_are_refused() -> None:
+    with pytest.raises(mahovik.InputError, match=r"states of another stand: .*general.*, expected states of bench8"):
+        model("bench8").forward(model("general").state())
+
+
+def test_without_a_compiler_one_line_says_what_installs_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    with pytest.raises(mahovik.ToolchainError, match=r"no C compiler found .* install one, on Debian with"):
+        mahovik.build(mahovik.example("bench8"))

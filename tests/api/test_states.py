@@ -1,4 +1,4 @@
-"""States: made, written and read by name, as views of the memory that the C reads; steps with a carry."""
+"""States made, written, read by name and stepped; results of held carriers; tasks and the torques for them."""
 
 from __future__ import annotations
 

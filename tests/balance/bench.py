@@ -9,8 +9,6 @@ import numpy as np
 from identify.data import SPEEDS, Array, recorded, stand_text, write_csv
 from mahovik.out.api.stands import Stand
 
-PLANES = {"all": ["-10 mm", "10 mm"]}
-
 
 def write_bench(folder: Path, speeds: tuple[float, float] = SPEEDS) -> None:
     """The first two flywheels of bench8 with an IMU, two.toml, and run.csv: one second at constant speeds."""

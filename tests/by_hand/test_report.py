@@ -28,8 +28,7 @@ def rows_of(html: str) -> list[list[float | str]]:
 
 def number(html: str) -> float | str:
     """A figure as a number, other cells as their words."""
-    text = re.sub(r"·10<sup>(.*?)</sup>", r"e\1", html)
-    text = unescape(re.sub("<[^>]*>", "", text)).replace("\u202f", "").replace("−", "-")
+    text = unescape(re.sub("<[^>]*>", "", html))
     try:
         return float(text)
     except ValueError:

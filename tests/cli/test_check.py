@@ -49,17 +49,6 @@ def test_all_of_it_is_in_json() -> None:
     assert "position" not in document["rest"]["state"] and len(document["rest"]["free"]) == 6
 
 
-CUBE = """schema = 1
-name = "cube"
-[carrier]
-mass = 5
-inertia = [0.02, 0.02, 0.02]
-[[flywheel]]
-name = "w1"
-mass = 1
-"""
-
-
 CART = """schema = 1
 name = "cart"
 gravity = [0, 0, -9.81]

@@ -1,4 +1,4 @@
-"""eval as a process: pipes, conversation, exit statuses."""
+"""eval as a process: pipes, conversation, exit statuses; of held carriers too."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ import pytest
 from cli.run import refused, run
 from mahovik.stands import path
 
-SAT4, SHAKER2 = str(path("sat4")), str(path("shaker2"))
+SAT4 = str(path("sat4"))
 ONE = ("vibration", SAT4, "--speed", "all=3000rpm", "--speed", "rw2=2987rpm", "--at", "acc1")
 SWEEP = ("vibration", SAT4, "--speed", "rw1=0..6000rpm", "--at", "acc1", "--steps", "5")
 

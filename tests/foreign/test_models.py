@@ -1,4 +1,4 @@
-"""Models as people have them: what becomes of them, what is said, the forces that MuJoCo and Pinocchio find."""
+"""Models as people have them: the stand, what is said and refused, the forces that MuJoCo and Pinocchio find."""
 
 from __future__ import annotations
 

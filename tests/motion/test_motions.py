@@ -162,7 +162,7 @@ def test_a_step_in_the_samples_is_refused() -> None:
     assert "a jump" in line
 
 
-STEPS, TWELFTHS = [0.004 * i for i in range(11)], [0.05 * i / 12 for i in range(13)]
+STEPS = [0.004 * i for i in range(11)]
 
 
 @pytest.mark.parametrize(

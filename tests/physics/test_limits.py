@@ -14,9 +14,6 @@ from physics.general import isolated, rows, without_added_mass
 from physics.motions import cross, rotation, vec
 from physics.properties import PROPERTY, assert_near, cases, scale, value
 
-SEEDS = range(6)
-ROUNDING = 1e-11  # some hundred operations, condition of K below 1e3
-
 
 def balanced(stand: Stand) -> Stand:
     """Every flywheel on the carrier, centre of mass at its origin, J22 = J33, no products; angles, not axes."""

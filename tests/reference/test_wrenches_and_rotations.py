@@ -17,8 +17,6 @@ from physics.general import draw, rows, suspension_of
 from physics.motions import SEQUENCES, rotation
 
 SEEDS = range(6)
-STEP = 1e-3  # speeds of 20 rad/s
-FROM_DIFFERENCES = 1e-10  # of the largest value: 1e-16 over the step
 ROUNDING = 1e-12
 OF_ROTATIONS = 1e-14  # products of three rotations
 

@@ -13,7 +13,7 @@ import pytest
 from toolchain.tools import require
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, FloatRect, Locator
+    from playwright.sync_api import Browser
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 QUIET = (
@@ -39,13 +39,6 @@ def launched() -> Iterator[Browser]:
         browser.close()
 
 
-def box_of(element: Locator) -> FloatRect:
-    """Place of an element in the window."""
-    box = element.bounding_box()
-    assert box is not None
-    return box
-
-
 class Opened:
     """A page in the browser that notes errors and requests: `complaints`, `requests`."""
 
@@ -60,7 +53,3 @@ class Opened:
         self.page.on("request", lambda request: self.requests.append(request.url))
         self.address = path.as_uri()
         self.page.goto(self.address)
-
-    def wait_until(self, script: str) -> None:
-        """Wait for a condition on the page."""
-        self.page.wait_for_function(script, timeout=10_000)

@@ -81,13 +81,8 @@ def read(page: str) -> Page:
 
 
 def words(page: str) -> str:
-    """The text of a page with single spaces; thin ones stay."""
+    """The text of a page with single spaces."""
     return re.sub(r"[ \t\n]+", " ", read(page).text).strip()
-
-
-def plain(html: str) -> str:
-    """Text with ordinary minus signs, without thin spaces and those that align numbers."""
-    return words(re.sub("[\u202f\u2007\u2008]", "", html)).replace("−", "-")
 
 
 DEMO3 = str(path("demo3"))

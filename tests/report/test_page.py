@@ -1,4 +1,4 @@
-"""The page of a stand: no peak is lost, text is escaped, nothing is loaded, small; parts say what there is to say."""
+"""The page of a stand: no peak is lost, text is escaped, nothing is loaded, small; pictures of columns."""
 
 from __future__ import annotations
 
