@@ -217,10 +217,10 @@ def test_a_log_of_another_stand_table_or_text_is_refused(bench8: Recorder) -> No
     with pytest.raises(CheckError, match=r"physics .* but the log is from 00000000"):
         check_stand(bench8.stand, Start(**{**vars(start), "physics": "00000000"}), "bench8.toml")
     machine = machine_of("bench8", "double")
-    with pytest.raises(CheckError, match="--against DIR"):  # C of another mahovik: other constants
+    with pytest.raises(CheckError, match="against=DIR"):  # C of another mahovik: other constants
         list(replay(machine, [Start(**{**vars(start), "table_hash": start.table_hash ^ 1})]))
     assert "-ffp-contract=off" in explain(machine, bench8.stand, start)
-    assert "--against" in explain(machine, bench8.stand, Start(**{**vars(start), "source": start.source ^ 1}))
+    assert "against=DIR" in explain(machine, bench8.stand, Start(**{**vars(start), "source": start.source ^ 1}))
 
 
 def test_null_pointers_are_refused_without_a_record(bench8: Recorder) -> None:

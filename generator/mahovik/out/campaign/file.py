@@ -208,7 +208,7 @@ class Campaign:
         try:
             return runner_of(self.stand, self.over, self.quantities, self.path.parent, set(self.units))
         except UsageError as error:
-            raise CampaignError([f"{self.path.name}: over: {str(error).replace('--', '')}"]) from None
+            raise CampaignError([f"{self.path.name}: over: {error}"]) from None
 
     def rows(self, first: int, count: int) -> dict[str, Any]:
         """Columns of `count` samples from `first` on, with the same bits however the samples are parted.

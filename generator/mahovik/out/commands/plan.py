@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
@@ -187,15 +186,8 @@ _MOVED = ("path", "unit", "before", "after")
 
 
 def _details(report: Mapping[str, Any]) -> list[str]:
-    """What a slew takes of the limits and what unbalance adds, how (13) was solved, and the run-ups."""
+    """What a slew takes of the limits, how (13) was solved, and the run-ups."""
     lines = list(report.get("hardest", ()))
-    if (effect := report.get("unbalance")) is not None:
-        angle, shift = (effect[name] for name in ("angle", "shift"))
-        largest, rms, end = (math.degrees(angle[key]) * 3600.0 for key in ("largest", "rms", "end"))
-        lines.append(
-            f"unbalance adds up to {largest:.3g} arcsec (RMS {rms:.3g}, at the end {end:.3g}) "
-            f"and {1e6 * shift['largest']:.3g} um of O1"
-        )
     if (solved := report.get("ocp")) is not None:
         J = f"J {solved['objective_of_start']:.6g} of the start, {solved['objective']:.6g} now"
         lines.append(f"IPOPT: {solved['ipopt']}, {solved['iterations']} iterations; {J}")

@@ -179,7 +179,7 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
     if name is None and len(names) != 1:
         reason = "no task: add [task.pointing] to its file"
         if names:
-            reason = f"tasks {', '.join(names)}: give --attitude NAME"
+            reason = f"tasks {', '.join(names)}: give attitude=NAME"
         raise UsageError(f'stand "{stand.name}": {reason}, with rows = ["wx", "wy", "wz"]')
     wanted = name if name is not None else names[0]
     task = next((item for item in stand.tasks if item.name == wanted), None)

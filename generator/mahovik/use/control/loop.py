@@ -32,6 +32,7 @@ from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion, Slew, rows_of
 from mahovik.core.motion.servo import Servo
 from mahovik.core.stand.coordinates import Coordinates, coordinates_of
+from mahovik.core.stand.masses import mean_stand
 from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
 from mahovik.core.stand.motor import steepness
 from mahovik.core.toolchain.compiled import Block, compile_library
@@ -53,7 +54,6 @@ from mahovik.use.numeric.frame import Frame
 from mahovik.use.numeric.mechanics import Mechanics, inertia
 from mahovik.use.numeric.se3 import EULER, Array
 from mahovik.use.plan.problem import harmonics
-from mahovik.use.plan.unbalance import twist_at_rest
 from mahovik.use.simulate.course import Course
 from mahovik.use.simulate.held import long_steps
 from mahovik.use.simulate.run import STATE_COLUMNS
@@ -480,6 +480,13 @@ def required_state(stand: Stand, motion: RequiredMotion, programme: Programme, a
     if programme.unbalance == "averaged":
         y[6:] = twist_at_rest(stand, y[6:], angles.phi[0], angles.phi_dot[0])
     return plant_state(stand, chart, y, angles.phi[0], angles.phi_dot[0])
+
+
+def twist_at_rest(stand: Stand, V: Array, phi: Array, phi_dot: Array) -> Array:
+    """Twist V (6) of the carrier of a stand that has the momentum of the mean stand with the twist V; phi, phi' (N)."""
+    exact, mean = (Mechanics.of(variant).mass_and_coupling(phi[None]) for variant in (stand, mean_stand(stand)))
+    (K, I), (K0, I0) = ((a[0], b[0]) for a, b in (exact, mean))
+    return np.asarray(V + np.linalg.solve(K, (K0 - K) @ V + (I0 - I) @ phi_dot))
 
 
 def starting_state(case: Case) -> State:

@@ -51,7 +51,6 @@ from mahovik.use.plan.slew_path import (
     smooth,
     unreached_motion,
 )
-from mahovik.use.plan.unbalance import unbalance_effect
 
 _ITERATIONS = 60
 _LAST_CHANGE = 1e-12
@@ -270,8 +269,6 @@ def plan_slew(stand: Stand, slew: Slew, verify: bool = True, say: Callable[[str]
     except StateError as error:
         return Plan("NO_PROGRAM", "SEARCH", (str(error),), slew.doubts, ())
     programme = _programme(stand, slew, made, sharp)
-    say("simulating with unbalance")
-    programme = _with_unbalance(stand, slew, programme)
     if verify:
         say("verifying")
         programme = certify(stand, motion_of_slew(slew, programme), programme)
@@ -501,11 +498,3 @@ def _through_zero(names: Sequence[str], phi_dot: Array) -> list[str]:
     least = STANDING * np.abs(phi_dot).max(axis=0)
     passing = (phi_dot.min(axis=0) < -least) & (phi_dot.max(axis=0) > least)
     return [name for name, passes in zip(names, passing, strict=True) if passes]
-
-
-def _with_unbalance(stand: Stand, slew: Slew, programme: Programme) -> Programme:
-    """The programme of the mean stand, whose report says what unbalance does besides."""
-    effect = unbalance_effect(stand, motion_of_slew(slew, programme), programme)
-    sight = slew.axis if slew.kind == "sight" else None
-    figures = None if effect is None else effect.figures(sight)
-    return replace(programme, report={**programme.report, "unbalance": figures})

@@ -409,7 +409,7 @@ def parts_of(case: Case, block: Block) -> int:
         raise UsageError(
             f"{case.regime.name}: flywheel {case.regime.flywheels[worst].name}: its torque falls by up to "
             f"{falls[worst]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected a wider `band` "
-            f"(or `coulomb_speed` of its motor), --dt {case.dt * MOST_PARTS / parts:.2g}, or --backend scipy"
+            f"(or `coulomb_speed` of its motor), dt={case.dt * MOST_PARTS / parts:.2g}, or backend=scipy"
         )
     return parts
 

@@ -468,7 +468,7 @@ def _table(machine: Machine, start: Start) -> Mapping[str, Any] | None:
     if start.table_hash != computed:
         raise CheckError(
             f"the log's default table has hash {start.table_hash:08x}, that of the C here {computed:08x}: "
-            "that C comes from another version of mahovik; give its folder with --against DIR"
+            "that C comes from another version of mahovik; give its folder with against=DIR"
         )
     return None
 
@@ -492,7 +492,7 @@ def explain(machine: Machine, stand: Stand, start: Start) -> str:
     if start.source not in {machine.source, *delivered}:
         return (
             f"the C that flew was another source text (source {start.source:08x}, here {machine.source:08x}): "
-            "give its folder with --against DIR"
+            "give its folder with against=DIR"
         )
     return "the source text is the same: was it compiled with -ffp-contract=off and without -ffast-math?"
 
@@ -510,7 +510,7 @@ def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machi
             raise UsageError(f"against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
         return c_machine(stand, real, folder)
     if folder is not None:
-        raise UsageError("against: the interpreter runs no C; leave it out, or use --backend c")
+        raise UsageError("against: the interpreter runs no C; leave it out, or give backend=c")
     return interpreter_machine(stand, real)
 
 

@@ -236,7 +236,7 @@ def _check_hold(stand: Stand, locked: bool) -> None:
     if not hold.freedoms and (locked or not stand.flywheels):
         reason = "there is no flywheel; give freedoms"
         if stand.flywheels:
-            reason = "the flywheels are locked, as `modes` has them by default; give --flywheels free, or freedoms"
+            reason = "the flywheels are locked, as `modes` has them by default; give flywheels=free, or freedoms"
         raise CheckError(f"{start}[hold] clamps the carrier, and {reason}")
 
 
