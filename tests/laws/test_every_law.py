@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,10 +23,12 @@ from mahovik.core.lower.law_arrays import TwistLaws, law_arrays
 from mahovik.core.stand import dumps, identities, loads
 from mahovik.core.stand.model import Carrier
 from mahovik.core.stand.random import BARE, random_stand, random_state
+from mahovik.core.stand.summary import summarize
 from mahovik.errors import StandError
 from mahovik.laws.control.law import ControlDerivatives
 from mahovik.laws.control.reference import control_derivatives
 from mahovik.laws.cross_flow.reference import cross_flow_drag
+from mahovik.laws.damping.law import Damping
 from mahovik.laws.fading.reference import fading_damping
 from mahovik.laws.fin.law import Fins
 from mahovik.laws.fin.reference import lift_and_drag
@@ -30,8 +36,11 @@ from mahovik.laws.propeller.law import Propellers
 from mahovik.laws.propeller.reference import thrust_and_torque
 from mahovik.laws.torquer.law import Torquers
 from mahovik.proof import reference
+from mahovik.proof.diagnose.diagnosis import Diagnoser
 from mahovik.proof.second import Second
+from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend
+from mahovik.proof.verify.states import Request
 from rigorous.balls import forward_is_enclosed
 from second.agreement import AGREEMENT, differences, expectations, worst_difference
 
@@ -286,3 +295,73 @@ def test_units_of_a_magnetic_field(unit: str, tesla: float) -> None:
     stand = loads(TEXTS["torquers"].replace('["20 uT", 0, "-40 uT"]', f'["3 {unit}", 0, 0]'))
     (law,) = stand.laws
     assert law.magnetic_field == pytest.approx((3 * tesla, 0.0, 0.0), rel=1e-15)  # type: ignore[attr-defined]
+
+
+TESTS = Path(__file__).parents[1]
+
+
+def test_a_law_is_added_by_its_folder_and_a_row_and_goes_with_them() -> None:
+    """It is read, written, drawn, measured with errors, in the C, and judged by both derivations."""
+    assert len(list(TESTS.glob("laws/added/tug/[a-z]*.py"))) == 4
+    command = [sys.executable, "-m", "laws.with_tug"]
+    run = subprocess.run(
+        command, capture_output=True, text=True, check=False, timeout=300, env=os.environ | {"PYTHONPATH": str(TESTS)}
+    )
+    assert (run.stdout.split(), run.stderr) == (["judged"], "")
+    with pytest.raises(StandError, match='unknown key "tug"'):
+        loads('schema = 1\nname = "a"\n[carrier]\nmass = 1\ninertia = [1, 1, 1]\ntug = { force = [1, 0, 0] }\n')
+
+
+def warnings(text: str) -> list[str]:
+    return [line for line in summarize(loads(text)).warnings if "added-mass products" in line]
+
+
+def test_products_that_count_twice_are_warned_of() -> None:
+    """X_udot = -1, Y_vdot = -30, Z_wdot = -31 make X_wq = Z_wdot and N_uv = Y_vdot - X_udot = -29."""
+    plain = PRODUCTS.replace(KEY, "")
+    (line,) = warnings(plain)
+    assert "damping.terms X w q = -31.2 (and 1 more)" in line
+    assert warnings(PRODUCTS) == []
+    assert warnings(plain.replace("-31.2", "31.2").replace("-29.0", "-20.0")) == []
+    assert warnings(plain.replace("-31.2", "-35").replace("-29.0", "-20.0")) == []
+    assert warnings(plain.replace('["w", "q"]', '["w", "|q|"]').replace("-29.0", "-20.0")) == []
+
+
+def test_derivatives_that_contain_no_product_are_warned_of() -> None:
+    """The key takes out what no term puts in."""
+    carrier = CARRIER + "added_mass = [1, 30, 30, 0, 4, 4]\n"
+    damping = '[carrier.damping]\nderivatives = "with added-mass products"\nterms = [{}]\n'
+    away = damping.format('{ wrench = "X", of = ["u", "|u|"], value = -2 }')
+    assert "no derivative stands where added mass has a product" in warnings(carrier + away)[0]
+    there = damping.format('{ wrench = "X", of = ["v", "r"], value = 25 }')
+    assert warnings(carrier + there) == []
+
+
+def test_a_program_that_counts_them_twice_is_named() -> None:
+    stand = replace(bearing("products", 6), flywheels=())
+    damping = stand.carrier.law(Damping)
+    assert damping is not None
+    law = replace(damping, contains_products=False)
+    program = NumpyBackend(replace(stand, carrier=stand.carrier.with_laws(law)))
+
+    def answer(request: Request) -> Mapping[str, Any]:
+        return program.evaluate(request.state, request.want)
+
+    (cause,) = Diagnoser(stand, wants=("forward",)).diagnose(answer).causes
+    assert cause.name == "products of added mass counted twice, in the derivatives and beside them"
+
+
+def test_products_with_a_viscous_part_are_warned_of_where_they_are_several() -> None:
+    """One of them alone may be near by chance. Of NPS AUV II most are 4 to 25 % apart."""
+    text = (Path(__file__).parents[2] / "docs" / "vehicles" / "nps_auv2.toml").read_text(encoding="utf-8")
+    text = text.replace(f"{KEY}\n", "").replace('wrench = "K", of = ["v", "w"]', 'wrench = "K", of = ["v", "|w|"]')
+    (line,) = warnings(text)
+    assert "damping.terms X w q = -14888 (and 6 more) is near the product of added mass -17865" in line
+    damping = CARRIER + "added_mass = [1, 30, 30, 0, 4, 4]\n[carrier.damping]\nterms = [\n{}]\n"
+    one, other = (
+        '{ wrench = "X", of = ["w", "q"], value = -25 },\n',
+        '{ wrench = "Y", of = ["w", "p"], value = 26 },\n',
+    )
+    assert warnings(damping.format(one)) == warnings(damping.format(other)) == []
+    (line,) = warnings(damping.format(one + other))
+    assert "X w q = -25 (and 1 more) is near the product of added mass -30" in line

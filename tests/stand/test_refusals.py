@@ -9,8 +9,8 @@ import pytest
 
 from mahovik.core.stand import loads
 from mahovik.errors import StandError
-from stand.test_slips import FLOATING
-from stand.test_task import STAND, task
+from stand.test_hold import STAND, task
+from stand.test_summary import FLOATING
 from stand.test_written import FIN, LISTS, TEXT
 
 CARRIER = """

@@ -1,18 +1,31 @@
-"""The host's compiler: found, missing, refusing; warnings are errors; errors are one line."""
+"""The host's compiler and pools of programs; what tests share is taken only where making it again gives the same."""
+
+from __future__ import annotations
 
 import stat
+import sys
+import time
+from collections.abc import Sequence
+from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
+from subprocess import CompletedProcess
+from types import SimpleNamespace
 
 import pytest
 
 from emit.stands import generated, write
+from mahovik.core.emit.generate import generate_all
 from mahovik.core.program.function import Function
 from mahovik.core.program.types import Field, Kind, Struct
+from mahovik.core.stand import load
+from mahovik.core.toolchain import library, process
 from mahovik.core.toolchain.compiler import CANDIDATES, find_compiler, preprocess
 from mahovik.core.toolchain.library import Library, load_compiled
 from mahovik.errors import ToolchainError
 from mahovik.proof.verify.backends import public_names
+from mahovik.stands import path
+from toolchain.generated_once import once
 
 GOOD = "int answer(void);\nint answer(void) { return 42; }\n"
 WARNINGS = {
@@ -118,3 +131,76 @@ def test_arguments_and_members_that_differ_are_named(tmp_path: Path) -> None:
     longer = replace(state.type, fields=(*state.type.fields, Field("time", Kind.REAL)))
     other = replace(step, arguments=tuple(replace(a, type=longer) if a is state else a for a in step.arguments))
     assert library.difference([other]) == "demo3_state: member missing, expected time"
+
+
+FLAGS = ("-ffp-contract=off", "-O2")
+
+
+def test_whatever_the_compiler_sees_is_in_the_key(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MAHOVIK_CACHE", str(tmp_path / "cache"))
+    made: list[str] = []
+
+    def compile_nothing(command: Sequence[str], what: str) -> None:
+        made.append(what)
+        Path(command[-1]).write_text(str(len(made)), encoding="ascii")
+
+    monkeypatch.setattr(library, "run_compiler", compile_nothing)
+
+    def built(source: str = "int x;\n", header: str = "", flags: Sequence[str] = FLAGS) -> str:
+        (tmp_path / "x.h").write_text(header, encoding="ascii")
+        (tmp_path / "x.c").write_text(source, encoding="ascii")
+        return library.load_compiled(tmp_path / "x.c", flags, lambda file: Path(file).read_text(encoding="ascii"))
+
+    libraries = [built(), built("int y;\n"), built(header="int z;\n"), built(flags=("-O0",))]
+    monkeypatch.setenv("CC", "gcc -g0")
+    libraries += [built()]
+    assert len(set(libraries)) == len(made) == 5
+    assert built() == libraries[4]
+
+
+def test_equal_arguments_are_made_once() -> None:
+    calls: list[tuple[int, str]] = []
+
+    def make(number: int, *, name: str = "") -> SimpleNamespace:
+        calls.append((number, name))
+        return SimpleNamespace(number=number)
+
+    made = once(make)
+    assert made(1).number == made(1).number == 1
+    assert (made(2).number, made(1, name="x").number) == (2, 1)
+    assert calls == [(1, ""), (2, ""), (1, "x")]
+
+
+def test_generated_files_are_the_caller_s_own() -> None:
+    demo3 = load(path("demo3"))
+    right = generate_all(demo3).files["demo3.c"]
+    generate_all(demo3).files["demo3.c"] = "tampered with"
+    assert generate_all(demo3).files["demo3.c"] == right
+
+
+PATIENT = (sys.executable, "-c", "import time; time.sleep(60)")
+
+
+def until_running(count: int) -> None:
+    end = time.monotonic() + 30.0
+    while len(process._running) < count:
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def inside() -> CompletedProcess[str]:
+    """A pool of its own in a thread of a pool."""
+    with process.side_by_side() as pool:
+        return pool.submit(process.run, PATIENT).result()
+
+
+def test_programs_of_pools_inside_are_ended() -> None:
+    begin = time.monotonic()
+    futures: list[Future[CompletedProcess[str]]] = []
+    with pytest.raises(KeyboardInterrupt), process.side_by_side() as pool:
+        futures.append(pool.submit(inside))
+        until_running(1)
+        raise KeyboardInterrupt
+    assert time.monotonic() - begin < 30.0
+    assert futures[0].result().returncode != 0
+    assert process._running == {}

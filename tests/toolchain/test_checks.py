@@ -1,7 +1,9 @@
-"""Frama-C Eva: its script's lines are read, its drivers cover every public function, and it sees planted faults."""
+"""Static checks and Frama-C Eva: they report new deviations and planted faults, and the emitted C has none."""
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -11,10 +13,48 @@ from mahovik.contract.functions import row_of
 from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.eva import drivers, eva_files
 from mahovik.core.emit.generate import generate_all
-from mahovik.core.toolchain.checks import Proof, parse_proof, prove
+from mahovik.core.toolchain.checks import (
+    Finding,
+    Proof,
+    count_by_rule,
+    findings,
+    parse_proof,
+    prove,
+    warnings_of,
+)
 from mahovik.errors import ToolchainError
 from toolchain.quick import quick
 from toolchain.tools import require, run
+
+
+def test_a_rule_that_is_not_listed_is_told() -> None:
+    assert Finding("15.5", "a.c", 1).is_accepted
+    assert not Finding("21.3", "a.c", 1).is_accepted
+    assert count_by_rule([Finding("15.5", "a.c", 1), Finding("15.5", "a.c", 2)]) == Counter({"15.5": 2})
+
+
+@pytest.mark.slow
+def test_new_deviations_and_warnings_are_seen(tmp_path: Path) -> None:
+    require("cppcheck", "cppcheck")
+    require("clang", "clang")
+    files = delivery(stand("demo3"), only=("forward",))
+    write(files, tmp_path)
+    assert warnings_of(tmp_path, ["demo3.c"]) == []
+    known = findings(tmp_path, ["demo3.c"])
+    assert all(finding.is_accepted for finding in known)
+    assert count_by_rule(known)["15.5"] > 0
+    with_goto = files["demo3.c"].replace("    demo3_sums sum;\n", "    demo3_sums sum;\n    goto on;\non:\n", 1)
+    unused = with_goto.replace("const demo3_real z2 =", "const float lost = 1.0; const demo3_real z2 =", 1)
+    (tmp_path / "demo3.c").write_text(unused, encoding="ascii")
+    assert warnings_of(tmp_path, ["demo3.c"]) != []
+    assert not all(finding.is_accepted for finding in findings(tmp_path, ["demo3.c"]))
+
+
+def test_every_target_is_in_the_help() -> None:
+    text = (Path(__file__).resolve().parents[2] / "Makefile").read_text(encoding="utf-8")
+    targets = set(re.findall(r"^([a-z-]+):", text, re.MULTILINE)) - {"help"}
+    assert set(re.findall(r'@echo "make ([a-z-]+)', text)) == targets
+
 
 FAULTS = {
     "a result not written": ("any_forward", "    y[3] = y1;      ", "    "),
