@@ -253,7 +253,6 @@ def test_damage_is_status_1_and_a_cut_end_is_not(binary: Path) -> None:
     ("arguments", "words", "status"),
     [
         ((BENCH8,), 'stand "bench8", but the log is from "demo3"', 1),
-        ((DEMO3, "--backend", "interpreter", "--against", "x"), "the interpreter runs no C", 2),
         ((DEMO3, "--against", "nowhere"), "no such file", 2),
     ],
 )

@@ -22,7 +22,6 @@ from mahovik.use.simulate.replay import (
     c_machine,
     check_stand,
     explain,
-    interpreter_machine,
     load,
     records,
     replay,
@@ -89,13 +88,6 @@ def test_every_step_has_the_bits_of_the_flight(flown: Recorder) -> None:
     assert steps[-1].after["position"].tolist() == list(flown.x.position)
     assert steps[-1].after["V"].tolist() == list(flown.x.V)
     assert np.any(steps[-1].after["V"])
-
-
-def test_the_interpreter_needs_no_compiler(flown: Recorder) -> None:
-    machine = interpreter_machine(flown.stand, flown.real)
-    steps = list(replay(machine, records(flown.log)))
-    assert len(steps) == STEPS
-    assert all(isinstance(o, Outcome) and o.equal for o in steps)
 
 
 def test_a_step_is_one_call_of_the_stated_size(flown: Recorder) -> None:

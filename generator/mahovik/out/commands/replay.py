@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,7 +25,6 @@ def replay(
     log: FilePath,
     against: Folder | None = None,
     step: int | None = None,
-    backend: Literal["c", "interpreter"] = "c",
     progress: Progressing = None,
 ) -> Result:
     """Replay a flight log.
@@ -40,7 +39,6 @@ def replay(
         log: replay this flight log.
         against: replay the C in this folder, which was used in flight; default newly generated C.
         step: show this step, as a line for `eval` and all bits in hex.
-        backend: replay by c, or by interpreter, which needs no compiler and is slow.
 
     Raises:
         UsageError: no flight log, no such step.
@@ -62,7 +60,7 @@ def replay(
         replays.check_stand(model, start, str(stand))
         if start.real != starts[0].real:
             raise UsageError(f"{log}: begins with {starts[0].real}, at byte {start.offset} it has {start.real}")
-    machine = replays.machine(model, starts[0].real, backend, None if against is None else Path(against))
+    machine = replays.c_machine(model, starts[0].real, None if against is None else Path(against))
     outcomes: list[Outcome] = []
     damage: list[replays.Damage] = []
     for done, event in enumerate(replays.replay(machine, records), start=1):

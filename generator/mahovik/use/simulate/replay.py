@@ -28,7 +28,7 @@ from mahovik.core.stand.files import FLIGHT, content
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
 from mahovik.errors import CheckError, StateError, UsageError
-from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
+from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.states import encode
 
 Reals = NDArray[np.floating[Any]]
@@ -355,12 +355,12 @@ class Outcome:
 
 
 class Machine:
-    """Runs the steps of one stand by its C or by the interpreter, from the present `state` with the present `carry`.
+    """Runs the steps of one stand by its C, from the present `state` with the present `carry`.
 
     source   hash of the C source
     """
 
-    def __init__(self, backend: CBackend | InterpreterBackend, source: int) -> None:
+    def __init__(self, backend: CBackend, source: int) -> None:
         self._backend, self.generated, self.source = backend, backend.generated, source
         self._dtype = np.dtype(self.generated.program.precision.scalar)
         self._table: Any = None
@@ -404,16 +404,13 @@ def _compiled_backend(stand: Stand, real: str) -> CBackend:
 
 
 def c_machine(stand: Stand, real: str, folder: Path | None = None) -> Machine:
-    """A machine that runs the C of a stand, freshly generated or in `folder`. Raises as CBackend."""
+    """A machine that runs the C of a stand, freshly generated or in `folder`. Raises as CBackend; UsageError."""
+    there = None if folder is None else read_header(folder, stand.name)
+    if there is not None and there.real is not None and there.real != real:
+        raise UsageError(f"against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
     backend = _compiled_backend(stand, real) if folder is None else CBackend(stand, real, folder)
     files = backend.generated.files if folder is None else _texts(folder, stand.name)
     return Machine(backend, source_hash(files, stand.name))
-
-
-def interpreter_machine(stand: Stand, real: str) -> Machine:
-    """A machine that interprets the program: it needs no compiler, and is a thousand times slower."""
-    generated = generate_all(stand, real)
-    return Machine(InterpreterBackend(generated), source_hash(generated.files, stand.name))
 
 
 def step_inputs(generated: Generated, step: Step) -> tuple[str, dict[str, Any]]:
@@ -500,18 +497,6 @@ def explain(machine: Machine, stand: Stand, start: Start) -> str:
 def _texts(folder: Path, name: str) -> dict[str, str]:
     """Header and source of a stand in a folder."""
     return {f"{name}.{kind}": (folder / f"{name}.{kind}").read_text(encoding="utf-8") for kind in ("h", "c")}
-
-
-def machine(stand: Stand, real: str, backend: str, folder: Path | None) -> Machine:
-    """The machine that replays: "c" or "interpreter". UsageError, ToolchainError, CheckError."""
-    if backend == "c":
-        there = None if folder is None else read_header(folder, stand.name)
-        if there is not None and there.real is not None and there.real != real:
-            raise UsageError(f"against {folder}: its C is {there.real}, the log {real}: give the folder that flew")
-        return c_machine(stand, real, folder)
-    if folder is not None:
-        raise UsageError("against: the interpreter runs no C; leave it out, or give backend=c")
-    return interpreter_machine(stand, real)
 
 
 def state_object(outcome: Outcome, wrenches: Sequence[str]) -> dict[str, Any]:
