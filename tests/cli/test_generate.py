@@ -228,7 +228,7 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
 @pytest.mark.parametrize(
     ("only", "status", "words"),
     [
-        ("", 1, "C of `generate --only`? give --only forward,torque\n"),
+        ("", 1, "C of some functions alone? name them: only forward,torque\n"),
         ("forward", 1, "unknown functions: torque"),
         ("forward,torque,wrap", 1, "no line PASS or FAIL of: wrap"),
         ("forwart", 2, '--only forwart: the C of shakerp has no such function, did you mean "forward"?'),

@@ -157,7 +157,7 @@ def test_batches_must_be_those_that_this_version_generates(tmp_path: Path) -> No
         row = check_batch(DEMO, made, tmp_path)
         assert row is not None
         verdicts.append(f"{row.verdict} {row.words}".strip())
-    again = "generate it again with --batch"
+    again = "generate the batch C again"
     assert verdicts == [
         "ok",
         f"FAILED demo3_batch.c is not what this version generates: {again}",
@@ -243,4 +243,4 @@ def test_the_conclusion_says_the_worst_of_what_has_the_limit_of_the_report() -> 
 def test_c_of_the_other_element_type_is_refused(tmp_path: Path) -> None:
     run("generate", DEMO3, "--real", "float", "-o", str(tmp_path))
     said = refused("verify", DEMO3, str(tmp_path), "--real", "double")
-    assert said == f"error: {tmp_path / 'demo3.h'}: its C is float, expected double: give --real float\n"
+    assert said == f"error: --real double: the C of {tmp_path / 'demo3.h'} is float\n"

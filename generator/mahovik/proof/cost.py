@@ -100,13 +100,13 @@ class Costs:
 
 
 def parse_targets(names: str | None, real: str | None) -> list[tuple[Target, str]]:
-    """Targets and element types of `--targets`, `--real`. Raises UsageError."""
+    """Targets and element types by names and an element type. Raises UsageError."""
     if names is None:
         return [(TARGETS[name], real or usual) for name, usual in USUAL]
     pairs = selftest.parse_targets(names, (real,) if real else None)
     for target, _ in pairs:
         if target.linker or target.compiler[0] == "clang":
-            raise UsageError(f"--targets: {target.name} compiles by clang; frames of the stack are known of gcc only")
+            raise UsageError(f"targets: {target.name} compiles by clang; frames of the stack are known of gcc only")
     return [(target, type_) for target, type_ in pairs if type_ == (real or target.real or type_)]
 
 

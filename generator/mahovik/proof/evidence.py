@@ -335,8 +335,8 @@ PIECES: tuple[Piece, ...] = (
             "`normal` and `any` also: results are finite, written where the status is not negative, else untouched."
         ),
         limits=(
-            f"{_UNCLAIMED}, of which nothing is claimed; tables of other parameters; without `--full` all but a few "
-            "drivers; sine, cosine, square root and arc tangent, which stand as contracts."
+            f"{_UNCLAIMED}, of which nothing is claimed; tables of other parameters; of a quick collection all but a "
+            "few drivers; sine, cosine, square root and arc tangent, which stand as contracts."
         ),
         command=_eva_command,
         kept=("*.log",),

@@ -171,5 +171,6 @@ def _check_folder(folder: Path, stand: Stand, real: str) -> None:
                 f"{path}: its {kind} is {have or 'none'}, that of the stand file {want}: generate it again"
             )
     if header.real != real:
-        remedy = f"give --real {header.real}" if header.real in PRECISIONS else "generate it again"
-        raise UsageError(f"{path}: its C is {header.real or 'of no known element type'}, expected {real}: {remedy}")
+        if header.real in PRECISIONS:
+            raise UsageError(f"real {real}: the C of {path} is {header.real}")
+        raise UsageError(f"{path}: its C is {header.real or 'of no known element type'}: generate it again")

@@ -79,7 +79,7 @@ def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | Non
     row, expected = Check("", BATCH), batch_files(stand, generated)
     for name, text in there.items():
         words = "missing" if text is None else "not what this version generates"
-        row.demand(text == expected[name], "", f"{name} is {words}: generate it again with --batch")
+        row.demand(text == expected[name], "", f"{name} is {words}: generate the batch C again")
     return row
 
 

@@ -183,7 +183,7 @@ def fmu_program(fmu: Path, unpacked: Path, map_file: Path, stand: Stand, stand_f
     try:
         from fmpy import extract, read_model_description
     except ImportError:
-        raise UsageError(f'--fmu {fmu}: needs fmpy; `pip install "mahovik[fmi]"`') from None
+        raise UsageError(f'fmu {fmu}: needs fmpy; `pip install "mahovik[fmi]"`') from None
     if not fmu.is_file():
         raise DataError([f"{fmu}: no such file"])
     try:

@@ -350,7 +350,7 @@ def verify_judges(
                 raise UsageError(f"the stand without {', '.join(left_out)} has no positive definite mass matrix")
             programs.append(PROGRAMS[name](bare))
         except ImportError as error:
-            raise UsageError(f"--judges: {name} is not installed ({error.name}): pip install pin mujoco") from None
+            raise UsageError(f"judges: {name} is not installed ({error.name}): pip install pin mujoco") from None
         except (UsageError, ValueError) as error:  # MuJoCo's of a stand that it does not compile
             checks.append(Check(name, "all quantities", words=str(error)))
     if programs:

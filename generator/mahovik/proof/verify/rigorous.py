@@ -227,7 +227,7 @@ def measure_rounding(
     wants = [want for want in wants_of("rigorous") if want in backend.wants]
     if not wants:
         there, expected = ", ".join(public_names(backend.program)), ", ".join(wants_of("rigorous"))
-        raise UsageError(f"--rigorous: {against} holds {there}, expected one of {expected}: no other has enclosures")
+        raise UsageError(f"rigorous: {against} holds {there}, expected one of {expected}: no other has enclosures")
     limits = replace(LIMITS[real], value=LIMITS[real].rigorous)
     states = draw(stand, seed, count, real)
     rows = judge(stand, backend, states, wants, limits, progress, scales=EnclosedScales(stand, real, seed))

@@ -51,7 +51,7 @@ def parse_targets(names: str, reals: Sequence[str] | None = None) -> list[tuple[
     words = groups.get(names, [word.strip() for word in names.split(",")])
     for word in words:
         if word not in TARGETS:
-            raise UsageError(f'--targets: unknown "{word}"{suggestion(word, [*TARGETS, *groups])}')
+            raise UsageError(f'targets: unknown "{word}"{suggestion(word, [*TARGETS, *groups])}')
     return [(TARGETS[word], real) for word in dict.fromkeys(words) for real in reals or REALS]
 
 
@@ -243,7 +243,7 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
     if stand is None:
         unchecked.append("identities, the list of functions, and the sweep: give the stand file")
     else:
-        part = f" of --only {','.join(only)}" if only else ""
+        part = f" of {','.join(only)}" if only else ""
         checked = ["identities", f"every function{part} there", *checked]
     faults: list[str] = []
     sweeps: dict[tuple[str, str, int], Mapping[str, str]] = {}  # hashes here, none where nothing can compute them
@@ -261,7 +261,7 @@ def judge_log(text: str, where: str, stand: Stand | None = None, only: tuple[str
                 by = f", by {maker}" if maker else ": no C compiler here"
                 (checked if maker else unchecked).append(f"sweep of {log.sweep} states, {log.real}{by}")
             lines = problems(log, wanted, sweeps.get(key, {}) if alike else {})
-            lines += [] if alike else [f"C of `generate --only`? give --only {','.join(log.functions)}"]
+            lines += [] if alike else [f"C of some functions alone? name them: only {','.join(log.functions)}"]
         faults += [f"run {number} of {len(runs)}: {line}" if len(runs) > 1 else line for line in lines]
     return LogVerdict(runs, tuple(faults), tuple(checked), tuple(unchecked))
 

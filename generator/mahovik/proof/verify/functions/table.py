@@ -164,7 +164,7 @@ def verify_servo(
         raise UsageError(f"{motion.name}: is finite, but a trim needs a periodic motion: give that of the programme")
     if programme is not None:
         if motion is None:
-            raise UsageError("the programme is given without its motion: give --motion MOTION.json as well")
+            raise UsageError("programme: given without its motion, expected both")
         for item in (stand_check(stand, programme), motion_check(motion, programme)):
             if item.failed:
                 raise UsageError(f"{item.words}: give the programme that the servos follow")

@@ -227,7 +227,7 @@ MATRIX = 1e-8
 NODES = 4096
 """Times in a period at which the required motion is averaged."""
 
-NEEDS_MOTION = "needs the required motion: give --motion MOTION.json"
+NEEDS_MOTION = "needs the required motion, which is not given"
 
 
 def table_checks(case: ServoCase) -> Iterator[Check]:
@@ -325,7 +325,7 @@ def _matrix(case: ServoCase) -> tuple[Array, Array] | str:
     """Corrections by the error, with their scale; or why they are not compared."""
     assert case.servo.trim is not None
     if case.motion is None or case.programme is None:
-        return "only its zeros: give --motion MOTION.json and --programme PROGRAMME.json"
+        return "only its zeros: motion and programme are not both given"
     try:
         return trim_matrix(case.stand, case.motion, case.programme, case.servo.trim)
     except StateError as error:
