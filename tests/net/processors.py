@@ -19,7 +19,7 @@ from typing import Any
 import mahovik
 from mahovik.core.stand import Stand
 from mahovik.core.toolchain.targets import TARGETS, Target
-from mahovik.proof.cost import COMPARED_FIGURES, USUAL, Costs, TargetCost, compare, measure
+from mahovik.proof.cost import USUAL, TargetCost, measure
 from mahovik.proof.verify.check import conclusion
 from mahovik.proof.verify.selftest import parse_targets, verify_targets
 from net import FOLDER, record
@@ -29,6 +29,12 @@ HOST = ("host", "double")
 ONE_OF_A_KIND = (HOST, ("m4", "float"), ("rv64gc", "double"))
 """This machine, a Cortex-M, a RISC-V; both element types."""
 
+FIGURES = ("instructions", "stack", "code")
+"""Figures of a function that are compared."""
+
+RISE = 0.02
+"""Least relative rise that counts: figures of one compiler are the same in every run, without noise."""
+
 
 def named(pairs: tuple[tuple[str, str], ...]) -> list[tuple[Target, str]]:
     """Targets by their names, with element types."""
@@ -37,24 +43,13 @@ def named(pairs: tuple[tuple[str, str], ...]) -> list[tuple[Target, str]]:
 
 def accepted_costs(target: TargetCost) -> dict[str, Any]:
     """Accepted costs of a target."""
-    functions = {f.function: [getattr(f, figure) for figure in COMPARED_FIGURES] for f in target.functions}
+    functions = {f.function: [getattr(f, figure) for figure in FIGURES] for f in target.functions}
     return {
         "compiler": target.compiler,
         "text": target.text,
         "constants": target.constants,
         "functions": functions,
     }
-
-
-def accepted(stand: str, costs: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """The accepted costs of a stand, a row for each target as `mahovik verify --cost` keeps them."""
-    for key, row in costs.get(stand, {}).items():
-        target, real = key.split()
-        functions = [
-            {"function": name, **dict(zip(COMPARED_FIGURES, figures, strict=True))}
-            for name, figures in row["functions"].items()
-        ]
-        yield {**row, "target": target, "real": real, "functions": functions}
 
 
 def text(costs: Mapping[str, Any]) -> str:
@@ -72,24 +67,46 @@ def text(costs: Mapping[str, Any]) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def changes(stand: str, before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
-    """Lines about functions whose costs are not those that were accepted, and about targets that are new or gone."""
+def figures(row: Mapping[str, Any]) -> dict[str, Any]:
+    """All figures of the costs of a target, by what they are of."""
+    functions = {
+        f"{name}, {what}": n for name, of in row["functions"].items() for what, n in zip(FIGURES, of, strict=True)
+    }
+    tables = {f"constants {table}": size for table, size in row["constants"].items()}
+    return {"code of the whole file": row["text"], **tables, **functions}
+
+
+def changes(name: str, before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    """Lines about figures of a stand that are not those that were accepted, and about targets that are new or gone."""
     for target in sorted(before.keys() | now.keys()):
-        old, new = before.get(target, {}), now.get(target, {})
-        for key in ("compiler", "text", "constants"):
-            if old.get(key) != new.get(key):
-                yield f"{stand} {target} {key}: {old.get(key)}, now {new.get(key)}"
-        of_old, of_new = old.get("functions", {}), new.get("functions", {})
-        for name in sorted(of_old.keys() | of_new.keys()):
-            if of_old.get(name) != of_new.get(name):
-                yield f"{stand} {target} {name}: {of_old.get(name)}, now {of_new.get(name)}"
+        if target not in before or target not in now:
+            yield f"{name} {target}: {'new' if target in now else 'gone'}"
+            continue
+        old, new = ({"compiler": row["compiler"], **figures(row)} for row in (before[target], now[target]))
+        yield from (
+            f"{name} {target}: {what}: {old.get(what)}, now {new.get(what)}"
+            for what in {**old, **new}
+            if old.get(what) != new.get(what)
+        )
 
 
-def rises(costs: Costs, before: Mapping[str, Any]) -> Iterator[str]:
-    """Lines about what costs more than was accepted, or was not accepted."""
-    result = compare(costs, list(accepted(costs.stand, before)), [(t.target, t.real) for t in costs.targets])
-    for line in (*result.rises, *(f"not accepted: {m}" for m in result.missing), *result.other):
-        yield f"{costs.stand}: {line}"
+def rises(name: str, before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    """Lines about what of a stand costs more than was accepted, or was not accepted, or is not there any more."""
+    for target, row in now.items():
+        where = f"{name}: {target.replace(' ', ', ')}"
+        if target not in before:
+            yield f"{where}: not accepted"
+            continue
+        if before[target]["compiler"] != row["compiler"]:
+            yield f"{where}: accepted figures are of {before[target]['compiler']}, this is {row['compiler']}"
+            continue
+        old, new = figures(before[target]), figures(row)
+        for what in {**old, **new}:
+            if what not in old or what not in new:
+                yield f"{where}: {what}: {'not accepted' if what in new else 'is not there any more'}"
+            elif new[what] > old[what] * (1 + RISE):
+                more = f"{100 * (new[what] / old[what] - 1):.1f} % more" if old[what] else "there was none"
+                yield f"{where}: {what}: {old[what]} accepted, now {new[what]}, {more}"
 
 
 def differing_bits(name: str, stand: Stand, everything: bool) -> Iterator[str]:
@@ -114,12 +131,12 @@ def main() -> int:
     for name in options.stands:
         stand = mahovik.example(name)
         costs = measure(stand, pairs, recorder=True)
+        now = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
         if options.accept:
-            now = {f"{t.target} {t.real}": accepted_costs(t) for t in costs.targets}
             changed += changes(name, before.get(name, {}), now)
             before[name] = now
             continue
-        lines = [*differing_bits(name, stand, options.all), *rises(costs, before)]
+        lines = [*differing_bits(name, stand, options.all), *rises(name, before.get(name, {}), now)]
         print(*(lines or [f"{name}: same bits, no rise of cost on {len(pairs)} targets"]), sep="\n", flush=True)
         wrong += lines
     if options.accept:

@@ -6,8 +6,8 @@ COST.md tells it; it lies beside the C and is no part of its delivery: the manif
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,12 +34,6 @@ USUAL = (("m4", "float"), ("m7", "double"), ("rv32imafc", "float"), ("rv64gc", "
 """Default targets: processors with an FPU, and the widest element type that it calculates with."""
 
 _TIMEOUT = 300.0
-
-RISE = 0.02
-"""Least relative rise that counts: figures of one compiler are the same in every run, without noise."""
-
-COMPARED_FIGURES = ("instructions", "stack", "code")
-"""Figures of a function that are compared."""
 
 
 @dataclass(frozen=True)
@@ -231,57 +225,3 @@ def require_place(folder: Path, stand: Stand) -> None:
             f"{folder / COST_PAGE}: was not written by mahovik for {stand.name}: move it away or choose another "
             "folder, nothing was written"
         )
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """`rises`: a line each; `missing`: what has no accepted figures and should, or is not there any more; `compared`:
-    targets with the compiler of the accepted figures; `other`: why the rest was not compared.
-    """
-
-    rises: tuple[str, ...]
-    missing: tuple[str, ...]
-    compared: tuple[str, ...]
-    other: tuple[str, ...]
-
-
-def compare(
-    costs: Costs, accepted: Sequence[Mapping[str, Any]], required: Sequence[tuple[str, str]] = ()
-) -> Comparison:
-    """Each target against the accepted figures of that target, element type and compiler.
-
-    `required`: targets and element types that must have accepted figures, measured or not.
-    """
-    rises: list[str] = []
-    compared, other = [], []
-    before = {(old["target"], old["real"]): old for old in accepted}
-    missing = [f"{target}, {real}" for target, real in dict.fromkeys(required) if (target, real) not in before]
-    for target in costs.targets:
-        name, new = f"{target.target}, {target.real}", asdict(target)
-        old = before.get((target.target, target.real))
-        if old is None:
-            other += [f"{name}: no accepted figures"] if name not in missing else []
-            continue
-        if old["compiler"] != new["compiler"]:
-            other.append(f"{name}: accepted figures are of {old['compiler']}, this is {new['compiler']}")
-            continue
-        compared.append(name)
-        was, functions = _figures(old), {f["function"] for f in new["functions"]}
-        for what, now in _figures(new).items():
-            if what not in was:
-                missing.append(f"{name}: {what}")
-            elif now > was[what] * (1 + RISE):
-                more = f"{100 * (now - was[what]) / was[what]:.1f} % more" if was[what] else "there was none"
-                rises.append(f"{name}: {what}: {was[what]} accepted, now {now}, {more}")
-        gone = [f["function"] for f in old["functions"] if f["function"] not in functions]
-        missing += [f"{name}: {function}, which is not there any more" for function in gone]
-    return Comparison(tuple(rises), tuple(missing), tuple(compared), tuple(other))
-
-
-def _figures(target: Mapping[str, Any]) -> dict[str, int]:
-    """All figures of a target that are compared, by what they are of."""
-    tables = {f"constants {table}": size for table, size in target["constants"].items()}
-    functions = {
-        f"{f['function']}, {what}": f[what] for f in target["functions"] for what in COMPARED_FIGURES if what in f
-    }
-    return {"code of the whole file": target["text"], **tables, **functions}

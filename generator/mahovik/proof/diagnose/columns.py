@@ -165,6 +165,9 @@ ROWS = 40
 DRIVE = "J11 phi_ddot of the drive alone"
 """The spin inertia as the drive feels it: an armature that does not turn with the rotor's frame is a part of it."""
 
+BEYOND = 10.0
+"""A component is wrong whose error is more than its rounding times this."""
+
 ZERO = 1e-9
 """Part of the largest term of a component below which another is rounding."""
 
@@ -211,8 +214,9 @@ def explain(
 
     `first`: terms that come before others that explain it as well. Empty if none does.
     """
-    unit = np.maximum(np.sqrt(np.mean(error**2, axis=0)), rounding)
-    e = (error / unit).ravel()
+    size_of_error = np.sqrt(np.mean(error**2, axis=0))
+    unit = np.maximum(size_of_error, rounding)
+    e, wrong = (error / unit).ravel(), np.tile(size_of_error > BEYOND * rounding, len(error))
     limit = 4.0 * np.sqrt(float(np.mean((rounding / unit) ** 2)) * e.size)
     largest = np.max([np.abs(x).max(axis=0) for x in terms.values()], axis=0)
     there = [term for term, x in terms.items() if (np.abs(x).max(axis=0) > ZERO * largest).any()]
@@ -228,7 +232,8 @@ def explain(
     chosen += [divmod(int(k), len(there)) for k in pairs]  # type: ignore[misc]
     for places in map(list, chosen):
         c = np.linalg.lstsq(A[:, places], e, rcond=None)[0]
-        if np.linalg.norm(e - A[:, places] @ c) <= min(limit, 0.01 * np.linalg.norm(e)):
+        left = e - A[:, places] @ c  # in components that are right it is rounding, as their error is
+        if np.linalg.norm(left) <= limit and np.linalg.norm(left[wrong]) <= 0.01 * np.linalg.norm(e[wrong]):
             return {there[j]: float(x / size[j]) for j, x in zip(places, c, strict=True)}
     return {}
 

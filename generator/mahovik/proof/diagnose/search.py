@@ -21,6 +21,7 @@ from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
 from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
 from mahovik.proof.diagnose.columns import (
+    BEYOND,
     ROWS,
     Frame,
     body_terms,
@@ -337,7 +338,7 @@ class TermSearch:
             size = np.array([_magnitudes(p, s) for p, s in zip(of.at, of.states, strict=True)])
         rounding = self._rounding * np.sqrt(np.mean((size @ np.abs(rows)) ** 2, axis=0))
         whole = float(np.sqrt(np.mean(rounding**2)))
-        wrong = np.flatnonzero(np.sqrt(np.mean(error**2, axis=0)) > 10 * whole)
+        wrong = np.flatnonzero(np.sqrt(np.mean(error**2, axis=0)) > BEYOND * whole)
         by_body = self._body_terms(of, error[:ROWS], rounding, before)
         if of.side == "mounts" or (by_body and len(by_body) < len(wrong)):
             return by_body, [Fit({}, 0.0, True)] if by_body or not len(wrong) else [Fit({}, 1.0)]
@@ -353,7 +354,7 @@ class TermSearch:
 
         `before`: those of other wants, which come before terms of the same effect.
         """
-        within = (np.sqrt(np.mean(error**2, axis=0)) <= 10 * rounding).all()
+        within = (np.sqrt(np.mean(error**2, axis=0)) <= BEYOND * rounding).all()
         if within or of.side == "momentum" or not self._stand.flywheels:
             return []
         columns = body_terms(of.states[:ROWS], of.at[:ROWS], of.side, of.frame.rows)
