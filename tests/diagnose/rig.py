@@ -122,11 +122,12 @@ class Rig:
             s = k.rotor
             C = k.axes @ (turn(0, phi[s]) if s >= 0 else np.eye(3))
             r, e, J = C @ k.center, C[:, 0], C @ k.inertia @ C.T
-            c, Omega, spin = k.place + r, w.copy(), np.zeros(3)
-            acceleration = a + np.cross(w, v) + np.cross(alpha, c) + np.cross(w, np.cross(w, c))
+            c, Omega, spin = k.place + r, w.copy(), speed[s] * e if s >= 0 else np.zeros(3)
+            inner = np.cross(spin if fault == "rate" and k.name == "w2" else w, r)
+            acceleration = a + np.cross(w, v) + np.cross(alpha, c) + np.cross(w, np.cross(w, k.place) + inner)
             turning = alpha.copy()
             if s >= 0:
-                spin, along = speed[s] * e, speed[s] * (fault == "still axis") * np.cross(np.cross(w, e), r)
+                along = speed[s] * (fault == "still axis") * np.cross(np.cross(w, e), r)
                 Omega = w + spin
                 coriolis = 1 if fault == "coriolis" else 2
                 acceleration = acceleration + rates[s] * np.cross(e, r) + coriolis * np.cross(w, np.cross(spin, r))

@@ -44,10 +44,11 @@ FAULTS: dict[str, Any] = {
     "omega x u": ("flywheels", "J phi_dot omega x e", 0.0, 1.0),
     "still axis": ("flywheels", "Theta_s (0, omega x e) phi_dot", 0.0, 1.0),
     "centripetal": ("w2", "m phi_dot^2 e x (e x r)", 0.0, 1.0),
+    "rate": ("w2", "m omega x (omega x r)", 0.0, 1.0, "m phi_dot omega x (e x r)", 3.0, 2.0),
     "weight": ("flywheels", "moment of weight", 0.0, 1.0),
     "armature": ("w1", "w1.acceleration", None, None),
 }
-"""Faults of `rig.py`, and their names: a reading, or a term with its factor and the right one."""
+"""Faults of `rig.py`, and their names: a reading, or a body with terms, their factors and the right ones."""
 
 NUMBERS: dict[str, float] = {
     "carrier.mass": 2.01,
@@ -122,14 +123,17 @@ def test_a_fault_in_the_code_is_named(fault: str) -> None:
         assert expected in (cause.name, *cause.like)
         return
     assert diagnosis.terms is not None
-    body, term, factor, right = expected
-    if factor is None:
+    body, *words = expected
+    if words[1] is None:
         torque_terms = {(part.component, part.term) for part in diagnosis.terms.terms if part.want == "torque"}
-        assert torque_terms == {(body, term), ("w2", "w2.acceleration")}
+        assert torque_terms == {(body, words[0]), ("w2", "w2.acceleration")}
         return
+    right = {term: rest for term, *rest in zip(words[::3], words[1::3], words[2::3], strict=True)}
+    assert {part.term for part in diagnosis.terms.terms} == {*right}
     for part in diagnosis.terms.terms:
-        assert (part.component, part.term) == (body, term)
-        assert part.factor == pytest.approx(factor, abs=1e-6) and part.expected == right
+        factor, wanted = right[part.term]
+        assert part.component == body
+        assert part.factor == pytest.approx(factor, abs=1e-6) and part.expected == wanted
 
 
 @pytest.mark.parametrize("path", marked(NUMBERS))

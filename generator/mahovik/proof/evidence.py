@@ -91,27 +91,46 @@ class Subject:
         return f"{VERIFICATION}{self.stand.name}_selftest.c"
 
 
-@dataclass(frozen=True)
-class Need:
-    """A tool without which a piece cannot run, the command that installs it, whether it is here, and its version."""
+DISTRIBUTIONS = {"numpy": "numpy", "casadi": "casadi", "sympy": "sympy", "flint": "python-flint", "pinocchio": "pin",
+                 "mujoco": "mujoco"}  # fmt: skip
+"""Python modules among the tools, and the distributions that have them; other tools are programs on the path."""
 
-    name: str
-    install: str
-    is_present: Callable[[], bool]
-    version: Callable[[], str] = lambda: ""
+RUNTIME = "clang's runtime"
+"""The tool without which what clang instruments does not link."""
+
+INSTALL = {
+    "gcov": "apt-get install gcc",
+    "frama-c": "apt-get install frama-c-base",
+    RUNTIME: "apt-get install libclang-rt-14-dev",
+    **dict.fromkeys(("numpy", "casadi", "sympy"), "pip install mahovik"),
+    "flint": "pip install 'mahovik[rigorous]'",
+    **dict.fromkeys(("pinocchio", "mujoco"), "pip install 'mahovik[judges]'"),
+}
+"""Commands that install tools; a program that is not here has the package of its name."""
 
 
-def program(name: str, packages: str = "") -> Need:
-    """A program on the path; `packages` of Debian: by default the one of its name."""
-    install = f"apt-get install {packages or name}"
-    return Need(name, install, lambda: shutil.which(name) is not None, lambda: version(name))
+def is_there(tool: str) -> bool:
+    """Whether a tool is here."""
+    if tool == RUNTIME:
+        done = subprocess.run(["clang", "-print-runtime-dir"], capture_output=True, text=True, check=False)
+        return any(Path(done.stdout.strip()).glob("libclang_rt.fuzzer*.a"))
+    return shutil.which(tool) is not None if tool not in DISTRIBUTIONS else find_spec(tool) is not None
 
 
-def module(name: str, package: str = "", extra: str = "") -> Need:
-    """A Python module of a package, of an extra of this one."""
-    package = package or name
-    said = lambda: f"{package} {metadata.version(package)}"  # noqa: E731
-    return Need(name, f"pip install 'mahovik[{extra}]'", lambda: find_spec(name) is not None, said)
+def version_of(tool: str) -> str:
+    """A tool that is here, with its version; "" of one that is a part of another."""
+    package = DISTRIBUTIONS.get(tool, "")
+    return "" if tool == RUNTIME else f"{package} {metadata.version(package)}" if package else version(tool)
+
+
+def tools_of(piece: Piece, subject: Subject) -> dict[str, str]:
+    """Tools that a piece needs, those of the targets of its command included, and what installs each."""
+    tools = {tool: INSTALL.get(tool, f"apt-get install {tool}") for tool in piece.needs}
+    for names in re.findall(r"--targets (\S+)", piece.command(subject)):
+        for target, _ in parse_targets(names, (subject.real,)):
+            for tool in (target.compiler[0], target.link[0], *target.emulator[:1]):
+                tools.setdefault(tool, f"apt-get install {' '.join(target.packages) or tool}")
+    return tools
 
 
 @dataclass(frozen=True)
@@ -121,7 +140,7 @@ class Piece:
     shows    what a reader may conclude where it has passed
     limits   what it does not show
     command  for the shell, in a copy of the folder; its exit status is the verdict
-    needs    tools it cannot do without
+    needs    tools it cannot do without, besides those of targets
     figure   what of the printed words is the result for the summary: a pattern with a group; else the last line
     words    around that figure
     kept     files that the command writes, patterns
@@ -134,7 +153,7 @@ class Piece:
     shows: str
     limits: str
     command: Callable[[Subject], str]
-    needs: Callable[[Subject], Sequence[Need]] = lambda _: ()
+    needs: tuple[str, ...] = ()
     figure: str = r"^ *(?:passed: |FAILED: |error: |(?=nothing|FAILED))(.*)"
     words: str = "{}"
     kept: tuple[str, ...] = ()
@@ -221,21 +240,6 @@ def _eva_command(subject: Subject) -> str:
     return f'EVA_LIMIT={limit} EVA_LOGS=$PWD sh {script} && echo "no alarm in $(ls *.log | wc -l) drivers"'
 
 
-def _fuzzer_links() -> bool:
-    """Whether clang has its runtime: without it the harness does not link."""
-    done = subprocess.run(["clang", "-print-runtime-dir"], capture_output=True, text=True, check=False)
-    return any(Path(done.stdout.strip()).glob("libclang_rt.fuzzer*.a"))
-
-
-def _target_tools(names: str, real: str) -> tuple[Need, ...]:
-    """Compilers and emulators of targets."""
-    needs: dict[str, Need] = {}
-    for target, _ in parse_targets(names, (real,)):
-        for command in (target.compiler[0], target.link[0], *target.emulator[:1]):
-            needs.setdefault(command, program(command, " ".join(target.packages)))
-    return tuple(needs.values())
-
-
 _COST_TARGETS = {"double": "m7,rv64gc", "float": "m4,rv32imafc"}
 """Processors whose FPU calculates with that type."""
 
@@ -262,7 +266,7 @@ PIECES: tuple[Piece, ...] = (
         command=_run_selftest,
         figure=r"\A(?:PASS)?\s*(.*)",
         kept=("selftest.log",),
-        needs=lambda _: (program("gcc"),),
+        needs=("gcc",),
     ),
     Piece(
         name="branches",
@@ -272,7 +276,7 @@ PIECES: tuple[Piece, ...] = (
         command=_branches_command,
         figure=r"^Taken at least once:(.*)",
         kept=("*.c.gcov",),
-        needs=lambda _: (program("gcc"), program("gcov", "gcc")),
+        needs=("gcc", "gcov"),
     ),
     Piece(
         name="comparison",
@@ -290,7 +294,7 @@ PIECES: tuple[Piece, ...] = (
             f"mahovik verify {s.file} c --states {2000 if s.full else 200} --junit junit.xml --worst worst.jsonl --all"
         ),
         kept=("junit.xml", "worst.jsonl"),
-        needs=lambda _: (program("gcc"), *map(module, ("numpy", "casadi", "sympy"))),
+        needs=("gcc", "numpy", "casadi", "sympy"),
     ),
     Piece(
         name="rounding",
@@ -298,7 +302,7 @@ PIECES: tuple[Piece, ...] = (
         shows="Ball arithmetic encloses the exact answer at each state: the error of the C is known, not estimated.",
         limits="States that were not sampled: it is a measurement with a rigorous ruler, not a bound for all inputs.",
         command=lambda s: f"mahovik verify {s.file} c --rigorous --states {300 if s.full else 60}",
-        needs=lambda _: (program("gcc"), module("flint", "python-flint", "rigorous")),
+        needs=("gcc", "flint"),
     ),
     Piece(
         name="judges",
@@ -307,7 +311,7 @@ PIECES: tuple[Piece, ...] = (
         limits="Suspension, legs, fluid and stream, which they do not have: the stand is judged without.",
         command=lambda s: f"mahovik verify {s.file} --judges --states {200 if s.full else 50}",
         idle=_without_judges,
-        needs=lambda _: (program("gcc"), module("pinocchio", "pin", "judges"), module("mujoco", "mujoco", "judges")),
+        needs=("gcc", "pinocchio", "mujoco"),
     ),
     Piece(
         name="warnings",
@@ -315,7 +319,7 @@ PIECES: tuple[Piece, ...] = (
         shows="gcc and clang with strict warnings as errors, and clang's static analyser, have no complaint.",
         limits="What no warning is made for. Other compilers warn of other things.",
         command=_compile_strictly,
-        needs=lambda _: (program("gcc"), program("clang")),
+        needs=("gcc", "clang"),
     ),
     Piece(
         name="misra",
@@ -325,7 +329,7 @@ PIECES: tuple[Piece, ...] = (
         command=_check_misra,
         kept=("findings.txt",),
         notes=tuple(f"{rule}: {why}" for rule, why in {**DEVIATIONS, **STANDING_FINDINGS}.items()),
-        needs=lambda _: (program("cppcheck"),),
+        needs=("cppcheck",),
     ),
     Piece(
         name="eva",
@@ -340,7 +344,7 @@ PIECES: tuple[Piece, ...] = (
         ),
         command=_eva_command,
         kept=("*.log",),
-        needs=lambda _: (program("frama-c", "frama-c-base"),),
+        needs=("frama-c",),
     ),
     Piece(
         name="fuzz",
@@ -356,10 +360,7 @@ PIECES: tuple[Piece, ...] = (
         ),
         figure=r"^Done (\d+ runs in \d+ second\S*)",
         kept=("fuzz/crash-*", "fuzz/leak-*", "fuzz/timeout-*", "fuzz/oom-*"),
-        needs=lambda _: (
-            program("clang"),
-            Need("clang's runtime", "apt-get install libclang-rt-14-dev", _fuzzer_links),
-        ),
+        needs=("clang", RUNTIME),
     ),
     Piece(
         name="targets",
@@ -367,7 +368,6 @@ PIECES: tuple[Piece, ...] = (
         shows="The self-test and a sweep give on each of these, on emulators, the bits that they give on the host.",
         limits="Real silicon: run the self-test on the board, and judge its log by `mahovik verify`.",
         command=lambda s: f"mahovik verify {s.file} c --targets {_targets(s)}",
-        needs=lambda s: _target_tools(_targets(s), s.real),
     ),
     Piece(
         name="cost",
@@ -377,7 +377,6 @@ PIECES: tuple[Piece, ...] = (
         command=lambda s: f"mahovik verify {s.file} c --cost --targets {_COST_TARGETS[s.real]} --real {s.real}",
         figure=r"\A[\s\S]*?^\| `forward` \| ([\d,]+) \|",
         words="forward {} instructions",
-        needs=lambda s: _target_tools(_COST_TARGETS[s.real], s.real),
     ),
 )
 """In the order in which they are run and shown; each can be named by `--only`."""
@@ -446,10 +445,10 @@ def _run(piece: Piece, subject: Subject) -> Outcome:
     command = piece.command(subject)
     if reason := piece.idle(subject):
         return Outcome(piece, Verdict.NOTHING, reason, command)
-    needs = piece.needs(subject)
-    if absent := [need for need in needs if not need.is_present()]:
-        notes = tuple(f"To install: `{install}`" for install in dict.fromkeys(need.install for need in absent))
-        return Outcome(piece, Verdict.MISSING, f"no {', '.join(need.name for need in absent)}", command, notes)
+    needs = tools_of(piece, subject)
+    if absent := [tool for tool in needs if not is_there(tool)]:
+        notes = tuple(f"To install: `{install}`" for install in dict.fromkeys(needs[tool] for tool in absent))
+        return Outcome(piece, Verdict.MISSING, f"no {', '.join(absent)}", command, notes)
     place, programs = subject.scratch / piece.name, subject.scratch / "bin"
     shutil.copytree(subject.folder, place)
     programs.mkdir(exist_ok=True)
@@ -475,7 +474,7 @@ def _run(piece: Piece, subject: Subject) -> Outcome:
         verdict, notes = Verdict.FAILED, (*notes, *errors.splitlines()[-5:])
     elif figure.startswith("nothing was compared"):
         verdict = Verdict.NOTHING
-    tools = tuple(dict.fromkeys(filter(None, (need.version() for need in needs))))
+    tools = tuple(dict.fromkeys(filter(None, map(version_of, needs))))
     return Outcome(piece, verdict, figure, command, notes, {"output.txt": printed.encode(**text), **kept}, tools)
 
 
