@@ -102,7 +102,7 @@ def test_acceleration_is_that_of_the_reference(number: int) -> None:
 
 @pytest.mark.parametrize("number", range(6))
 def test_linear_equations_of_a_chart_are_those_of_differences(number: int) -> None:
-    """Carriers are free, with every kind of wrench; held ones are in `test_runup`."""
+    """Carriers are free, with every kind of wrench; held ones are in `tests/verify/programme`."""
     rng = np.random.default_rng(300 + number)
     stand = random_stand(rng, 2, KINDS[number])
     chart, y = chart_of(stand, rng), rng.normal(size=(2, 12)) * ([0.1] * 3 + [0.8] * 3 + [1.0] * 6)
