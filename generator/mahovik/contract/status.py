@@ -54,9 +54,6 @@ STATUSES = (
 STATUS_VALUES = {status.name: status.value for status in STATUSES}
 """Values by name."""
 
-REFUSALS = tuple(status.name for status in STATUSES if status.value < 0)
-"""Names of the negative statuses."""
-
 BITS = tuple(status.name for status in STATUSES if status.value > 0)
 """Names of the positive statuses, which combine."""
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.declare import Declared, Note
-from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Vec3, Vec6, validator, vector
+from mahovik.core.stand.fields import ZERO3, Angle3, Direction, Length3, Vec3, Vec6, rows, validator, vector
 from mahovik.core.stand.tables import Default, Table, keys_of
 from mahovik.core.stand.units import PLAIN, QuantityError, show
 from mahovik.nearest import suggestion
@@ -72,16 +72,14 @@ def _basis(raw: Any) -> tuple[Freedom, ...]:
     if not isinstance(raw, list) or not raw:
         shown = "an empty list (freedoms = [] is clamped)" if isinstance(raw, list) else show(raw)
         raise QuantityError(f"expected rows of six numbers, u v w p q r at u = 1, found {shown}")
-    rows = []
-    for i, row in enumerate(raw):
-        try:
-            rows.append(vector(row, (6,), PLAIN))
-        except QuantityError as error:
-            where = f"[{i}]" if str(error).startswith("[") else f"[{i}]: "
-            raise QuantityError(f"{where}{error}") from None
-        if not any(rows[-1]):
-            raise QuantityError(f"[{i}]: a row of zeros is no motion")
-    return tuple(Freedom("twist", twist=(a, b, c, d, e, f)) for a, b, c, d, e, f in rows)
+
+    def twist(row: Any) -> Freedom:
+        a, b, c, d, e, f = vector(row, (6,), PLAIN)
+        if not any((a, b, c, d, e, f)):
+            raise QuantityError("a row of zeros is no motion")
+        return Freedom("twist", twist=(a, b, c, d, e, f))
+
+    return rows(raw, twist)
 
 
 class HoldForm(Table):
@@ -284,8 +282,6 @@ def _first_dependent(S: Array) -> int | None:
 
 def _distance(vector_: Array, columns: Array) -> float:
     """Distance of a vector (6) from the span of columns."""
-    if not columns.shape[1]:
-        return float(np.linalg.norm(vector_))
     share, *_ = np.linalg.lstsq(columns, vector_, rcond=None)
     return float(np.linalg.norm(vector_ - columns @ share))
 

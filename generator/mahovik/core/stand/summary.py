@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,11 +117,6 @@ class Summary:
     tasks: tuple[TaskSummary, ...] = ()
     hold: str = ""
     hold_numbers: tuple[HoldNumber, ...] = ()
-
-    def as_dict(self) -> dict[str, Any]:
-        """The figures as plain dicts and tuples, which `json` writes as objects and lists; a hold if there is one."""
-        result = asdict(self)
-        return result if self.hold else {key: value for key, value in result.items() if not key.startswith("hold")}
 
 
 def summarize(stand: Stand, speed: float | None = None, written: Mapping[str, str] | None = None) -> Summary:
