@@ -7,7 +7,7 @@ import pytest
 from mahovik.core.emit.delivery import selftest_files
 from mahovik.core.emit.generate import Generated
 from mahovik.core.stand.model import Stand
-from mahovik.out.export import target as project
+from mahovik.out.export import project
 from mahovik.proof.verify import selftest
 
 KNOWN: dict[str, dict[str, str]] = {}
