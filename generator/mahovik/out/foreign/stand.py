@@ -475,12 +475,10 @@ def _text(stand: Stand, tables: dict[str, Any], comments: Any, head: Sequence[st
     return "\n".join(f"# {_one_line(line)}" for line in head) + "\n" + toml_text(document | bodies, lines)
 
 
-def _diagonal_or_rows(matrix: Array) -> list[Any]:
+def _diagonal_or_rows(matrix: Array) -> Any:
     """A 6x6 as its diagonal, where it is one."""
-    diagonal_or_rows: list[Any] = (
-        np.diag(matrix) if np.array_equal(matrix, np.diag(np.diag(matrix))) else matrix
-    ).tolist()
-    return diagonal_or_rows
+    diagonal = np.diag(matrix)
+    return (diagonal if np.array_equal(matrix, np.diag(diagonal)) else matrix).tolist()
 
 
 def _one_line(text: str) -> str:
