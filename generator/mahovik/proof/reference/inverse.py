@@ -107,12 +107,11 @@ def scaled_demand(at: Pieces, V_dot: Array) -> ScaledDemand:
     return ScaledDemand(S.T @ at.I, S.T @ demand(at, V_dot), inverse_root(S.T @ at.K @ S), inverse_root(at.Theta_ff).T)
 
 
-def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS, rank: int | None = None) -> Inverse:
-    """Least |r - W y|, then least |y|. `rank`: how many singular values count, where that is given; else by `cuts`."""
+def least_error(scaled: ScaledDemand, cuts: Cuts = CUTS) -> Inverse:
+    """Least |r - W y|, then least |y|."""
     W, r = scaled.W, scaled.r
     U, sigma, Vt = np.linalg.svd(W, full_matrices=False)
-    if rank is None:
-        rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
+    rank = int(np.sum(sigma > cuts.rank * sigma[0])) if sigma.size else 0
     phi_ddot = scaled.phi_ddot(Vt[:rank].T @ ((U[:, :rank].T @ r) / sigma[:rank]))
     residual = scaled.c - scaled.A @ phi_ddot
     bits = {

@@ -83,25 +83,23 @@ def verify_c(
     against: Path | None = None,
     real: str = "double",
     progress: Progress | None = None,
-    backend: CBackend | None = None,
     document: Table | None = None,
 ) -> Report:
     """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
-    `backend`: of these options, where the caller has it. `document`: tables of the stand's file, None without one.
+    `document`: tables of the stand's file, None without one.
     Batch C in `against` must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
     check_drawing(seed, count, real)
     with side_by_side() as pool:
-        if backend is None:
-            built = pool.submit(CBackend, stand, real, against)
+        built = pool.submit(CBackend, stand, real, against)
         from mahovik.proof.verify.functions.table import function_checks  # SciPy: loaded while the compiler runs
 
         second, scales, limits = Second(stand), Scales(stand, real, seed), LIMITS[real]
         states = draw_decided(stand, scales, seed, count, real)
-        backend = backend or built.result()
+        backend = built.result()
         rows = judge(stand, backend, states, backend.wants, limits, progress, second, scales=scales)
         some = ordinary(states, FUNCTION_STATES)
         rows += function_checks(Case(stand, backend, some, limits, second, scales, seed))

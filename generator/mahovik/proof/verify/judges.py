@@ -333,11 +333,9 @@ def verify_judges(
     seed: int = 1,
     count: int = 200,
     names: Sequence[str] = tuple(PROGRAMS),
-    make: Callable[[Stand], Backend] = CBackend,
-    judged: str = "generated C",
     progress: Progress | None = None,
 ) -> Report:
-    """Checks of a backend, which `make` makes, against the programs, on the stand without what they do not know.
+    """Checks of the generated C against the programs, on the stand without what they do not know.
 
     A program that does not take the stand has one check, which says why; if none does, nothing was compared and the
     report does not pass. UsageError: a program is not installed.
@@ -354,8 +352,8 @@ def verify_judges(
         except (UsageError, ValueError) as error:  # MuJoCo's of a stand that it does not compile
             checks.append(Check(name, "all quantities", words=str(error)))
     if programs:
-        checks += judge(bare, make(bare), programs, draw(bare, seed, count), progress)
-    judged += f" against {', '.join([f'{program.name} {program.version}' for program in programs] or names)}"
+        checks += judge(bare, CBackend(bare), programs, draw(bare, seed, count), progress)
+    judged = f"generated C against {', '.join([f'{program.name} {program.version}' for program in programs] or names)}"
     return replace(report(bare, judged, seed, count, DOUBLE.value, checks), left_out=tuple(left_out))
 
 
