@@ -15,6 +15,7 @@ from cli.run import refused, run
 from foreign.judge import difference, names
 from mahovik.core.stand.fields import name_problem
 from mahovik.errors import ForeignError
+from mahovik.laws.stop.law import Stops
 from mahovik.laws.suspension.law import Suspension
 from mahovik.out.foreign.model import Place, angles_of
 from mahovik.out.foreign.original import compare, read
@@ -170,9 +171,10 @@ def test_a_joint_on_the_world_is_a_hold_with_springs_friction_and_stops(tmp_path
     slides = 'type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint'
     plane = f'{slides} name="turn" axis="0 0 -1" range="-10 40"'
     text = CART.format(angle="degree", name="x", joint=plane).replace('armature="2e-4"', "")
-    (stops,) = (law for law in imported(written(tmp_path, "m.xml", text)).stand.laws if type(law).__name__ == "Stops")
-    assert [stop.freedom for stop in stops.items] == [2, 2]  # yaw, which turns against the joint
-    assert [stop.at for stop in stops.items] == pytest.approx(np.radians([-40, 10]))
+    turned = imported(written(tmp_path, "m.xml", text)).stand.law(Stops)
+    assert turned is not None
+    assert [stop.freedom for stop in turned.items] == [2, 2]  # yaw, which turns against the joint
+    assert [stop.at for stop in turned.items] == pytest.approx(np.radians([-40, 10]))
     slides = 'type="slide" axis="1 0 0" damping="0.4"/><joint type="slide" axis="0 1 0" damping="0"/><joint'
     text = CART.format(angle="radian", name="x", joint=f'{slides} name="turn" axis="0 0 1" damping="2"')
     made = imported(written(tmp_path, "m.xml", text.replace('armature="2e-4"', "")))
@@ -197,8 +199,8 @@ def test_armature_is_refused_or_the_wheels(tmp_path: Path) -> None:
     assert change == pytest.approx(np.diag([2e-4, 1e-4, 1e-4]), abs=1e-15)
     change = np.array(made.stand.carrier.inertia) - np.array(plain.stand.carrier.inertia)
     assert change == pytest.approx(np.diag([-1e-4, -2e-4, -1e-4]), abs=1e-15)
-    stick = path.read_text().replace('size="0.1" mass="2"', 'type="capsule" size="0.01 0.5" mass="2"')
-    stick = written(tmp_path, "stick.xml", stick.replace('armature="2e-4"', 'armature="1.5e-4"'))
+    text = path.read_text().replace('size="0.1" mass="2"', 'type="capsule" size="0.01 0.5" mass="2"')
+    stick = written(tmp_path, "stick.xml", text.replace('armature="2e-4"', 'armature="1.5e-4"'))
     with pytest.raises(
         ForeignError, match=r'joint "spin": armature 0\.00015: a thin disc of it has more inertia in its'
     ):
