@@ -89,7 +89,7 @@ def test_check_finds_what_was_changed_or_lost_and_writes_nothing(folder: Path) -
     check = ("generate", DEMO3, "-o", str(folder), "--check")
     assert run(*check).output == f"{folder} is as the stand file gives it\n"
     said = refused(*check, "--real", "float", status=1)
-    assert said == f"error: {folder}: its C is double, expected float: give --real double, or generate it again\n"
+    assert said == f"error: {folder}: its C is double, expected float: --real double is right, or generate it again\n"
     for name in ("demo3.c", "verification/demo3_selftest.c", "manifest.json"):
         text = (folder / name).read_text()
         (folder / name).write_text(text + " ")

@@ -258,7 +258,7 @@ def differences(
     header, real = read_header(folder, stand.name), json.loads(files[NAME])["real"]
     if header is not None and header.real not in (None, real):
         there = header.real
-        return [f"{folder}: its C is {there}, expected {real}: give --real {there}, or generate it again"]
+        return [f"{folder}: its C is {there}, expected {real}: real={there} is right, or generate it again"]
     result = []
     for name, text in files.items():
         path = folder / name
