@@ -236,6 +236,6 @@ def test_an_equilibrium_at_the_first_station_is_found_and_one_outside_is_refused
     assert still.profile is not None
     deep = replace(weightless, profile=replace(still.profile, depth=(5.0, 10.0, 50.0)))
     result = mahovik.check(deep)
-    said = [line for line in result.messages if line.startswith("rest pose")]
+    said = [line for line in result.messages if line.startswith("no rest pose")]
     assert result["rest"] is None
     assert "depth 0 m is outside of stream_profile, which is given from 5 m to 50 m" in said[0]

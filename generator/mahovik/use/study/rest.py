@@ -110,7 +110,7 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
         stream_at(stand, result.state.position)
         return result
     except (StateError, np.linalg.LinAlgError) as error:
-        raise CheckError(f"{stand.name}: the search for an equilibrium failed: {error}") from None
+        raise CheckError(f"{stand.name}: no rest pose: the search for it failed: {error}") from None
 
 
 def everywhere(stand: Stand) -> Stand:
