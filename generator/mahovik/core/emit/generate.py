@@ -90,7 +90,7 @@ def _public_names(program: Program, only: tuple[str, ...], name: str) -> tuple[s
         if wanted == "list":
             raise UsageError("only list: `mahovik generate STAND.toml --only list` prints names, expected names or all")
         if wanted not in public:
-            near = suggestion(wanted, [*public, *CHOSEN, *ALL])
+            near = suggestion(wanted, [name for name in (*public, *CHOSEN, *ALL) if name != wanted])
             raise UsageError(f"only {wanted}: the C of {name} has no such function{near}")
     names = {*only} or {function for function in public if is_default(function)}
     if any("mounting" in row_of(function).takes for function in names):

@@ -53,6 +53,7 @@ def batches(whole: Program, own_tables: tuple[bool, ...] = BOTH) -> Batches:
     """Wide forms of the functions of a program that have a batch; `own_tables`: of one stand, of n stands, or BOTH."""
     program = _apart(replace(whole, functions=tuple(map(without_missing, whole.functions))))
     public = {f.name: f for f in program.functions if f.public}
+    own_tables = tuple(own for own in own_tables if not own or "prepare" in public)  # which makes tables of n stands
     entries = [public[name] for name in BATCH_FUNCTIONS if name in public]
     preparing = [public[name] for name in PREPARED.values() if name in public] if entries and True in own_tables else []
     needed = reachable(tuple(replace(f, public=f in (*entries, *preparing)) for f in program.functions))

@@ -66,7 +66,7 @@ def law_functions(stand_structure: Structure) -> tuple[Library, Interpreter, Col
 
     tangents, inputs = Tangents(lib), {"position": "x.position", "attitude": "x.attitude", "V": "x.V", "C": "C"}
     if layout.damped:
-        tangents.change("damped", {"V": ["V"]})
+        tangents.change("damped", {"V": ["V"] if "V" in lib.taken("damped") else []})
     if layout.law_tables:
         tangents.change("tied", {d: [path] for d, path in inputs.items() if path.split(".")[0] in lib.taken("tied")})
     program = Program(stand_structure.name, DOUBLE, (), (), lib.functions)

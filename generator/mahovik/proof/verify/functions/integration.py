@@ -174,8 +174,9 @@ class Motion:
         time = part * self.time
         changes = [self._change(time / steps, steps, order) for steps in ORDER_STEPS[order]]
         first, second, third = (self._relative(finer - coarser, part) for coarser, finer in pairwise(changes))
-        if third < self._case.limits.integration or first > LARGE:
-            return math.inf
+        places = ORDER_STEPS[order][-1] * self._case.unit * np.maximum(np.abs(self._flat), 1.0)
+        if third <= max(self._case.limits.integration, self._relative(places, part)) or first > LARGE:
+            return math.inf  # rounding of the state in each step
         finer = self._reference_change(part, 2)
         if self._relative(finer - self._reference_change(part), part) > SMOOTH * third:
             return math.inf  # a kink of a law on the way
