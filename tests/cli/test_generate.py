@@ -259,3 +259,19 @@ def test_a_flight_under_another_name_is_replayed(tmp_path: Path) -> None:
     result = run("replay", DEMO3, "--log", str(flown))
     assert result.exit_code == 0, result.output
     assert "all 20 steps bit for bit: other, double" in result.output
+
+
+def test_settings_given_in_both_forms(tmp_path: Path) -> None:
+    loop = (
+        "generate",
+        str(path("sat4")),
+        "--attitude",
+        "pointing",
+        "--attitude",
+        "rate=100",
+        "-o",
+        str(tmp_path / "a"),
+    )
+    assert run(*loop).exit_code == 0
+    said = refused("generate", DEMO3, "--project", "fmu", "--fmu", "kind=cs", "--fmu", "dt")
+    assert said.startswith('error: --fmu dt: ""')

@@ -132,3 +132,11 @@ def test_one_line_says_why_and_nothing_is_written(command: str, options: str, wo
     said = refused(*shlex.split(Template(f"{COMMANDS[command]} {options}").substitute(PLACES)))
     assert said.splitlines()[-1].startswith("error: ") and words in said
     assert {path.name for path in Path().iterdir()} == files
+
+
+def test_a_result_never_replaces_what_was_read(tmp_path: Path) -> None:
+    start = tmp_path / "s.json"
+    start.write_text('{"V": [0, 0, 0, 0, 0, 0]}')
+    said = refused("simulate", str(stands.path("bench8")), "--until", "0.01", "--start", str(start), "-o", str(start))
+    assert said == f"error: -o {start}: is read by this command; expected another name\n"
+    assert start.read_text() == '{"V": [0, 0, 0, 0, 0, 0]}'

@@ -99,3 +99,11 @@ def test_the_manifest_names_the_functions_and_commands_know_them(tmp_path: Path)
     assert (options.only, options.additions) == (("forward", "torque"), ("encoder",))
     assert cli("generate", arguments[0], "-o", folder, "--check").exit_code == 0
     require_place(tmp_path / "part", stand("sat4"))  # knows the C as that of a part
+
+
+def test_batches_of_some_functions_compile_and_a_hold_has_no_estimate_of_unbalance(tmp_path: Path) -> None:
+    cli("generate", str(path("demo3")), "--only", "mounts,forward", "--batch", "-o", str(tmp_path))
+    compile_c(require("gcc", "gcc"), tmp_path / "demo3_batch.c", "-fsyntax-only")
+    assert "_batch_of(" not in (tmp_path / "demo3_batch.h").read_text()  # tables of n stands are made by `prepare`
+    with pytest.raises(UsageError, match="only identify_step: the C of held3 has no such function"):
+        generate_all(stand("held3"), only=("identify_step",))

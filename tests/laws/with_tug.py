@@ -13,11 +13,12 @@ from mahovik.contract import laws as rows
 mahovik.laws.__path__.append(str(Path(__file__).parent / "added"))
 rows.BODY_LAWS += ("tug",)  # type: ignore[assignment]  # the row
 
+from mahovik.core.lower.law_arrays import law_arrays  # noqa: E402
 from mahovik.core.stand import dumps, identities, loads  # noqa: E402
 from mahovik.core.stand.files import parse_toml  # noqa: E402
 from mahovik.core.stand.laws import body_laws  # noqa: E402
 from mahovik.core.stand.numbers import StandNumbers  # noqa: E402
-from mahovik.core.stand.random import Features, random_stand  # noqa: E402
+from mahovik.core.stand.random import BARE, Features, random_stand  # noqa: E402
 from mahovik.proof.second import Second  # noqa: E402
 from mahovik.proof.verify.c_backend import InterpreterBackend  # noqa: E402
 from mahovik.proof.verify.draw import draw  # noqa: E402
@@ -34,6 +35,12 @@ if __name__ == "__main__":
     assert identities(stand).physics != identities(without).physics
     assert "carrier.tug.force[2]" in {number.path for number in StandNumbers(stand, parse_toml(dumps(stand)))}
     assert with_mismatch(stand, 0.01, 1).carrier.law(tug) != stand.carrier.law(tug)
+    alone = replace(
+        random_stand(np.random.default_rng(2), 1, BARE),
+        carrier=replace(stand.carrier, laws=tuple(filter(None, [stand.carrier.law(tug)]))),
+    )
+    (carrier, *_) = law_arrays(alone).bodies
+    assert carrier is not None and not carrier.rate(np.ones((1, 6))).any()  # it reads no speed
     backend = InterpreterBackend(generated(stand))
     checks = judge(stand, backend, draw(stand, 3, 5), ("forward", "torque"), second=Second(stand))
     print(*(check.words for check in checks if check.failed), "judged", sep="\n")

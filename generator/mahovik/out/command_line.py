@@ -201,9 +201,16 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
     parameters = inspect.signature(function).parameters
     arguments = {key: value for key, value in values.items() if value not in (None, [], ())}
     if save is not None:
+        from mahovik.out.arguments import output_path
         from mahovik.out.result import check_place
 
         check_place(Path(save))
+        words = (
+            word for value in arguments.values() for word in (value if isinstance(value, list | tuple) else [value])
+        )
+        output_path(
+            "-o", save, [part for word in words if isinstance(word, str) for part in (word, word.partition("=")[2])]
+        )
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:

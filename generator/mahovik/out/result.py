@@ -294,7 +294,13 @@ class Result(Mapping[str, Any]):
         elif suffix == ".parquet":
             content = io.BytesIO()
             library("pyarrow", "campaign")
-            self.to_pandas().to_parquet(content)
+            frame = self.to_pandas()
+            for name in frame.columns[[kind.kind == "c" for kind in frame.dtypes]]:  # which Parquet does not have
+                number = frame.pop(name)
+                frame = frame.assign(
+                    **{f"{name}.real": number.map(lambda z: z.real), f"{name}.imag": number.map(lambda z: z.imag)}
+                )
+            frame.to_parquet(content)
             write(path, content.getvalue())
         else:
             from mahovik.out.plots import draw
@@ -365,6 +371,8 @@ class Result(Mapping[str, Any]):
         while sum(widths) > max(width - 3 * len(widths) + 1, len(widths)):  # the widest gives way
             widths[widths.index(max(widths))] -= 1
         yield from [*(paint(line, "bold") for line in folded(title, width) if title), ""]
+        if not heads:
+            return
         for row in (heads, *rows):
             cells = [folded(cell, most) for cell, most in zip(row, widths, strict=True)]
             styles = ["bold" if row is heads else STYLES.get(cell, "") for cell in row]

@@ -65,8 +65,8 @@ def law_functions(stand_structure: Structure) -> tuple[Library, Interpreter, Col
             law.act(lib, table, x, C, F)
 
     tangents, inputs = Tangents(lib), {"position": "x.position", "attitude": "x.attitude", "V": "x.V", "C": "C"}
-    if layout.damped:
-        tangents.change("damped", {"V": ["V"] if "V" in lib.taken("damped") else []})
+    if layout.damped and "V" in lib.taken("damped"):
+        tangents.change("damped", {"V": ["V"]})
     if layout.law_tables:
         tangents.change("tied", {d: [path] for d, path in inputs.items() if path.split(".")[0] in lib.taken("tied")})
     program = Program(stand_structure.name, DOUBLE, (), (), lib.functions)
@@ -94,7 +94,7 @@ class LawArrays:
 
     def __init__(self, stand_structure: Structure, numbers: dict[str, Any]) -> None:
         self._lib, interpreter, self._columns = law_functions(stand_structure)
-        layout = self._lib.layout
+        layout, self.names = self._lib.layout, {f.name for f in self._lib.functions}
         self.table = table = interpreter.fill_storage(layout.table, numbers)
         dampers = ({0: table.damper} if layout.carrier_damped else {}) | {
             body.index: table.frame[k].damper for k, body in enumerate(layout.local_bodies) if layout.local_damped
@@ -176,6 +176,8 @@ class TwistLaws:
 
     def rate(self, v: Array) -> Array:
         """dP/dv (M, 6, 6); |v| has the slope 0 at v = 0."""
+        if "damped_by_V" not in self._laws.names:  # of laws that read no speed
+            return np.zeros((len(v), 6, 6))
         return self._rate(v.T)[0].reshape(-1, 6, 6)
 
     @cached_property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
@@ -200,11 +201,25 @@ def _refuse_contradictions(
         raise UsageError(f"real: the block of {project} computes in double, leave it out")
 
 
+def _pairs(settings: Any, bare: str) -> dict[str, Any]:
+    """Settings by name, of a mapping or of words NAME=VALUE; a word alone is the value of `bare`, "" for its name."""
+    if isinstance(settings, Mapping):
+        return dict(settings)
+    pairs: dict[str, Any] = {}
+    for word in [settings] if isinstance(settings, str) else settings:
+        name, equals, text = str(word).partition("=")
+        value: Any = text
+        with contextlib.suppress(ValueError):
+            value = float(text)
+        pairs |= {name: value} if equals else {bare: word} if bare else {name: ""}
+    return pairs
+
+
 def _loop_options(attitude: Any) -> Any:
     """Options of an attitude loop: the name of a task, or settings. Raises UsageError."""
     from mahovik.use.control.attitude import LoopOptions
 
-    settings = {"task": attitude} if isinstance(attitude, str) else dict(attitude)
+    settings = _pairs(attitude, "task")
     known = [field.name for field in fields(LoopOptions)]
     for key, value in settings.items():
         if key not in known:
@@ -376,7 +391,7 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
     from mahovik.use.simulate.case import load_start
 
     chosen: dict[str, Any] = {"start": None, "dt": 1e-4, **{key: words[0] for key, words in FMU.items()}}
-    for key, value in (settings if isinstance(settings, Mapping) else {settings: ""} if settings else {}).items():
+    for key, value in _pairs(settings or {}, "").items():
         if key not in chosen:
             raise UsageError(f'fmu: unknown "{key}"{suggestion(str(key), chosen)}')
         if key in FMU and str(value) not in FMU[key]:

@@ -48,6 +48,8 @@ def check_band(name: str, band: Sequence[float]) -> tuple[float, float]:
 
 def read_band(name: str, value: Sequence[float | str] | str) -> tuple[float, float]:
     """An argument that is a band, in Hz: two frequencies, or a text as "20..200Hz". Raises UsageError."""
+    if not isinstance(value, str | Sequence):
+        raise UsageError(f'{name} {value}: expected two frequencies, as "20..200Hz"')
     if not isinstance(value, str):
         return check_band(name, [read_frequency(name, edge) if isinstance(edge, str) else edge for edge in value])
     low, dots, high = value.partition("..")
