@@ -19,13 +19,13 @@ from mahovik.core.stand import Stand, State, load, loads
 from mahovik.core.stand.random import EVERYTHING, random_stand
 from mahovik.errors import StateError
 from mahovik.proof import reference
+from mahovik.proof.reference.inverse import least_pivot
 from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, NumpyBackend
 from mahovik.proof.verify.c_backend import CBackend, InterpreterBackend
 from mahovik.proof.verify.check import Check, report
 from mahovik.proof.verify.compare import Case, Rows, ordinary
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.functions.optimality import least_pivot
 from mahovik.proof.verify.functions.table import checks_of
 from mahovik.proof.verify.harness import applicable, judge
 from mahovik.proof.verify.judges import PROGRAMS, verify_judges

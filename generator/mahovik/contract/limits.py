@@ -73,9 +73,6 @@ RESTING = 2.0**-8
 MOST_SKIPPED = 0.02
 """Part of the states of a check that may be left out, as no answer is right there or rounding decides its words."""
 
-OF_FEW = 10
-"""Beside so many compared states one may be left out, beside twice as many two, whatever their part."""
-
 MOST_SCALE = 1e3
 """Largest scale, over the size of the quantity, both by their medians: beyond, a check would see no error."""
 

@@ -166,7 +166,7 @@ class Programme(Data):
 
     @property
     def course(self) -> Fourier | Samples:
-        """Of a finite programme always samples."""
+        """Phases of the flywheels over time: a Fourier series, or the samples of a finite programme."""
         course = self.fourier or self.samples
         assert course is not None
         return course

@@ -95,7 +95,7 @@ class Start(Data):
 
 @dataclass(frozen=True)
 class Deviation(Data):
-    """Of the carrier from its mean pose during run-up and run-down: of O1 (m), angle of its turn (rad); inf: any."""
+    """How far run-up and run-down may take the carrier from its mean pose: O1 (m), angle (rad); inf: any."""
 
     linear: Annotated[float, scalar(LENGTH, above=0.0)] = math.inf
     angular: Annotated[float, scalar(ANGLE, above=0.0)] = math.inf

@@ -181,6 +181,17 @@ def normal_matrix(scaled: ScaledDemand, weight: Array, damping: float) -> Array:
     return np.asarray(gram + damping**2 * np.trace(gram) * np.eye(len(gram)))
 
 
+def least_pivot(gram: Array) -> float:
+    """The least part of a diagonal element that is left of it as a pivot of gram = L D L^T."""
+    kept, left = 1.0, gram
+    for j in range(len(gram)):
+        if not left[j, j] > 0.0:
+            return 0.0
+        kept = min(kept, float(left[j, j] / gram[j, j]))
+        left = left - np.outer(left[:, j], left[j]) / left[j, j]
+    return kept
+
+
 # EXCESSIVE: an answer that needs more than the motors have.
 
 

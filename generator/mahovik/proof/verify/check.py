@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.limits import MOST_SCALE, MOST_SKIPPED, OF_FEW
+from mahovik.contract.limits import MOST_SCALE, MOST_SKIPPED
 from mahovik.contract.quantities import FLOORS
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.structure import identities
@@ -143,8 +143,7 @@ class Check:
 
     def _decide(self) -> None:
         if self.states:
-            of_few = min(self.states // OF_FEW, 2)
-            few = self.skipped <= max(of_few, MOST_SKIPPED * (self.states + self.skipped))
+            few = self.skipped <= MOST_SKIPPED * (self.states + self.skipped)
             self.verdict = "ok" if self.share <= 1 and few else "FAILED"
 
 

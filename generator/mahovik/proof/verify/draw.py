@@ -15,6 +15,7 @@ import numpy as np
 from mahovik.contract.laws import parts
 from mahovik.contract.limits import PERTURBATION
 from mahovik.contract.quantities import limits_of
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.stand.hold import TWIST_NAMES, has_coordinates, twist_of, twists, words
 from mahovik.core.stand.model import Hold, Quaternion, Sequence, Stand, State, Vec3
 from mahovik.core.stand.random import EXTREMES, extreme_state, random_state
@@ -23,6 +24,7 @@ from mahovik.proof import reference
 from mahovik.proof.reference.algebra import AXES, Array, attitude, carrier_rotation
 from mahovik.proof.reference.algebra import quaternion_of as quaternion
 from mahovik.proof.reference.coordinates import coordinates_at, pose_of
+from mahovik.proof.reference.inverse import least_pivot, normal_matrix, scaled_demand
 from mahovik.proof.reference.pieces import CarrierReference
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import HELD_KEYS, INPUTS, actuators_of
@@ -219,17 +221,31 @@ def check_drawing(seed: int, count: int, real: str) -> None:
 
 
 def draw_decided(stand: Stand, scales: Scales, seed: int, count: int, real: str = "double") -> list[tuple[str, State]]:
-    """The states of `draw`; one where rounding decides a word of `inverse` is drawn anew, up to REDRAWN times."""
+    """The states of `draw`; one where rounding decides a word of `inverse`, or whether `inverse_fast` refuses, is drawn
+    anew, up to REDRAWN times.
+    """
     rng, result = np.random.default_rng((seed, 1)), []
     for name, state in draw(stand, seed, count, real):
         chosen = state
         for _ in range(REDRAWN):
-            measured = scales.want(chosen, "inverse")
-            if measured is None or not measured.undecided:
+            if _is_decided(scales, chosen, real):
                 break
             chosen = _draw_one(stand, rng, "random", real)
         result.append((name, chosen))
     return result
+
+
+def _is_decided(scales: Scales, state: State, real: str) -> bool:
+    """Whether rounding decides no word of `inverse` at a state, nor whether `inverse_fast` refuses, without weights."""
+    measured = scales.want(state, "inverse")
+    if measured is None or measured.undecided or not state.phi:
+        return measured is None or not measured.undecided
+    with np.errstate(all="ignore"):
+        grams = (
+            normal_matrix(scaled_demand(at, np.array(state.V_dot)), np.ones(len(state.phi)), 0.0)
+            for _, _, at in scales.neighbours(state)
+        )
+        return len({least_pivot(gram) > THRESHOLDS[real].gram_pivot for gram in grams}) == 1
 
 
 def _state_kinds() -> Iterator[str]:

@@ -231,7 +231,7 @@ FINITE_DRAWN, FINITE_CHOSEN = 192, 32
 FOLLOWED = 32
 """Starts of a held carrier that follow (12) in time."""
 _SCORED, _CROWD, _STEPS = 9, 13, 15
-"""Of a finite motion: modes by which starts are scored; modes that starts are improved in; steps of that."""
+"""Search of a finite motion: modes by which starts are scored, modes in which they are improved, steps of that."""
 _VARIATION = 0.1
 """rad: variation of each mode for starts from given angles."""
 

@@ -31,6 +31,7 @@ from mahovik.proof.reference.inverse import (
     ScaledDemand,
     TaskRows,
     largest_damping,
+    least_pivot,
     normal_matrix,
     scaled_demand,
     scaled_task,
@@ -381,17 +382,6 @@ def _judge_fast(case: Case, rows: Rows, question: Question, status: int, phi_ddo
         return {"equations": np.stack([gram @ z, scaled.r]), "y": np.stack([y, (scaled.W / question.weight).T @ z])}
 
     rows.balance("normal equations", question.name, question.state, sides)
-
-
-def least_pivot(gram: Array) -> float:
-    """The least part of a diagonal element that is left of it as a pivot of gram = L D L^T."""
-    kept, left = 1.0, gram
-    for j in range(len(gram)):
-        if not left[j, j] > 0.0:
-            return 0.0
-        kept = min(kept, float(left[j, j] / gram[j, j]))
-        left = left - np.outer(left[:, j], left[j]) / left[j, j]
-    return kept
 
 
 # What is asked.
