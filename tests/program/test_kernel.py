@@ -193,9 +193,51 @@ def no_argument(a: float = 1.0) -> float:
     return a
 
 
+def nothing(a: float = argument()) -> None:
+    """A value of a function that returns none."""
+    return 5  # type: ignore[return-value]
+
+
+def another_kind(a: float = argument()) -> float:
+    """An int for a real."""
+    n: int = 1
+    return n
+
+
+def number_as_branch(a: float = argument()) -> float:
+    """A real where a truth value belongs."""
+    return 1.0 if a else 0.0
+
+
+def number_as_operand(a: float = argument()) -> float:
+    """Reals where truth values belong."""
+    if a > 0 and not a:
+        return 1.0
+    return 0.0
+
+
+def text_added(a: float = argument()) -> float:
+    """A text where a number belongs."""
+    b: float = a
+    b += "a"  # type: ignore[operator]
+    return b
+
+
+def printed(a: float = argument()) -> float:
+    """A function of Python that acts while the text is compiled."""
+    print(a)
+    return a
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
+        (nothing, "the signature says that it returns None"),
+        (another_kind, "the signature says that it returns float"),
+        (number_as_branch, "a condition is a comparison, not a number"),
+        (number_as_operand, "a condition is a comparison, not a number"),
+        (text_added, "'a' is no real"),
+        (printed, "name 'print' is not defined"),
         (unknown_statement, "no statement of a kernel: while a > 0:"),
         (name_of_another_block, "return b: name 'b' is not defined"),
         (kinds_that_differ, "return a \\+ n: kinds differ: real and int"),

@@ -7,7 +7,17 @@ from contextlib import contextmanager
 from typing import Any
 
 from mahovik.core.program.call import Call
-from mahovik.core.program.expression import OPERANDS, Expr, Operand, Place, Status, Variable, as_expr, unequal
+from mahovik.core.program.expression import (
+    OPERANDS,
+    Expr,
+    Operand,
+    Place,
+    Status,
+    Variable,
+    as_expr,
+    condition,
+    unequal,
+)
 from mahovik.core.program.statement import (
     Block,
     Copy,
@@ -141,12 +151,13 @@ class Body:
         self._add(Shortcut(body))
 
     @contextmanager
-    def when(self, condition: Expr, comment: str = "") -> Iterator[None]:
-        """if (condition)"""
+    def when(self, test: Expr, comment: str = "") -> Iterator[None]:
+        """if (test)"""
+        condition(test)
         self._blocks.append([])
         yield
         body = tuple(self._blocks.pop())
-        self._add(When(condition, body, (), comment))
+        self._add(When(test, body, (), comment))
 
     @contextmanager
     def otherwise(self) -> Iterator[None]:

@@ -354,7 +354,7 @@ def as_expr(value: Operand, kind: Kind) -> Expr:
         return value
     if isinstance(value, NamedCount):
         return Const(value.value, kind, value.name)
-    if kind is not Kind.REAL and not isinstance(value, int):
+    if not isinstance(value, int | float | Fraction if kind is Kind.REAL else int):
         raise TypeError(f"{value!r} is no {kind.value}")
     return Const(value, kind, value.name if isinstance(value, NamedNumber) else "")
 
@@ -407,20 +407,27 @@ def unequal(left: Operand, right: Operand) -> Expr:
     return compare("!=", left, right)
 
 
+def condition(e: Expr) -> Expr:
+    """A truth value, as it is. Raises TypeError where `e` is a number: C would take it, and NaN as true."""
+    if getattr(e, "kind", None) is not Kind.BOOL:
+        raise TypeError("a condition is a comparison, not a number")
+    return e
+
+
 def and_(left: Expr, right: Expr) -> Expr:
     """left && right"""
-    return Logic("&&", left, right)
+    return Logic("&&", condition(left), condition(right))
 
 
 def or_(left: Expr, right: Expr) -> Expr:
     """left || right"""
-    return Logic("||", left, right)
+    return Logic("||", condition(left), condition(right))
 
 
-def select(condition: Expr, yes: Operand, no: Operand) -> Expr:
-    """condition ? yes : no"""
+def select(test: Expr, yes: Operand, no: Operand) -> Expr:
+    """test ? yes : no"""
     a, b = _pair(yes, no)
-    return Select(condition, a, b)
+    return Select(condition(test), a, b)
 
 
 def real(value: Number) -> Expr:

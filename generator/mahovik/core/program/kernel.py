@@ -58,12 +58,12 @@ from mahovik.core.program.expression import (
     Convert,
     Expr,
     Not,
-    Operand,
     Place,
     Status,
     and_,
     as_expr,
     compare,
+    condition,
     integer,
     magnitude,
     or_,
@@ -225,9 +225,9 @@ def body() -> Body:
     return _body("body")
 
 
-def refuse(condition: Any, status: Status) -> None:
-    """Returns `status` where the condition holds."""
-    with body().when(condition):
+def refuse(test: Any, status: Status) -> None:
+    """Returns `status` where the test holds."""
+    with body().when(test):
         body().ret(status)
 
 
@@ -286,7 +286,7 @@ def kernel(
             text.returns
         ]
         absent = {parameter: None for parameter, a in arguments.items() if a is None}
-        compilation = _Compilation(text, body, places | absent)
+        compilation = _Compilation(text, body, places | absent, returns=returns)
         compilation.block(text.statements)
         if returns is Kind.STATUS and not compilation.returned:
             body.ret(OK)
@@ -378,7 +378,7 @@ class _Text:
     def names(self) -> dict[str, Any]:
         """The names around the function, as they are now."""
         around = dict(inspect.getclosurevars(self.function).nonlocals)
-        return self.function.__globals__ | around | OPERATORS
+        return self.function.__globals__ | around | OPERATORS | {"__builtins__": BUILTINS}
 
     def arguments(self) -> dict[str, Argument | None]:
         """The arguments of the function, from the default values of its parameters."""
@@ -412,15 +412,17 @@ def _in_c(name: str) -> str:
 class _Compilation:
     """Compiles the statements of a text into a body.
 
-    `scope`: arguments and locals by name; `inlined`: `return` ends no function of C.
+    `scope`: arguments and locals by name; `inlined`: `return` ends no function of C; `returns`: what it returns there.
     """
 
-    def __init__(self, text: _Text, body: Body, scope: dict[str, Any], inlined: bool = False) -> None:
+    def __init__(
+        self, text: _Text, body: Body, scope: dict[str, Any], inlined: bool = False, returns: Kind | None = None
+    ) -> None:
         self.text = text
         self.body = body
         self.scope: dict[str, Any] = text.names() | scope
         self.variables: set[str] = set()  # those that change
-        self.inlined = inlined
+        self.inlined, self.returns = inlined, returns
         self.line = text.line  # of the last statement
         self.returned = False  # no statement of the block is reached any more
         self.result: Any = None  # of an inline kernel
@@ -496,12 +498,19 @@ class _Compilation:
             case ast.Return(value):
                 result = None if value is None else self.value(value)
                 if isinstance(result, Status) or not self.inlined:
-                    self.body.ret(as_expr(cast(Operand, result), Kind.REAL))
+                    self.body.ret(self._returned(result))
                 self.result, self.returned = result, True
             case ast.Pass():
                 pass
             case _:
                 raise self.text.error(node, "no statement of a kernel: {}")
+
+    def _returned(self, result: Any) -> Expr:
+        """What a function of C returns. Raises TypeError where the signature says another kind."""
+        returned = result if isinstance(result, Expr) or not self.returns else as_expr(result, self.returns)
+        if not isinstance(returned, Expr) or (returned.kind is not self.returns and not self.inlined):
+            raise TypeError(f"the signature says that it returns {self.text.returns}")
+        return returned
 
     def _local(self, name: str, local: Local, comment: str) -> Place:
         """A local variable, which is in scope from now on."""
@@ -553,13 +562,13 @@ class _Compilation:
 
     def _when(self, test: ast.expr, inner: Sequence[ast.stmt], otherwise: Sequence[ast.stmt], comment: str) -> None:
         """`if`, and `else`; a branch alone, where Python knows which."""
-        condition = self.value(test)
-        if not isinstance(condition, Expr):
-            if not condition:
+        decided = self.value(test)
+        if not isinstance(decided, Expr):
+            if not decided:
                 self.line = inner[-1].end_lineno or 0  # comments of this branch are not those of the other
-            self.statements(inner if condition else otherwise)
+            self.statements(inner if decided else otherwise)
             return
-        with self.body.when(condition, comment):
+        with self.body.when(decided, comment):
             self._branch(inner)
         if otherwise:
             with self.body.otherwise():
@@ -619,8 +628,8 @@ class _Operators(ast.NodeTransformer):
 Late = Callable[[], Any]
 
 
-def _select(condition: Late, yes: Late, no: Late) -> Any:
-    test = condition()
+def _select(decides: Late, yes: Late, no: Late) -> Any:
+    test = decides()
     if not isinstance(test, Expr):
         return yes() if test else no()
     a, b = yes(), no()
@@ -649,7 +658,7 @@ def _joined(join: Callable[[Expr, Expr], Expr], decides: bool) -> Callable[..., 
 
 def _not(operand: Late) -> Any:
     value = operand()
-    return Not(value) if isinstance(value, Expr) else not value
+    return Not(condition(value)) if isinstance(value, Expr) else not value
 
 
 def _compared(operator: str) -> Callable[[Late, Late], Any]:
@@ -673,3 +682,10 @@ OPERATORS: dict[str, Any] = {
     "float": lambda value: Convert(value, Kind.REAL) if isinstance(value, Expr) else float(value),
 }
 """What operators and built-in functions are in the text of a kernel."""
+
+BUILTINS = {
+    name: value
+    for name, value in vars(builtins).items()
+    if name not in ("breakpoint", "eval", "exec", "input", "open", "print")
+}
+"""What Python has while a text is compiled, without what acts outside it: a kernel is not run."""
