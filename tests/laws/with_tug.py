@@ -13,6 +13,7 @@ from mahovik.contract import laws as rows
 mahovik.laws.__path__.append(str(Path(__file__).parent / "added"))
 rows.BODY_LAWS += ("tug",)  # type: ignore[assignment]  # the row
 
+from mahovik.core.lower.fmu_variables import laws  # noqa: E402
 from mahovik.core.lower.law_arrays import law_arrays  # noqa: E402
 from mahovik.core.stand import dumps, identities, loads  # noqa: E402
 from mahovik.core.stand.files import parse_toml  # noqa: E402
@@ -41,6 +42,10 @@ if __name__ == "__main__":
     )
     (carrier, *_) = law_arrays(alone).bodies
     assert carrier is not None and not carrier.rate(np.ones((1, 6))).any()  # it reads no speed
+    lowered = generated(stand)
+    shown = {member.name: member for member in laws(stand, lowered.layout, lowered.values)}
+    assert shown["carrier.tug.force[2]"].value == stand.carrier.law(tug).force[1]  # of an FMU
+    assert shown["carrier.tug.force[2]"].unit.name == "N"
     backend = InterpreterBackend(generated(stand))
     checks = judge(stand, backend, draw(stand, 3, 5), ("forward", "torque"), second=Second(stand))
     print(*(check.words for check in checks if check.failed), "judged", sep="\n")

@@ -144,7 +144,7 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
         elif f.name == "damper":
             yield from _damper_members("carrier", layout, value)
         elif f.name in of_arrays:
-            yield from of_arrays[f.name].array_members(stand, value)
+            yield from of_arrays[f.name].members(stand, f, value)
         else:
             law = next(law for law in layout.law_tables if f in law.fields(layout.structure))
             yield from law.members(stand, f, value)
@@ -153,7 +153,8 @@ def laws(stand: Stand, layout: Layout, values: Values) -> Iterator[Member]:
 def _damper_members(body: str, layout: Layout, value: Any) -> Iterator[Member]:
     """All reals of one damper."""
     for law in parts("program", BodyProgram, BODY_LAWS):
-        yield from law.damper_members(body, layout.damper, value)
+        of_law = Struct(layout.damper.name, "", tuple(law.damper_fields(layout.structure)))
+        yield from law.damper_members(body, of_law, value)
 
 
 # -- all variables -----------------------------------------------------------------------------------------------------

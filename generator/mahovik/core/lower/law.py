@@ -43,17 +43,35 @@ def declared(data: type[Declared]) -> tuple[Field, ...]:
     return tuple(fields)
 
 
-class CarrierProgram(ABC):
+class LawProgram(ABC):
+    """What both kinds of laws have: `words`, the law in the list of kinds of wrench, and functions."""
+
+    words: str
+
+    def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, Unit]:
+        """Units of a struct's members, by name, that are those of what slides or turns."""
+        return {}
+
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
+        """Every real of one of its members, depth first, for simulators; none that follows from the hold."""
+        assert isinstance(field.type, Struct)
+        for k, row in enumerate(value):
+            yield from members(f"{field.name}[{k + 1}]", field.type, row, self.units(stand, field.type, k))
+
+    @abstractmethod
+    def add_functions(self, lib: FunctionSet) -> None:
+        """Adds its functions, for stands that have the law."""
+
+
+class CarrierProgram(LawProgram):
     """A law between E0 and the carrier: LAW of the module `program` of its folder.
 
-    words        the law in the list of kinds of wrench
     placed       does its wrench depend on the place of O1?
     invalid      what of it may have a length that it must not have, for the list of statuses; "" for nothing
     quaternions  places in the table that must have unit length
     refuses      may its function refuse a state? Its status is RANGE then
     """
 
-    words: str
     placed = True
     invalid = ""
     quaternions: tuple[str, ...] = ()
@@ -74,20 +92,6 @@ class CarrierProgram(ABC):
     @abstractmethod
     def values(self, stand: Stand, run: Any) -> dict[str, Any]:
         """The numbers of its members, by name; `run` runs a function of the program."""
-
-    def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, Unit]:
-        """Units of a struct's members, by name, that are those of what slides or turns."""
-        return {}
-
-    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
-        """Every real of one of its members, depth first, for simulators; none that follows from the hold."""
-        assert isinstance(field.type, Struct)
-        for k, row in enumerate(value):
-            yield from members(f"{field.name}[{k + 1}]", field.type, row, self.units(stand, field.type, k))
-
-    @abstractmethod
-    def add_functions(self, lib: FunctionSet) -> None:
-        """Adds the functions that `act` calls."""
 
     def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:
         """Adds its wrench, in E1 about O1, to F, in the text of a kernel. `x`: the state; `C`: the attitude (9)."""
@@ -120,15 +124,13 @@ class RunTimeInput:
     words: str
 
 
-class BodyProgram(ABC):
+class BodyProgram(LawProgram):
     """A law that acts on a body in its own frame: LAW of the module `program` of its folder.
 
-    words     the law in the list of kinds of wrench
     function  name of the function that adds the wrench of a body by its own twist
     array     its array in the table, of which each body has a range, and `plural`, what that has; "" without one
     """
 
-    words: str
     function: str
     array = ""
     plural = ""
@@ -176,16 +178,8 @@ class BodyProgram(ABC):
         return {f"first_{self.array}": first, f"last_{self.array}": len(elements)}
 
     def damper_members(self, name: str, damper: Struct, value: Any) -> Iterator[Member]:
-        """Every real of the damper of a body of that name, for simulators."""
-        return iter(())
-
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
-        """Every real of the array, in its order, counted from 1, for simulators."""
-        return iter(())
-
-    @abstractmethod
-    def add_functions(self, lib: FunctionSet) -> None:
-        """Adds its function, for stands that have the law."""
+        """Every real that the law has in the damper of a body of that name, for simulators."""
+        return members(f"{name}.{self.function.removeprefix('add_')}", damper, value)
 
     def elements(self, lib: FunctionSet, table: Any, damper: Any, index: str = "k") -> Iterator[Any]:
         """`for fin in law.elements(lib, table, damper):` those of one body, in the text of a kernel."""

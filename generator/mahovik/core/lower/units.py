@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from mahovik.core.program.types import Field, Kind, Struct
-from mahovik.core.stand.units import Dimension
 
 
 @dataclass(frozen=True)
@@ -73,24 +72,12 @@ DISPLAY = {
 }
 """Units to display, with how many of them are one SI unit."""
 
-_OF_MEMBERS = (
-    *(METRE, KILOGRAM, FIRST_MOMENT, INERTIA, VELOCITY, ACCELERATION, RADIAN, ANGULAR_VELOCITY, ANGULAR_ACCELERATION),
-    *(ENERGY, STIFFNESS, DAMPING, FLUX_DENSITY, MAGNETIC_MOMENT, LINE_DENSITY, PER_RADIAN),
-)
-_BY_NAME = {"": NONE} | {unit.name.replace(".", " "): unit for unit in _OF_MEMBERS}
-
-
 _EVERY = {unit.name: unit for unit in list(globals().values()) if isinstance(unit, Unit)}
 
 
-def of_dimension(dimension: Dimension) -> Unit:
-    """The unit of numbers of a dimension of the stand file. Raises KeyError where simulators have none."""
-    return _EVERY[dimension.si.replace(" ", ".").replace("^", "")]
-
-
-def of_member(unit: str) -> Unit:
-    """The unit that a member of one unit has in the program. Raises KeyError for pairs, matrices and laws."""
-    return _BY_NAME[unit]
+def of(unit: str) -> Unit:
+    """The unit of the name that the program or the stand file writes. Raises KeyError where simulators have none."""
+    return _EVERY[unit.replace(" ", ".").replace("^", "") or "1"]
 
 
 TWIST = (VELOCITY,) * 3 + (ANGULAR_VELOCITY,) * 3
@@ -168,8 +155,14 @@ def members(prefix: str, struct: Struct, value: Any, of_freedom: Mapping[str, Un
 
 
 def vector(name: str, f: Field, value: Any, description: str, unit: Unit | None = None) -> Iterator[Member]:
-    """A scalar or a one-dimensional array; `unit` where the field does not tell it."""
-    unit = unit or of_member(f.unit)
+    """A scalar or a one-dimensional array; `unit` where the field does not tell it.
+
+    A unit that simulators do not have is in the description.
+    """
+    try:
+        unit = unit or of(f.unit)
+    except KeyError:
+        unit, description = NONE, f"{description}, {f.unit}"
     if not f.shape:
         positive = f.name in ("mass", "displaced_mass", "length")
         yield Member(name, unit, description, float(value), positive)

@@ -105,11 +105,11 @@ class Steering(BodyProgram):
             text, size = f"{name}: constant of the races of its propellers", float(member(value, "race"))
             yield Member(f"{name}.control_derivatives.race", units.RACE, text, size, positive=True)
 
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """The derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(ControlDerivatives)) for body in stand.bodies)
         derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
-        for k, ((name, term), row) in enumerate(zip(derivatives, rows, strict=True)):
+        for k, ((name, term), row) in enumerate(zip(derivatives, value, strict=True)):
             factors = " ".join(factor.text for factor in term.of)
             text = f"{name}: control derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
             metres, radians, rates = (sum(power) for power in zip(*(f.powers for f in term.of), strict=True))

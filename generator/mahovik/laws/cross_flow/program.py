@@ -86,11 +86,11 @@ class Strips(BodyProgram):
         law = body.law(CrossFlow)
         return [asdict(strip) | {"together": int(law.together)} for strip in strips_of(law)] if law else []
 
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """The strips, with their bodies."""
         laws = ((body.name, body.law(CrossFlow)) for body in stand.bodies)
         strips = [(name, k) for name, law in laws if law for k in range(len(strips_of(law)))]
-        for number, ((name, k), row) in enumerate(zip(strips, rows, strict=True)):
+        for number, ((name, k), row) in enumerate(zip(strips, value, strict=True)):
             for key, unit, what in (
                 ("x", units.METRE, "place along its first axis"),
                 ("y", units.law(1, (1, 1)), "drag over the square of its velocity along y"),

@@ -93,11 +93,11 @@ class DampingProgram(BodyProgram):
                 path = f"{name}.damping.{field.name}"
                 yield from matrix(path, field, member(value, field.name), unit, f"{name}: {words}")
 
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """Hydrodynamic derivatives, with their bodies and factors."""
         laws = ((body.name, body.law(Damping)) for body in stand.bodies)
         derivatives = [(name, term) for name, law in laws if law is not None for term in law.terms]
-        for k, ((name, term), row) in enumerate(zip(derivatives, rows, strict=True)):
+        for k, ((name, term), row) in enumerate(zip(derivatives, value, strict=True)):
             factors = " ".join(factor.text for factor in term.of)
             text = f"{name}: hydrodynamic derivative, {WRENCH_LETTERS[term.wrench]} += value {factors}"
             unit = units.law(term.wrench, tuple(f.component for f in term.of))

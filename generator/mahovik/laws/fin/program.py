@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import CYCLES, OWN_TWIST, THREE, WRENCH, BodyProgram, RunTimeInput
-from mahovik.core.lower.units import Member, members
 from mahovik.core.program.expression import real
 from mahovik.core.program.kernel import Reals, reals
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.fields import unit
-from mahovik.core.stand.model import Body, Stand, Structure, Vec3
+from mahovik.core.stand.model import Body, Structure, Vec3
 from mahovik.laws.fin.law import MOST_DEFLECTION, SPEEDS, Fin, Fins
 
 INT, REAL = Kind.INT, Kind.REAL
@@ -98,13 +97,6 @@ class LiftingFins(BodyProgram):
             row |= {"speed": SPEEDS.index(fin.speed), "incidence": int(fin.incidence)}
             rows.append(row | {"stall": 0.0 if fin.stall is None else fin.stall})
         return rows
-
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
-        """Every real of the fins."""
-        fins = [fin for body in stand.bodies if (law := body.law(Fins)) for fin in law.fins]
-        struct = fin_struct(any(fin.stall is not None for fin in fins), any(fin.incidence for fin in fins))
-        for number, row in enumerate(rows):
-            yield from members(f"fin[{number + 1}]", struct, row)
 
     def add_functions(self, lib: FunctionSet) -> None:
         """Lift and drag of the fins of one body."""

@@ -48,7 +48,7 @@ class FrictionProgram(CarrierProgram):
         """Those of what the freedom does."""
         assert stand.hold is not None
         kind = stand.hold.freedoms[frictions_of(stand)[number].freedom].kind
-        of_kind = OF_BASIS if kind == "twist" else map(units.of_dimension, Friction.dimensions[kind])
+        of_kind = OF_BASIS if kind == "twist" else [units.of(d.si) for d in Friction.dimensions[kind]]
         return dict(zip((f.name for f in declared(Friction)), of_kind, strict=True))
 
     def add_functions(self, lib: FunctionSet) -> None:

@@ -113,12 +113,12 @@ class ScrewPropellers(BodyProgram):
             for p, screw in pairs
         ]  # fmt: skip
 
-    def array_members(self, stand: Stand, rows: Any) -> Iterator[Member]:
+    def members(self, stand: Stand, field: Field, value: Any) -> Iterator[Member]:
         """The propellers, with their bodies and names."""
         propellers = [
             (body.name, p.name) for body in stand.bodies if (law := body.law(Propellers)) for p in law.propellers
         ]
-        for number, ((name, propeller), row) in enumerate(zip(propellers, rows, strict=True)):
+        for number, ((name, propeller), row) in enumerate(zip(propellers, value, strict=True)):
             place, of = f"propeller[{number + 1}]", f"{name}: propeller {propeller}"
             yield Member(f"{place}.speed", units.ANGULAR_VELOCITY, f"{of}, speed", float(member(row, "speed")))
             for key, unit_of, what in (
@@ -127,8 +127,8 @@ class ScrewPropellers(BodyProgram):
                 ("thrust", _units(0), "thrust by |n| n, |n| u, |u| u"),
                 ("torque", _units(3), "torque by |n| n, |n| u, |u| u"),
             ):
-                for i, (dimension, value) in enumerate(zip(unit_of, member(row, key), strict=True)):
-                    yield Member(f"{place}.{key}[{i + 1}]", dimension, f"{of}, {what}; component {i + 1}", float(value))
+                for i, (dimension, size) in enumerate(zip(unit_of, member(row, key), strict=True)):
+                    yield Member(f"{place}.{key}[{i + 1}]", dimension, f"{of}, {what}; component {i + 1}", float(size))
 
     def add_functions(self, lib: FunctionSet) -> None:
         """Thrust and torque of the propellers of one body."""

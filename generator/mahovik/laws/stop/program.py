@@ -82,7 +82,7 @@ class StopsProgram(CarrierProgram):
     def units(self, stand: Stand, struct: Struct, number: int) -> Mapping[str, units.Unit]:
         """Those of what slides or turns."""
         kind: Literal["slide", "turn"] = "slide" if struct is SLIDE_STOP else "turn"
-        of_kind = map(units.of_dimension, Stop.dimensions[kind])
+        of_kind = (units.of(d.si) for d in Stop.dimensions[kind])
         return dict(zip((f.name for f in declared(Stop)), of_kind, strict=True))
 
     def add_functions(self, lib: FunctionSet) -> None:
