@@ -32,7 +32,15 @@ def test_static_and_dynamic_unbalance_are_undone(bench: Path) -> None:
         J = inertia_about_origin(flywheel)
         dynamic = -complex(J[0, 1], J[0, 2])
         assert abs(-wheel.w @ np.array(wheel.positions) - dynamic) < 0.03 * abs(dynamic)
-        assert all(after < 1e-3 * before for before, after in wheel.vibration.values())
+        assert all(after < 1e-3 * before for before, after, _ in wheel.vibration.values())
+
+
+def test_one_plane_for_a_dynamic_unbalance_has_no_interval_and_fails(bench: Path) -> None:
+    result = mahovik.balance(bench / "two.toml", data=bench / "run.csv", plane={"w2": [-0.01, 0.01]})
+    assert not result.ok and np.isfinite(result["interval"]).tolist() == [False, True, True]
+    (words,) = (message for message in result.messages if message.startswith("w1: "))
+    assert "times the noise of the data" in words and words.endswith("dynamic unbalance: give plane w1=a,b")
+    assert mahovik.balance(bench / "two.toml", data=bench / "run.csv", plane={"all": [-0.01, 0.01]}).ok
 
 
 def test_command_and_refused_data(bench: Path, tmp_path: Path) -> None:

@@ -34,7 +34,7 @@ def case(seed: int, M: int, N: int) -> dict[str, object]:
 @given(st.integers(0, 10**6), st.integers(1, 4), st.integers(0, 4))
 def test_least_squares_is_orthogonal_and_min_max_is_not_beaten(seed: int, N: int, more: int) -> None:
     runs = case(seed, N + more, N)
-    (problem,), _ = read_influence(runs)
+    (problem,), *_ = read_influence(runs)
     least, best = (solved(runs, method) for method in ("least-squares", "min-max"))
     assert np.abs(problem.alpha.conj().T @ least.left).max() < 1e-9
     assert np.abs(best.left).max() <= np.abs(least.left).max() + 1e-7
@@ -88,6 +88,16 @@ def test_four_runs_without_phase(runs: dict[str, object]) -> None:
     y = -((144 - 100 - 217 / 3) / 20 + x / 2) / (np.sqrt(3) / 2)
     assert np.degrees(np.angle(w)) == pytest.approx(180.0 - np.degrees(np.arctan2(y, x)))
     assert result["w"].tolist() == ["58.79@40.1"] and result["left"] == ["0@0"] and "also" not in result
+
+
+def test_amplitudes_that_contradict_one_another_fail() -> None:
+    """No rotor goes from 10 to 100, 10, 10 with a weight at three places; |b| of the nearest is off by 43."""
+    bad = mahovik.balance(influence={"A": 10, "B": [100, 10, 10], "U": ["50@0", "50@120", "50@240"]})
+    assert not bad.ok and bad["after"] == bad["misfit"] == pytest.approx(43.16, abs=0.01)
+    (words,) = bad.messages
+    assert "up to 43.16, 43.2 % of the largest" in words and "repeat the runs" in words
+    fair = mahovik.balance(influence=NO_PHASE[0])
+    assert fair.ok and fair["after"] == fair["misfit"] == pytest.approx(0.4995, abs=1e-4)
 
 
 def test_one_plane_with_phase() -> None:

@@ -17,6 +17,9 @@ from mahovik.out.result import Column, Result, column
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
+CONTRADICTORY = 0.1
+"""Misfit of amplitudes without phase, as a part of the largest, above which nothing is to be corrected by them."""
+
 NOTHING = 1e-12
 """Part of the largest vibration before that is written as zero."""
 
@@ -70,7 +73,7 @@ def balance(
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], places: Any) -> Result:
     from mahovik.use.balance.influence import read_influence, solve, write_polar
 
-    problems, off = reading("influence", influence, read_influence)
+    problems, off, loudest = reading("influence", influence, read_influence)
     problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
     w, left = solutions[0].w, solutions[0].left
     largest = float(np.abs(problem.A).max())
@@ -89,7 +92,7 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], p
     meta: dict[str, Any] = {
         "left": [write_polar(value, zero) for value in left.tolist()],
         "before": largest,
-        "after": float(np.abs(left).max()),
+        "after": max(float(np.abs(left).max()), off),
         "corrections": w,
     }
     messages = []
@@ -97,10 +100,17 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], p
         meta["bound"] = solutions[0].bound
     if len(problems) > 1:
         messages.append("two answers fit the amplitudes: try one, or add a trial run with a weight at another place")
-    if off > 0.0:
+    share = off / loudest if loudest else 0.0
+    if share > NOTHING:
         meta["misfit"] = off
+        words = f"amplitudes differ from those of any rotor by up to {off:.4g}, {100.0 * share:.3g} % of the largest"
+        advice = ": repeat the runs, and check the places of the trial weights" if share > CONTRADICTORY else ""
+        messages.append(f"{words}; expect as much to be left{advice}")
     columns += _split(places, w.tolist())
-    return Result("correction weights", columns, meta=meta, messages=messages, details=("corrections",))
+    good = share <= CONTRADICTORY
+    return Result(
+        "correction weights", columns, meta=meta, messages=messages, ok=good, details=("corrections", "misfit")
+    )
 
 
 def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Result:
@@ -125,7 +135,8 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Res
         column("interval_at", "rad", np.arctan2(half, np.abs(w))),
     ]
     columns += _split(places, w.tolist())
-    change = [(wheel.name, kind, *sizes) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    change = [(wheel.name, kind, *sizes[:2]) for wheel in wheels for kind, sizes in wheel.vibration.items()]
+    warnings = [wheel.warning for wheel in wheels if wheel.warning]
     heads = ("flywheel", "quantity", "before", "after")
     return Result(
         f"{stand.name}: corrections",
@@ -138,7 +149,8 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Res
                 "First order, in SI", [column(head, "", [row[k] for row in change]) for k, head in enumerate(heads)]
             ),
         },
-        messages=[note for recording in recordings for note in recording.notes],
+        messages=[*(note for recording in recordings for note in recording.notes), *warnings],
+        ok=not warnings,
         details=("stand",),
     )
 

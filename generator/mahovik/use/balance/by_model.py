@@ -41,6 +41,9 @@ VARIES, PARTS = 0.01, 8
 LEAST = 1.0
 """rad/s: slower flywheels stand still."""
 
+UNEXPLAINED = 10.0
+"""Fit above which what is left is no noise: the model does not explain the data, and there are no intervals."""
+
 FLOOR = 1e-9
 """Smallest standard error, as a part of the largest amplitude of a quantity."""
 
@@ -145,8 +148,8 @@ class WheelBalance:
     w         (P): corrections; their angle is counted from the flywheel's second axis
     covariance  (P, P): of w; a component of w_k has the variance covariance_kk
     fit       root of the mean square of what is left of the channels, in standard errors of their noise
-    vibration   by quantity: amplitude of the first order (root of the sum of squares over its channels) as measured and
-                with the corrections, at the fastest of the recordings
+    vibration   by quantity: amplitude of the first order (root of the sum of squares over its channels) as measured,
+                with the corrections, and half its 95 % interval, at the fastest of the recordings
     """
 
     name: str
@@ -156,7 +159,7 @@ class WheelBalance:
     w: Complex
     covariance: Complex
     fit: float
-    vibration: Mapping[str, tuple[float, float]]
+    vibration: Mapping[str, tuple[float, float, float]]
 
     @property
     def residual(self) -> Array:
@@ -170,8 +173,28 @@ class WheelBalance:
 
     @property
     def error(self) -> Array:
-        """Standard error of each component of w (P), kg m."""
+        """Standard error of each component of w (P), kg m; NaN where the model does not explain the data."""
         return np.asarray(np.sqrt(np.diag(self.covariance).real))
+
+    @property
+    def warning(self) -> str:
+        """What speaks against the corrections, and what to do; "" if nothing does."""
+        more = [
+            f"{kind} rises from {before:.3g} to {after:.3g}"
+            for kind, (before, after, noise) in self.vibration.items()
+            if after > before + noise
+        ]
+        if self.fit > UNEXPLAINED:
+            more.insert(0, f"what the corrections leave is {self.fit:.0f} times the noise of the data")
+        if not more:
+            return ""
+        plane = len(self.positions) == 1
+        advice = (
+            f"one plane cannot remove a dynamic unbalance: give plane {self.name}=a,b"
+            if plane
+            else ("the stand is not that of the data: compare its numbers, places of sensors and speeds")
+        )
+        return f"{self.name}: {', '.join(more)}; {advice}"
 
     @property
     def static(self) -> complex:
@@ -181,11 +204,11 @@ class WheelBalance:
     @property
     def static_error(self) -> float:
         """Standard error of each component of `static`, kg m."""
-        return math.sqrt(max(float(self.covariance.sum().real), 0.0))
+        return math.sqrt(np.maximum(float(self.covariance.sum().real), 0.0))
 
     def grade(self, unbalance: float) -> str:
         """ISO 21940-11 grade of a static unbalance (kg m) at the flywheel's speed; "-" without mass or unbalance."""
-        return grade(unbalance / self.mass * abs(self.speed)) if self.mass and unbalance else "-"
+        return grade(unbalance / self.mass * abs(self.speed)) if self.mass and unbalance > 0.0 else "-"
 
 
 def balance_wheels(
@@ -221,14 +244,17 @@ def _wheel(
         raise BalanceError([f"{flywheel.name}: {words}"])
     w = np.linalg.lstsq(weighted, -X / error, rcond=None)[0]
     fit = math.sqrt(float(np.sum(np.abs((X + alpha @ w) / error) ** 2)) / (2.0 * (M - P))) if M > P else 0.0
-    covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * max(fit, 1.0) ** 2, dtype=np.complex128)
+    widened = max(fit, 1.0) if fit <= UNEXPLAINED else math.nan
+    covariance = np.asarray(np.linalg.inv(weighted.conj().T @ weighted) * widened**2, dtype=np.complex128)
     speed = float(seen[0].speeds[s])
     fastest = slice(0, len(seen[0].channels))
     after = (X + alpha @ w)[fastest]
     vibration = {}
     for kind in dict.fromkeys(labels[fastest].tolist()):
         rows = labels[fastest] == kind
-        vibration[kind] = float(np.linalg.norm(X[fastest][rows])), float(np.linalg.norm(after[rows]))
+        sizes = (float(np.linalg.norm(values[rows])) for values in (X[fastest], after, error[fastest]))
+        before, left, noise = sizes
+        vibration[kind] = before, left, HALF_WIDTH * noise
     return WheelBalance(flywheel.name, flywheel.mass, speed, tuple(positions), w, covariance, fit, vibration)
 
 

@@ -118,10 +118,11 @@ def split_weight(w: complex, places: Sequence[float]) -> list[complex]:
 # -- reading ---------------------------------------------------------------------------------------------------------
 
 
-def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float]:
-    """Influences of a JSON file or of an object like it, and how far amplitudes without phase are off them, at most.
+def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float, float]:
+    """Influences of a JSON file or of an object like it, misfit of amplitudes without phase, and the largest of these.
 
-    Two influences: of amplitudes without phase that fit both. Raises BalanceError.
+    The misfit is how far the influences are off an amplitude, at most, in its unit. Two influences: of amplitudes
+    without phase that fit both. Raises BalanceError.
     """
     where = "influence" if isinstance(source, Mapping) else str(source)
     raw = source if isinstance(source, Mapping) else _load(Path(source))
@@ -145,10 +146,10 @@ def _load(path: Path) -> Mapping[str, Any]:
     return raw
 
 
-def _influences(table: InfluenceFile) -> tuple[list[Influence], float]:
-    """The influences of a file, and how far amplitudes are off them. Raises QuantityError."""
+def _influences(table: InfluenceFile) -> tuple[list[Influence], float, float]:
+    """The influences of a file, misfit and largest of amplitudes. Raises QuantityError."""
     A, phases = _numbers("A", table.A)
-    trial, off = None, 0.0
+    trial, off, largest = None, 0.0, float(np.abs(A).max())
     if table.ALPHA is not None:
         if table.B is not None or table.U is not None:
             raise QuantityError('ALPHA: given beside trial runs; give either "ALPHA", or "B" and "U"')
@@ -175,9 +176,10 @@ def _influences(table: InfluenceFile) -> tuple[list[Influence], float]:
             raise QuantityError("A: without phase there is one sensor, one plane, and no trial weight stays on")
         else:
             amplitudes, off = _without_phase(float(A[0].real), B[0].real, U)
+            largest = max(largest, float(B.real.max()))
             alphas = [np.array([[alpha]]) for alpha in amplitudes]
     _require_independent(alphas[0])
-    return [Influence(A, alpha, trial) for alpha in alphas], off
+    return [Influence(A, alpha, trial) for alpha in alphas], off, largest
 
 
 def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, bool]:
