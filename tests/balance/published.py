@@ -49,5 +49,5 @@ TURBOGENERATOR = {"ALPHA": [row.split() for row, _ in FOILES], "A": [a for _, a 
 
 def solved(case: dict[str, Any], method: Method = "least-squares") -> Solution:
     """Corrections and what they leave of a case with one answer."""
-    (problem,), *_ = read_influence(case)
+    (problem,), _ = read_influence(case)
     return solve(problem, method)

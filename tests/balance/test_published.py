@@ -37,7 +37,7 @@ def test_kelm_pavelek() -> None:
     Influences are printed with two digits, so amplitudes agree to 3 %. The angle of their second plane is 8 degrees off
     the least squares of the printed figures: theirs leaves more.
     """
-    solution, ((problem,), *_) = solved(KELM), read_influence(KELM)
+    solution, ((problem,), _) = solved(KELM), read_influence(KELM)
     assert abs(solution.w) == pytest.approx([17.5, 30.3], rel=0.03)
     printed = problem.A + problem.alpha @ numbers(["17.5@230", "30.3@0"])
     assert np.linalg.norm(solution.left) < np.linalg.norm(printed)
@@ -55,7 +55,7 @@ def test_goodman() -> None:
 
 def test_foiles_min_max() -> None:
     """Foiles, Allaire, Gunter: four planes, eleven vibrations; their weights are those of min-max."""
-    solution, ((problem,), *_) = solved(TURBOGENERATOR, "min-max"), read_influence(TURBOGENERATOR)
+    solution, ((problem,), _) = solved(TURBOGENERATOR, "min-max"), read_influence(TURBOGENERATOR)
     printed = numbers(["4.42@88", "2.92@352", "1.588@322", "1.928@304"])
     assert np.abs(solution.w - printed).max() < 0.03 * np.abs(printed).max()
     theirs = np.abs(problem.A + problem.alpha @ printed).max()

@@ -17,9 +17,6 @@ from mahovik.out.result import Column, Result, column
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand
 
-CONTRADICTORY = 0.1
-"""Misfit of amplitudes without phase, as a part of the largest, above which nothing is to be corrected by them."""
-
 NOTHING = 1e-12
 """Part of the largest vibration before that is written as zero."""
 
@@ -73,7 +70,7 @@ def balance(
 def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], places: Any) -> Result:
     from mahovik.use.balance.influence import read_influence, solve, write_polar
 
-    problems, off, loudest = reading("influence", influence, read_influence)
+    problems, misfit = reading("influence", influence, read_influence)
     problem, solutions = problems[0], [solve(candidate, method) for candidate in problems]
     w, left = solutions[0].w, solutions[0].left
     largest = float(np.abs(problem.A).max())
@@ -92,7 +89,7 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], p
     meta: dict[str, Any] = {
         "left": [write_polar(value, zero) for value in left.tolist()],
         "before": largest,
-        "after": max(float(np.abs(left).max()), off),
+        "after": max(float(np.abs(left).max()), misfit.off),
         "corrections": w,
     }
     messages = []
@@ -100,17 +97,12 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], p
         meta["bound"] = solutions[0].bound
     if len(problems) > 1:
         messages.append("two answers fit the amplitudes: try one, or add a trial run with a weight at another place")
-    share = off / loudest if loudest else 0.0
-    if share > NOTHING:
-        meta["misfit"] = off
-        words = f"amplitudes differ from those of any rotor by up to {off:.4g}, {100.0 * share:.3g} % of the largest"
-        advice = ": repeat the runs, and check the places of the trial weights" if share > CONTRADICTORY else ""
-        messages.append(f"{words}; expect as much to be left{advice}")
+    if misfit.share > NOTHING:
+        meta["misfit"] = misfit.off
+        messages.append(misfit.words)
     columns += _split(places, w.tolist())
-    good = share <= CONTRADICTORY
-    return Result(
-        "correction weights", columns, meta=meta, messages=messages, ok=good, details=("corrections", "misfit")
-    )
+    details = ("corrections", "misfit")
+    return Result("correction weights", columns, meta=meta, messages=messages, ok=misfit.fair, details=details)
 
 
 def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Result:

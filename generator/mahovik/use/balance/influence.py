@@ -26,7 +26,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from scipy.optimize import linprog
@@ -52,6 +52,9 @@ INDEPENDENT = 1e-9
 DISTINCT = 1e-6
 """The same of the equations of amplitudes without phase; and difference of two answers that are not one."""
 
+CONTRADICTORY = 0.1
+"""Misfit of amplitudes without phase, as a part of the largest, above which nothing is to be corrected by them."""
+
 AGREED = 1e-7
 """Largest vibration above its lower bound, as a part of the largest before, at which min-max is settled."""
 
@@ -69,6 +72,30 @@ class Influence:
     A: Complex
     alpha: Complex
     trial: Complex | None
+
+
+class Misfit(NamedTuple):
+    """How far amplitudes without phase are off those of the influences at most, and the largest of them; else 0, 1."""
+
+    off: float = 0.0
+    largest: float = 1.0
+
+    @property
+    def share(self) -> float:
+        """The misfit as a part of the largest amplitude."""
+        return self.off / self.largest
+
+    @property
+    def fair(self) -> bool:
+        """Whether a rotor may have these amplitudes."""
+        return self.share <= CONTRADICTORY
+
+    @property
+    def words(self) -> str:
+        """The misfit in words, and what to do where it is no noise."""
+        size = f"{self.off:.4g}, {100.0 * self.share:.3g} % of the largest"
+        advice = "" if self.fair else ": repeat the runs, and check the places of the trial weights"
+        return f"amplitudes differ from those of any rotor by up to {size}; expect as much to be left{advice}"
 
 
 class InfluenceFile(Table):
@@ -118,11 +145,10 @@ def split_weight(w: complex, places: Sequence[float]) -> list[complex]:
 # -- reading ---------------------------------------------------------------------------------------------------------
 
 
-def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], float, float]:
-    """Influences of a JSON file or of an object like it, misfit of amplitudes without phase, and the largest of these.
+def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], Misfit]:
+    """Influences of a JSON file or of an object like it, and the misfit of amplitudes without phase.
 
-    The misfit is how far the influences are off an amplitude, at most, in its unit. Two influences: of amplitudes
-    without phase that fit both. Raises BalanceError.
+    Two influences: of amplitudes without phase that fit both. Raises BalanceError.
     """
     where = "influence" if isinstance(source, Mapping) else str(source)
     raw = source if isinstance(source, Mapping) else _load(Path(source))
@@ -146,10 +172,10 @@ def _load(path: Path) -> Mapping[str, Any]:
     return raw
 
 
-def _influences(table: InfluenceFile) -> tuple[list[Influence], float, float]:
-    """The influences of a file, misfit and largest of amplitudes. Raises QuantityError."""
+def _influences(table: InfluenceFile) -> tuple[list[Influence], Misfit]:
+    """The influences of a file, and the misfit of amplitudes. Raises QuantityError."""
     A, phases = _numbers("A", table.A)
-    trial, off, largest = None, 0.0, float(np.abs(A).max())
+    trial, misfit = None, Misfit()
     if table.ALPHA is not None:
         if table.B is not None or table.U is not None:
             raise QuantityError('ALPHA: given beside trial runs; give either "ALPHA", or "B" and "U"')
@@ -176,10 +202,10 @@ def _influences(table: InfluenceFile) -> tuple[list[Influence], float, float]:
             raise QuantityError("A: without phase there is one sensor, one plane, and no trial weight stays on")
         else:
             amplitudes, off = _without_phase(float(A[0].real), B[0].real, U)
-            largest = max(largest, float(B.real.max()))
+            misfit = Misfit(off, float(max(A.real.max(), B.real.max())))
             alphas = [np.array([[alpha]]) for alpha in amplitudes]
     _require_independent(alphas[0])
-    return [Influence(A, alpha, trial) for alpha in alphas], off, largest
+    return [Influence(A, alpha, trial) for alpha in alphas], misfit
 
 
 def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, bool]:
