@@ -12,7 +12,7 @@ from mahovik.out.foreign.stand import ImportedStand
 
 
 def names(joints: tuple[Joint, ...]) -> list[str]:
-    return [joint.name for joint in joints]
+    return list(dict.fromkeys(joint.label for joint in joints))
 
 
 def difference(path: Path, made: ImportedStand, count: int = 5, seed: int = 1) -> float:

@@ -329,10 +329,48 @@ def test_equal_limits_fix_at_their_angle(tmp_path: Path) -> None:
     limit = '<limit lower="0.7" upper="0.7" effort="1" velocity="1"/>'
     rest = (link("base"), link("w", 0.1), joint("spin", "continuous", "arm", "w"), link("arm"))
     path = written(tmp_path, "m.urdf", urdf(*rest, joint("j", "revolute", "base", "arm", limit)))
-    made = make_stand(read(path, None)[0], "m", "m.urdf")
+    model, original = read(path, None)
+    made = make_stand(model, "m", "m.urdf")
+    assert max(compare(made, original).values()) < TOLERANCE
     fixed = joint("j", "fixed", "base", "k")
     turned = '<joint name="k" type="fixed"><parent link="k"/><child link="arm"/><origin rpy="0 0 0.7"/></joint>'
     assert difference(written(tmp_path, "twin.urdf", urdf(*rest, fixed, '<link name="k"/>', turned)), made) < TOLERANCE
+    text = f'<sdf version="1.9"><model name="m">{ARM}</model></sdf>'.replace("-2.3<", "0.8<")
+    arm = imported(written(tmp_path, "arm.sdf", text)).stand.carrier
+    assert arm.center_of_mass == pytest.approx((0, 0, -0.2 / 3))
+    assert arm.inertia[0][2] == pytest.approx(0.0, abs=1e-15)
+    range_ = '<joint name="spin" range="30 30"/>'
+    text = CART.format(angle="degree", name="h", joint='type="free"')
+    text = text.replace('<joint class="wheel" name="spin" axis="0 1 0"/>', range_)
+    said = 'joint "spin": range 30 30 does not rise, and is none to MuJoCo'
+    assert said in notes(imported(written(tmp_path, "m.xml", text)))
+
+
+def test_efforts_that_are_no_limit(tmp_path: Path) -> None:
+    for effort in ("-1", "0", "inf"):
+        limit = f'<limit effort="{effort}" velocity="-1"/>'
+        text = urdf(link("base"), link("w", 0.1), joint("spin", "continuous", "base", "w", limit))
+        made = make_stand(read(written(tmp_path, "m.urdf", text), None)[0], "m", "m.urdf")
+        assert made.stand.flywheels[0].motor is None
+        assert f'joint "spin": effort {effort} is read as no limit of the torque' in notes(made)
+    text = f'<sdf version="1.9"><model name="q">{BASE}{ROTOR.format(i=0, y=0.1)}</model></sdf>'
+    made = imported(written(tmp_path, "m.sdf", text.replace("<effort>0<", "<effort>-1<")))
+    assert made.stand.flywheels[0].motor is None
+    assert "effort" not in notes(made)  # -1 is the default of SDF
+
+
+def test_joints_of_a_urdf_that_mujoco_makes_of_others(tmp_path: Path) -> None:
+    """A planar one is three of its own, a floating one makes its base the world."""
+    wheel = (link("bar"), link("w", 0.3), joint("spin", "continuous", "bar", "w"))
+    planar = joint("p", "planar", "world", "bar", '<limit effort="3" velocity="1"/>')
+    made = imported(written(tmp_path, "m.urdf", urdf('<link name="world"/>', planar, *wheel)))
+    assert '# "p" on the world.\n[hold]' in made.text
+    assert "_T" not in made.text
+    text = urdf('<link name="ground"/>', joint("f", "floating", "ground", "bar"), *wheel)
+    model, original = read(written(tmp_path, "m.urdf", text), None)
+    made = make_stand(model, "m", "m.urdf")
+    assert max(compare(made, original).values()) < TOLERANCE
+    assert 'link "ground": bears a floating joint, so that it is the world' in notes(made)
 
 
 ROTOR = """<link name="rotor_{i}"><gravity>true</gravity><velocity_decay/>
@@ -363,7 +401,13 @@ def px4(folder: Path) -> Path:
         "<parent>base_link</parent><child>g::mount</child></joint>",
     }.items():
         (folder / name).mkdir()
-        written(folder / name, "model.sdf", f'<sdf version="1.9"><model name="{name}">{inside}</model></sdf>')
+        file = "arm.sdf" if name == "gimbal" else "model.sdf"  # as Gazebo Classic's are
+        written(folder / name, file, f'<sdf version="1.9"><model name="{name}">{inside}</model></sdf>')
+    config = (
+        '<model><sdf version="1.4">old.sdf</sdf><sdf version="1.10">arm.sdf</sdf><sdf version="1.9">o</sdf></model>'
+    )
+    written(folder / "gimbal", "old.sdf", "<sdf/>")
+    written(folder / "gimbal", "model.config", config)
     return folder / "x" / "model.sdf"
 
 
@@ -466,7 +510,8 @@ def somewhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_urdf_becomes_a_stand_that_is_checked_and_generated() -> None:
     said = run("new", URDF).output
     assert said.startswith("files: small_sat.toml\ncarrier base_link, 4 flywheels, 1 point\n")
-    assert "agrees with MuJoCo's model of the file at 20 random states" in said
+    assert "agrees with MuJoCo's model of the file, but for what is said above, at 20 random states" in said
+    assert "it is 0; --gravity 0,0,-9.81 gives one\n" in Path("small_sat.toml").read_text()
     assert os.listdir() == ["small_sat.toml"]
     assert run("check", "small_sat.toml").exit_code == 0
     assert run("generate", "small_sat.toml").exit_code == 0
@@ -478,8 +523,9 @@ def test_an_mjcf_too() -> None:
     assert run("check", "new/other.toml").output.startswith("other ")
 
 
-def test_a_vehicle_of_several_files() -> None:
-    said = run("new", str(px4(Path())), "--fix", "g::pitch", "--gravity", "0,0,-9.81").output
+def test_a_vehicle_of_several_files_from_its_own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(px4(tmp_path).parent)
+    said = run("new", "model.sdf", "--fix", "g::pitch", "--gravity", "0,0,-9.81").output
     assert said.startswith("files: x.toml\ncarrier base_link, 2 flywheels, 1 point\n")
     assert "gravity = [0.0, 0.0, -9.81]" in Path("x.toml").read_text()
     assert run("check", "x.toml").exit_code == 0
@@ -495,6 +541,8 @@ def test_nothing_is_overwritten() -> None:
     ("arguments", "said"),
     [
         (("no.urdf",), "no.urdf: no such file"),
+        ((URDF, "-o", "sat.json"), "-o sat.json: expected a name that ends in .toml"),
+        (("bench8", "-o", "sat.json"), "-o sat.json: expected a name that ends in .toml"),
         ((URDF, "--name", "a b"), '--name a b: "a b" is not a C identifier'),
         ((URDF, "--name", "math"), '--name math: "math" is the name of a standard header of C'),
         ((URDF, "--carrier", "wheel4"), "--carrier wheel4: turns"),

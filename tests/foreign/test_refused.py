@@ -42,7 +42,7 @@ OF_URDF = {
         WHEEL + joint("j", "revolute", "base", "w", '<limit lower="1" upper="0"/>'),
         "limit: lower 1 is above upper 0",
     ),
-    "planar": (WHEEL + joint("j", "planar", "base", "w"), 'link "w" has 3 joints: a flywheel has one'),
+    "planar": (WHEEL + joint("j", "planar", "base", "w"), 'link "w" has 3 freedoms: a flywheel has one'),
     "unknown": (
         WHEEL + joint("j", "screw", "base", "w"),
         'joint "j": type "screw": expected one of revolute,',
@@ -88,6 +88,10 @@ OF_URDF = {
         WHEEL + TURNS + link("x") + joint("k", "floating", "w", "x"),
         "free joint can only be used on top level",
     ),
+    "mass that floats on mass": (
+        WHEEL + joint("j", "floating", "base", "w"),
+        'link "base": bears a floating joint, so that it is the world, but has mass: take its <inertial>',
+    ),
     "two of one name": (link("base") + link("base") + link("w") + TURNS, 'link "base": there are two of this name'),
     "xacro": (
         '<xacro:macro xmlns:xacro="http://www.ros.org/wiki/xacro" name="m"/>' + WHEEL,
@@ -119,7 +123,7 @@ OF_MJCF = {
         hub(SPUN.format('damping="1 2"')),
         'joint "j": a spring or damping that is not linear is no law of a stand',
     ),
-    "two joints": (hub(f'<body name="w">{HINGES}{GEOM}</body>'), 'body "w" has 2 joints: a flywheel has one'),
+    "two joints": (hub(f'<body name="w">{HINGES}{GEOM}</body>'), 'body "w" has 2 freedoms: a flywheel has one'),
     "two hinges": (hub(GOOD, HINGES), 'joints "a", "b": together no directions fixed in the carrier'),
     "two carriers": (
         hub(GOOD, more=f'<body name="b"><freejoint/>{GEOM}</body>'),
@@ -224,6 +228,15 @@ def test_the_file_of_a_mesh_is_needed_for_inertia_alone(tmp_path: Path) -> None:
         imported(tmp_path / "m.xml")
     (tmp_path / "m.xml").write_text(text.format('<inertial mass="2" pos="0 0 0" diaginertia="1 1 1"/>'))
     assert make_stand(read(tmp_path / "m.xml", None)[0], "m", "m").carrier == "a"
+
+
+def test_models_that_include_each_other(tmp_path: Path) -> None:
+    for name, other in (("a", "b"), ("b", "a")):
+        (tmp_path / name).mkdir()
+        text = f'<model name="{name}"><include><uri>model://{other}</uri></include></model>'
+        (tmp_path / name / "model.sdf").write_text(f'<sdf version="1.9">{text}</sdf>')
+    with pytest.raises(ForeignError, match='include "model://a": there is no other model in'):
+        imported(tmp_path / "a" / "model.sdf")
 
 
 def test_a_carrier_that_is_none(tmp_path: Path) -> None:

@@ -18,8 +18,8 @@ from mahovik.writing import format_of, is_written_through, write, write_all
 if TYPE_CHECKING:
     from mahovik.out.foreign.stand import ImportedStand
 
-SUFFIXES = (".urdf", ".xml", ".mjcf", ".sdf")
-"""Files of other programs."""
+SUFFIXES = (".urdf", ".xml", ".mjcf", ".sdf", ".xacro")
+"""Files of other programs, and of macros, for which their reader says what to do."""
 
 ADAPTER = "adapter"
 """What `new` writes that is no stand."""
@@ -157,7 +157,8 @@ def _imported(
         return made, "not compared with the original: it has no motion"
     most = max(differences, key=lambda what: differences[what])
     words = f"largest relative difference {differences[most]:.1g} ({most})"
-    return made, f"agrees with MuJoCo's model of the file at 20 random states, {words}"
+    aside = ", but for what is said above," if made.notes else ""
+    return made, f"agrees with MuJoCo's model of the file{aside} at 20 random states, {words}"
 
 
 def _write_stand(made: ImportedStand, comparison: str, output: str | None) -> Result:
@@ -175,6 +176,7 @@ def new_file(output: str | None, name: str) -> Path:
     path = Path(output) if output is not None else Path(f"{name}.toml")
     if path.is_dir() or (output is not None and output.endswith("/")):
         path = path / f"{name}.toml"
+    format_of(path, (".toml",))
     _refuse_existing(path)
     return path
 

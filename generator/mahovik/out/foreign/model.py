@@ -78,9 +78,11 @@ class Joint:
     armature        inertia that acts on the coordinate's acceleration alone, kg m2 or kg
     range           least and largest coordinate; None without an end
     effort          largest force or torque of its drive; None without a limit
+    label           its name in the file, where MuJoCo makes several joints of it
     """
 
     name: str
+    label: str
     kind: str
     axis: Array
     anchor: Array
@@ -140,14 +142,19 @@ class Model:
     notes: tuple[str, ...]
 
 
-def read_xml(path: Path) -> ET.Element:
-    """The root element of a file of one of KINDS, without namespaces. Raises ForeignError."""
+def parsed_xml(path: Path) -> ET.Element:
+    """The root element of a file. Raises ForeignError."""
     try:
-        root = ET.fromstring(readable(path, "an XML file"))
+        return ET.fromstring(readable(path, "an XML file"))
     except (ET.ParseError, LookupError) as error:  # an unknown encoding is a LookupError
         raise ForeignError([f"{path.name}: not XML: {error}"]) from None
     except ValueError as error:
         raise ForeignError([str(error)]) from None
+
+
+def read_xml(path: Path) -> ET.Element:
+    """The root element of a file of one of KINDS. Raises ForeignError."""
+    root = parsed_xml(path)
     if root.tag not in KINDS:
         raise ForeignError([f"{path.name}: its root element is <{root.tag}>: expected one of {', '.join(KINDS)}"])
     if any("xacro" in element.tag for element in root.iter()):

@@ -97,12 +97,15 @@ def compare(made: ImportedStand, model: Any, count: int = 20, seed: int = 1) -> 
     wheels, phases = model.jnt_dofadr[numbers], model.jnt_qposadr[numbers]
     moving = np.concatenate([free, wheels])
     data, rng, carrier = mujoco.MjData(model), np.random.default_rng(seed), model.body(made.carrier).id
+    start = np.array(model.qpos0)
+    for name, at in made.fixed:
+        start[model.joint(name).qposadr] = at
     theirs: Any = []
     differences: Any = []
     for _ in range(count):
         way = np.zeros(model.nv)
         way[moving] = rng.uniform(-1.0, 1.0, len(moving))
-        data.qpos[:] = model.qpos0
+        data.qpos[:] = start
         mujoco.mj_integratePos(model, data.qpos, way, 1.0)
         data.qvel[moving], data.qacc[moving] = rng.normal(size=(2, len(moving)))
         mujoco.mj_inverse(model, data)

@@ -38,7 +38,7 @@ class Reader:
     """One MJCF file.
 
     Readers of other formats make an MjSpec of theirs. Of joints they say what MuJoCo does not: `ranges`, rad or m, None
-    without an end, and `numbers` in the file; of bodies `added_mass`.
+    without an end, `numbers` and `labels`, their names, in the file; of bodies `added_mass`.
     """
 
     noun = "body"
@@ -48,6 +48,7 @@ class Reader:
         self.problems, self.notes = Problems(path.name), list[str]()
         self.ranges: dict[str, tuple[float, float] | None] = {}
         self.numbers: dict[str, int] = {}
+        self.labels: dict[str, str] = {}
         self.added_mass: dict[str, Array] = {}
         self.has_gravity = True
 
@@ -73,7 +74,7 @@ class Reader:
             kind = "fixed" if least == most else kind
         if velocity and kind != "fixed" and not velocity.startswith("-"):  # negative: there is none
             self.notes.append(f"{where}: its velocity limit {velocity} is left out: see motor.speed")
-        if effort and kind != "fixed" and effort.strip("+-0.") in ("", "e0"):
+        if effort and kind != "fixed" and not _bounds(effort):
             self.notes.append(f"{where}: effort {effort} is read as no limit of the torque")
 
     def stop(self) -> None:
@@ -86,7 +87,10 @@ class Reader:
         for i, body in enumerate(spec.bodies):
             body.name = body.name or f"body{i}"
             for joint in body.joints:
-                joint.name = joint.name or f"of {body.name}"
+                joint.name, (least, most) = joint.name or f"of {body.name}", joint.range
+                if joint.limited == self.mujoco.mjtLimited.mjLIMITED_AUTO and least >= most and (least or most):
+                    unread = f"joint {show(joint.name)}: range {least:g} {most:g} does not rise, and is none to MuJoCo"
+                    self.notes += [] if joint.name in self.ranges else [unread]
         always = spec.compiler.inertiafromgeom == self.mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE
         unused = [
             g for g in spec.geoms
@@ -153,6 +157,7 @@ class Reader:
         ends = (float(model.jnt_range[i][0]), float(model.jnt_range[i][1])) if model.jnt_limited[i] else None
         return Joint(
             name,
+            self.labels.get(name, name),
             kind,
             np.array(model.jnt_axis[i]),
             np.array(model.jnt_pos[i]),
@@ -242,16 +247,28 @@ class Urdf(Reader):
             name, kind, limit = joint.get("name", ""), joint.get("type", ""), joint.find("limit")
             if kind not in _URDF_KINDS:
                 self.problems.add(f"joint {show(name)}", f"type {show(kind)}: expected one of {', '.join(_URDF_KINDS)}")
-            bounds = {} if limit is None else limit.attrib
+            bounds = {} if limit is None else dict(limit.attrib)
+            if limit is not None and not _bounds(bounds.get("effort", "1")):
+                del limit.attrib["effort"]  # MuJoCo's parser takes the size of a negative one
             ended = kind in ("revolute", "prismatic")
             ends = (bounds.get("lower", "") if ended else None, bounds.get("upper", "") if ended else None)
             self.numbers[name] = number
+            self.labels |= {f"{name}_{axis}": name for axis in ("TX", "TY", "RZ") if kind == "planar"}
             self.limit(name, kind, *ends, bounds.get("velocity", ""), bounds.get("effort", ""))
             if joint.find("mimic") is not None:
                 self.problems.add(f"joint {show(name)}", MIMIC)
         self.stop()
         floats = any(joint.get("type") == "floating" and _end(joint, "parent") == order[0] for joint in joints)
-        for element in root.iter() if floats else ():  # what a body floats on is the world
+        base = next(link for link in links if link.get("name") == order[0])
+        if floats and base.find("inertial") is not None and order[0] != "world":
+            words = (
+                "bears a floating joint, so that it is the world, but has mass: take its <inertial> or that joint away"
+            )
+            self.problems.add(f"link {show(order[0])}", words)
+            self.stop()
+        if floats and order[0] != "world":
+            self.notes.append(f"link {show(order[0])}: bears a floating joint, so that it is the world")
+        for element in root.iter() if floats else ():
             for key in ("name", "link"):
                 if element.tag in ("link", "parent") and element.get(key) == order[0]:
                     element.set(key, "world")
@@ -260,6 +277,14 @@ class Urdf(Reader):
         if not floats and order[0] != "world":
             spec.body(order[0]).add_freejoint()
         return spec
+
+
+def _bounds(effort: str) -> bool:
+    """Whether the text of an effort may be a limit: 0, a negative and an infinite number are none."""
+    try:
+        return 0.0 < float(effort) < math.inf
+    except ValueError:
+        return True
 
 
 def _end(joint: ET.Element, tag: str) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.units import show
-from mahovik.out.foreign.model import Array, Place, RigidMass, left_out, numbers, read_xml, tree_order
+from mahovik.out.foreign.model import Array, Place, RigidMass, left_out, numbers, parsed_xml, read_xml, tree_order
 from mahovik.out.foreign.reader import MIMIC, Reader
 
 _READ = {
@@ -39,6 +39,9 @@ _HARMLESS = (
 _KINDS = {"revolute": "HINGE", "continuous": "HINGE", "prismatic": "SLIDE", "ball": "BALL", "fixed": ""}
 _TRUE = ("true", "1")
 
+Files = tuple[Path, ...]
+"""The file that a model stands in, after those that include it."""
+
 
 class Sdf(Reader):
     """One SDF file, and those that it includes: of its models the only one that is not static.
@@ -61,15 +64,15 @@ class Sdf(Reader):
         """The model as an MjSpec, free where no joint holds it on the world."""
         world = self.root.find("world")
         self.notes += left_out(self.root, _READ, _HARMLESS)
-        models = self._models(self.root if world is None else world, self.path)
+        models = self._models(self.root if world is None else world, (self.path.resolve(),))
         self.stop()
         moving = [candidate for candidate in models if not candidate[0].get("static")] or models
         if len(moving) != 1:
             names = "".join(f", {show(model.get('name'))}" for model, *_ in moving)
             self.problems.add(f"{len(moving) or 'no'} models move{names}: expected one")
         self.stop()
-        ((model, path, pose),) = moving
-        self._add(model, "", path, self._pose(pose, "world", ""))
+        ((model, files, pose),) = moving
+        self._add(model, "", files, self._pose(pose, "world", ""))
         self.stop()
         edges = [
             (name, self._body(scope, element, "parent"), self._body(scope, element, "child"))
@@ -100,33 +103,32 @@ class Sdf(Reader):
 
     # -- names and frames ----------------------------------------------------------------------------------------------
 
-    def _models(self, element: ET.Element, path: Path) -> list[tuple[ET.Element, Path, ET.Element | None]]:
+    def _models(self, element: ET.Element, inside: Files) -> list[tuple[ET.Element, Files, ET.Element | None]]:
         """Models in an element, those of other files among them: the model, its file, the pose that counts."""
-        models = [(model, path, model.find("pose")) for model in element.findall("model")]
+        folder, models = inside[-1].parent, [(model, inside, model.find("pose")) for model in element.findall("model")]
         for include in element.findall("include"):
             uri = _text(include, "uri")
             name = uri.removeprefix("model://").removeprefix("file://").strip("/")
-            folders = [folder / name for folder in (path.parent, path.parent.parent)]
-            files = [file for place in folders for file in (place, place / "model.sdf") if file.is_file()]
+            files = [file for place in (folder, folder.parent) for file in _files_of(place / name)]
             if not files and element.tag == "world":
                 self.notes.append(f"include {show(uri)}: left out of the world, since it is not there")
                 continue
             if not name or "://" in name or not files:
-                self.problems.add(f"include {show(uri)}", f"expected {name}/model.sdf in {path.parent} or beside it")
+                self.problems.add(f"include {show(uri)}", f"expected {name}/model.sdf in {folder} or beside it")
                 continue
             model = read_xml(files[0]).find("model")
-            if model is None or files[0] == path:
+            if model is None or files[0] in inside:
                 self.problems.add(f"include {show(uri)}", f"there is no other model in {files[0]}")
                 continue
             self.notes += left_out(model, _READ, _HARMLESS)
             model.attrib |= {"merge": include.get("merge", ""), "name": _text(include, "name") or model.get("name", "")}
             pose = include.find("pose")
-            models.append((model, files[0], model.find("pose") if pose is None else pose))
+            models.append((model, (*inside, files[0]), model.find("pose") if pose is None else pose))
         for model, *_ in models:
             model.set("static", "yes" if _text(model, "static") in _TRUE else "")
         return models
 
-    def _add(self, model: ET.Element, scope: str, path: Path, pose: tuple[str, Place]) -> None:
+    def _add(self, model: ET.Element, scope: str, files: Files, pose: tuple[str, Place]) -> None:
         """Frames, links and joints of a model at a pose; `scope` stands before its names."""
         frame = (
             f"{scope}__model__" if f"{scope}__model__" not in self._frames else f"{scope}__model__{len(self._frames)}"
@@ -147,9 +149,9 @@ class Sdf(Reader):
             else:
                 self._attached[name] = first
             self._frames[name] = self._pose(element.find("pose"), base, scope)
-        for inner, file, at in self._models(model, path):
+        for inner, inside_files, at in self._models(model, files):
             inside = scope if inner.get("merge") in _TRUE else f"{scope}{inner.get('name', '')}::"
-            self._add(inner, inside, file, self._pose(at, frame, scope))
+            self._add(inner, inside, inside_files, self._pose(at, frame, scope))
 
     def _pose(self, element: ET.Element | None, base: str, scope: str) -> tuple[str, Place]:
         """The frame that a pose is given in, by default `base`, and the pose."""
@@ -248,8 +250,10 @@ class Sdf(Reader):
         if limit is not None:
             lower, upper, velocity, effort = (_text(limit, key) for key in ("lower", "upper", "velocity", "effort"))
             lower, upper = (sign + "1e16" if not x or "inf" in x else x for sign, x in (("-", lower), ("", upper)))
+            largest = self._number(limit, "effort", -1.0, where)
+            effort = effort if largest >= 0.0 else ""  # -1 is the default, none
             self.limit(name, kind, lower, upper, velocity, effort)
-            if (largest := self._number(limit, "effort", -1.0, where)) > 0.0:
+            if largest > 0.0:
                 joint.actfrcrange, joint.actfrclimited = [-largest, largest], True
 
     def _number(self, element: ET.Element | None, tag: str, default: float, where: str) -> float:
@@ -271,6 +275,17 @@ class Sdf(Reader):
 
 def _quaternion(place: Place) -> Array:
     return np.asarray(Rotation.from_matrix(place.axes).as_quat(scalar_first=True))
+
+
+def _files_of(place: Path) -> list[Path]:
+    """The file at a path; in a model's folder those that its model.config names, newest first, model.sdf, its one."""
+    if place.is_file():
+        return [place]
+    config, single = place / "model.config", list(place.glob("*.sdf"))
+    named = parsed_xml(config).findall("sdf") if config.is_file() else []
+    named.sort(key=lambda sdf: (len(version := sdf.get("version", "")), version), reverse=True)  # 1.9 before 1.10
+    files = [place / name for name in (*((sdf.text or "").strip() for sdf in named), "model.sdf")]
+    return [file for file in (*files, *(single if len(single) == 1 else ())) if file.is_file()]
 
 
 def _text(element: ET.Element, tag: str) -> str:

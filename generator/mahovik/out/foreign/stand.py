@@ -57,6 +57,7 @@ class ImportedStand:
     wheels      joint of each flywheel; an armature was added to its inertia about the axis, and taken from the carrier
     held        joints of the carrier on the world
     passive     names of those whose damping and springs are in the suspension
+    fixed       names of joints that equal limits fix, and their coordinates
     armature    6x6 added mass of the carrier that the joints' armature is; the rest is that of the fluid
     notes       messages to the user, one line each
     """
@@ -67,6 +68,7 @@ class ImportedStand:
     wheels: tuple[Joint, ...]
     held: tuple[Joint, ...]
     passive: tuple[str, ...]
+    fixed: tuple[tuple[str, float], ...]
     armature: Array
     notes: tuple[str, ...]
 
@@ -99,12 +101,12 @@ class _Maker:
         self._instruments, self._armature = instruments, armature
         self._problems = Problems(source)
         self._notes = list(model.notes)
-        self._names = {"carrier"}
+        self._names, self._fixed = {"carrier"}, list[tuple[str, float]]()
         self._comments: dict[str, list[str]] = {}
 
     def make(self, chosen: str | None, fix: Sequence[str]) -> ImportedStand:
         """See make_stand."""
-        known = [joint.name for body in self._model.bodies for joint in body.joints]
+        known = [joint.label for body in self._model.bodies for joint in body.joints]
         for missing in sorted(set(fix) - set(known)):
             self._problems.add(f"fix={missing}: is no joint of the file{suggestion(missing, known)}")
         self._bodies = {body.name: self._settled(body, fix) for body in self._model.bodies}
@@ -136,7 +138,7 @@ class _Maker:
             moments = np.linalg.eigvalsh(mass.inertia)
             if joint.armature and moments[0] + moments[1] < (1.0 - 1e-9) * moments[2]:  # as no body has
                 words = f"armature {joint.armature:g}: a thin disc of it has more inertia in its plane than the carrier"
-                self._problems.add(f"joint {show(joint.name)}", f"{words}; write it into that of the wheel's body")
+                self._problems.add(f"joint {show(joint.label)}", f"{words}; write it into that of the wheel's body")
         self._stop()
         instruments, flywheels = tuple(map(self._instrument, kept)), tuple(map(self._flywheel, turning))
         if driven := ", ".join(show(wheel.name) for wheel in flywheels if wheel.motor):
@@ -149,14 +151,16 @@ class _Maker:
         carrier = Carrier(name="carrier", **_properties(mass), added_mass=rows(inertia + self._fluid()))
         points = self._points(frame)
         stand = Stand(self._name, "ship", _vec3(pull), None, carrier, instruments, flywheels, points, hold=hold)
+        self._notes = list(dict.fromkeys(self._notes))  # of the three joints that MuJoCo makes of a planar one
         head = [f"Made from {self._source} by `mahovik new`. SI units.", *self._notes]
+        head = [line.replace("; gravity=", "; --gravity ") for line in head]  # as on the command line
         text = _text(stand, tables, self._comments, head)
         try:
             stand = loads(text, self._source)
         except StandError as error:
             raise ForeignError(error.problems) from None
         wheels, held = tuple(body.joints[0] for body in turning), self._bodies[root].joints
-        return ImportedStand(stand, text, frame, wheels, held, passive, inertia, tuple(self._notes))
+        return ImportedStand(stand, text, frame, wheels, held, passive, tuple(self._fixed), inertia, tuple(self._notes))
 
     @property
     def _noun(self) -> str:
@@ -177,11 +181,12 @@ class _Maker:
         place, joints = body.place, []
         for joint in body.joints:
             least, most = joint.range or (-math.inf, math.inf)
-            if joint.name in fix:
-                self._notes.append(f"joint {show(joint.name)}: fixed where the file has it")
+            if joint.label in fix:
+                self._notes.append(f"joint {show(joint.label)}: fixed where the file has it")
             elif least == most:
-                self._notes.append(f"joint {show(joint.name)}: its limits are equal: it is fixed at {least:g}")
-                place = place @ joint.moved(least)
+                self._notes.append(f"joint {show(joint.label)}: its limits are equal: it is fixed at {least:g}")
+                self._fixed.append((joint.name, least))
+                place = place @ joint.moved(least - joint.zero)
             else:
                 without_end = joint.kind == "hinge" and most - least > LONGEST
                 joints.append(replace(joint, range=None) if without_end else joint)
@@ -258,10 +263,10 @@ class _Maker:
         joint, head = body.joints[0], self._heads[body.parent]
         least, most = joint.range or (0.0, 0.0)
         held = "; a root that is held, and not free, is called world" if self._noun == "link" else ""
-        fix = f"; fix={joint.name} imports it where it is"
+        fix = f"; fix={joint.label} imports it where it is"
         reasons = (
             (head != root, f"turns on {self._words(head)}, which turns itself: expected the carrier{held}"),
-            (len(body.joints) > 1, f"{self._words(body.name)} has {len(body.joints)} joints: a flywheel has one"),
+            (len(body.joints) > 1, f"{self._words(body.name)} has {len(body.joints)} freedoms: a flywheel has one"),
             (joint.kind != "hinge", f"{joint.kind}: a flywheel turns about one axis, as a hinge does{fix}"),
             (joint.range, f"turns from {least:g} to {most:g}: a flywheel turns without end{fix}"),
             (joint.stiffness, f"stiffness {joint.stiffness:g}: a flywheel has no spring{fix}"),
@@ -271,7 +276,7 @@ class _Maker:
                 f"armature {joint.armature:g} is inertia without a body: armature=wheel makes it the flywheel's",
             ),
         )
-        where = f"joint {show(joint.name)}"
+        where = f"joint {show(joint.label)}"
         if reason := next((words for against, words in reasons if against), None):
             self._problems.add(where, reason)
         elif joint.armature:
@@ -301,7 +306,7 @@ class _Maker:
             for kind, axis in _freedoms_of(joint)
         ]
         hold, signs = _hold_of([way[1:] for way in ways], home)
-        names = ", ".join(show(joint.name) for joint in root.joints)
+        names = ", ".join(dict.fromkeys(show(joint.label) for joint in root.joints))
         if not is_closed(hold):
             words = "together no directions fixed in the carrier"
             expected = "expected one, slides, a plane, three hinges through a point"
@@ -321,7 +326,7 @@ class _Maker:
         }
         friction, stops = [], []
         for k, ((joint, kind, *_), expressible) in enumerate(zip(ways, sayable, strict=True)):
-            where, name = f"joint {show(joint.name)}", freedom_names(hold)[k]
+            where, name = f"joint {show(joint.label)}", freedom_names(hold)[k]
             ends = sorted(signs[k] * np.array(joint.range or ()))
             stopped = (
                 ends and expressible and (kind == "slide" or max(map(abs, ends)) < FURTHEST) and joint.kind != "ball"
@@ -345,7 +350,7 @@ class _Maker:
             }
             unsaid = ", ".join(key for key, is_left in left_out.items() if is_left)
             note = f"{where}: {unsaid} left out: no law of a hold says it"
-            if unsaid and note not in self._notes:  # a ball has three freedoms
+            if unsaid:
                 self._notes.append(note)
         tables: dict[str, Any] = {}
         if tensors["stiffness"].any() or tensors["damping"].any():
@@ -415,7 +420,7 @@ class _Maker:
         if any(sources.values()):
             motor = Motor(joint.effort, None, None, None, None, joint.damping, joint.friction, 0.1)
         self._comments[name] = [
-            f"{self._words(body.name).capitalize()} on joint {show(joint.name)}, whose coordinate is the phase.",
+            f"{self._words(body.name).capitalize()} on joint {show(joint.label)}, whose coordinate is the phase.",
             self._sources(members),
             *([f"Motor: {', '.join(key for key, x in sources.items() if x)} of the joint."] if motor else []),
         ]
