@@ -340,7 +340,7 @@ def test_a_held_carrier_is_refused_with_what_to_use_instead() -> None:
     with pytest.raises(UsageError) as told:
         design_attitude(stand, LoopOptions())
     assert str(told.value) == (
-        'stand "eye4": hold: the loop demands a task, which a held carrier does not have; turn it by '
+        'attitude: "eye4": hold: the loop demands a task, which a held carrier does not have; turn it by '
         "`inverse_fast` and `torque` of its C, as docs/held/turn.c does, or take [hold] out"
     )
 

@@ -190,7 +190,10 @@ def manifest_of(folder: Path, stand: Stand) -> dict[str, Any] | None:
     """The manifest of a folder, None where there is none. Raises UsageError if it is of another stand, or not ours."""
     manifest = read_manifest(folder)
     if manifest is not None and manifest["stand"] != stand.name:
-        raise UsageError(f'{folder}: holds the C of stand "{manifest["stand"]}": choose another folder, {_NOTHING}')
+        raise UsageError(
+            f'{folder}: holds the C of stand "{manifest["stand"]}": choose another folder, or that name by prefix, '
+            f"{_NOTHING}"
+        )
     return manifest
 
 

@@ -15,7 +15,7 @@ from mahovik.core.emit.readme import readme
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.emit.selftest import selftest
 from mahovik.core.emit.templates import template
-from mahovik.core.lower.encoder import ENCODER, MOST, lower_encoder
+from mahovik.core.lower.encoder import COUNTS, ENCODER, lower_encoder
 from mahovik.core.lower.golden import golden
 from mahovik.core.program.types import DOUBLE, FLOAT, Kind
 from mahovik.core.stand.model import Stand
@@ -43,7 +43,7 @@ def encoder_files(stand: Stand, generated: Generated) -> dict[str, str]:
         codes.append(Code(lower_encoder(precision), NO_STAND, types=types))
     functions = {f["prototype"]: f for code in codes for f in code.functions}
     known = {
-        "most": MOST,
+        "counts": COUNTS,
         "struct": struct_lines(ENCODER, codes[0].names),
         "declarations": [line for code in codes for line in code.public_declarations(code.public)],
         "functions": list(functions.values()),

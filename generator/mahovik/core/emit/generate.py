@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mahovik.contract.functions import ALL, CHOSEN, is_default, row_of
+from mahovik.contract.functions import ALL, CHOSEN, FUNCTIONS, is_default, row_of, task_of
 from mahovik.core.emit.code import Code
 from mahovik.core.emit.layout import wrap_statement
 from mahovik.core.emit.log_format import RESERVED
@@ -71,7 +71,8 @@ def generate_all(
         raise UsageError(f"real {precision_name}: only {', '.join(PRECISIONS)} can be generated")
     layout = Layout(structure(stand), PRECISIONS[precision_name])
     named = (*CHOSEN,) if only == ALL else (*(only or ()), *chosen)
-    slopes = only in (None, ALL) or any("jac" in name for name in only)  # a slip in the name finds the Jacobian as well
+    other = (name for name in only or () if name not in FUNCTIONS | CHOSEN and not task_of(name))  # slips, all listed
+    slopes = only in (None, ALL) or any("jacobian" in name for name in only) or any(other)
     program = lower_layout(layout, tuple(name for name in CHOSEN if name in named), slopes)
     values = Values(stand, layout, program)
     only = ALL if only in (None, ALL) else _public_names(program, only or (), stand.name)

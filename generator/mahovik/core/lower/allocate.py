@@ -18,6 +18,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core.lower.library import Library
+from mahovik.core.lower.limits import Thresholds
 from mahovik.core.program.function import Function
 from mahovik.core.program.kernel import Ints, Reals, Result, argument, inline, ints, kernel, reals
 from mahovik.core.routines import ldl
@@ -38,7 +39,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
     """phi_ddot of a demand in orthogonal rows, the first `rows` of the work."""
     layout = lib.layout
     N, n = layout.count, int(layout.count)
-    regularisation, tolerance = lib.thresholds.regular, lib.thresholds.unreachable
+    eps, regularisation = lib.thresholds, lib.thresholds.regular
     most_real, largest = layout.precision.largest, lib.limits["LARGEST"].expression
 
     @kernel(name_for_rows("allocate", rows), equation="(12)")
@@ -68,7 +69,7 @@ def allocate(lib: Library, rows: int = 6) -> Function:
             phi_ddot[s] = 0
             limited[s] = 0
             share[s] = 1 / options.weight[s]
-        for pass_ in range(most_passes(n)):
+        for pass_ in range(most_passes(n)):  # at most: each flywheel is held and freed again
             if going > 0:
                 most: float = 0.0
                 for s in range(N):
@@ -95,7 +96,8 @@ def allocate(lib: Library, rows: int = 6) -> Function:
                 if pass_ < 1:
                     clip(N, work, options, phi_ddot, limited, step)
                 else:
-                    advance(N, work, options, rank, phi_ddot, limited, step, rows, settled, square_before, tolerance)
+                    advance(N, work, options, rank, phi_ddot, limited, step, rows, settled, square_before, eps)
+                # the weights are left out when each flywheel may have been held, or after half of all passes
                 if pass_ >= usual_passes(n) - 2 and (settled > 0 or pass_ == most_passes(n) // 2):
                     going = weighted
                     weighted = 0
@@ -125,7 +127,7 @@ def clip(N: int, work: Any, options: Any, y: Reals, held: Ints, step: Reals) -> 
 @inline
 def advance(
     N: int, work: Any, options: Any, rank: int, y: Reals, held: Ints, step: Reals, rows: int, settled: Result,
-    square_before: Result, tolerance: float,
+    square_before: Result, eps: Thresholds,
 ) -> None:  # fmt: skip
     """A step of the active set method.
 
@@ -163,7 +165,7 @@ def advance(
                     left[i] -= work.W[i][s] * y[s]
             square += left[i] * left[i]
         best = reals()
-        best = tolerance * tolerance * wanted  # smaller gains are ignored
+        best = eps.reached_square * wanted  # smaller gains are ignored
         freed: int = -1
         for s in range(N):
             if held[s] > 0:
@@ -178,7 +180,7 @@ def advance(
                     freed = s
         if freed >= 0:
             held[freed] = 0
-        elif not (square > best and square < square_before.value * (1 - tolerance)):
+        elif not (square > best and square < square_before.value * eps.settled):
             settled.value = 1
         square_before.value = square
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from mahovik.core.program.expression import Status
+from mahovik.contract.quantities import BOUNDS
+from mahovik.core.program.expression import Convert, Status, integer
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.kernel import (
     BAD_ARGUMENT,
@@ -24,15 +25,18 @@ from mahovik.core.program.kernel import (
     result,
     word,
 )
-from mahovik.core.program.types import FLOAT, Field, Kind, Precision, Struct
+from mahovik.core.program.types import FLOAT, Field, Kind, NamedCount, Precision, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.routines.real_constants import PI, nearest
 
-MOST = {"double": 2**30, "float": 2**23}
-"""Counts per turn, in magnitude: a float has every integer up to twice as many."""
-
-LONGEST, FASTEST = 10.0, 1e5
-"""Time between two readings, s, and speed, rad/s."""
+MOST = {
+    "double": NamedCount("MAX_COUNTS", 2**30, "counts per turn, in magnitude"),
+    "float": NamedCount("MAX_COUNTS_FLOAT", 2**23, "likewise: a float has every integer up to twice as many"),
+}
+LONGEST = NamedCount("MAX_PERIOD", int(BOUNDS["MAX_STEP"].at("double")), "s; time between two readings")
+FASTEST = NamedCount("MAX_SPEED", int(BOUNDS["MAX_SPEED"].at("double")), "rad/s")
+COUNTS = (*MOST.values(), LONGEST, FASTEST)
+"""Integers, which C converts to either element type."""
 
 ENCODER = Struct(
     "encoder",
@@ -79,7 +83,8 @@ def accumulate(
     ),
 ) -> Status:
     """Takes one reading of a counter, which may wrap: place in the turn and counts moved, both exact."""
-    if per_turn < -MOST["double"] or per_turn > MOST["double"] or per_turn == 0:
+    most = integer(MOST["double"])
+    if per_turn < -most or per_turn > most or per_turn == 0:
         return BAD_ARGUMENT
     turn = -per_turn if per_turn < 0 else per_turn
     if encoder.place < 0 or encoder.place >= turn:
@@ -123,9 +128,9 @@ def check_range(precision: Precision, value: float, limit: float) -> Any:
 def of_counts(precision: Precision) -> tuple[Function, ...]:
     """Phase and speed of counts."""
     end = "_float" if precision is FLOAT else ""
-    most, whole = MOST[precision.name], nearest(2 * PI, precision)
+    most, whole = integer(MOST[precision.name]), nearest(2 * PI, precision)
     statuses = ("OK", "NOT_FINITE", "RANGE", "BAD_ARGUMENT")
-    turning: Any = argument(f"as above; at most MAHOVIK_MAX_COUNTS{end.upper()}")
+    turning: Any = argument(f"as above; at most MAHOVIK_{MOST[precision.name].name}")
 
     @kernel(f"phase_of_counts{end}", statuses=statuses, public=True)
     def phase_of_counts(
@@ -151,17 +156,18 @@ def of_counts(precision: Precision) -> tuple[Function, ...]:
     def speed_of_counts(
         moved: int = argument("counts during dt: `moved` of the encoder"),
         per_turn: int = turning,
-        dt: float = argument(f"above 0, at most {LONGEST:g}", unit="s"),
-        phi_dot: Result = result(f"RANGE where it is beyond {FASTEST:g}", unit="rad/s"),
+        dt: float = argument("above 0, at most MAHOVIK_MAX_PERIOD", unit="s"),
+        phi_dot: Result = result("RANGE where it is beyond MAHOVIK_MAX_SPEED", unit="rad/s"),
     ) -> Status:
         """Mean speed over a time. One count is 2 pi/(per_turn dt)."""
         if per_turn < -most or per_turn > most or per_turn == 0:
             return BAD_ARGUMENT
-        check_range(precision, dt, LONGEST)
+        check_range(precision, dt, Convert(integer(LONGEST), Kind.REAL))
         if not (dt > 0):
             return BAD_ARGUMENT
         speed = float(moved) / float(per_turn) * whole / dt
-        if not (speed >= -FASTEST and speed <= FASTEST):
+        fastest = Convert(integer(FASTEST), Kind.REAL)
+        if not (speed >= -fastest and speed <= fastest):
             return RANGE
         phi_dot.value = speed
         return OK

@@ -184,7 +184,7 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
     """phi_ddot for a wanted V_dot of a free or held carrier, or for the demand of a task, with diagnostics."""
     layout, N, held = lib.layout, lib.layout.count, lib.layout.held
     m = len(task) if task else layout.inverse_rows
-    along, tolerance = bool(task) or held, lib.thresholds.unreachable  # (8) gives the motion that results
+    along = bool(task) or held  # (8) gives the motion that results
     orthogonalise, allocate = lib[name_for_rows("orthogonalise", m)], lib[name_for_rows("allocate", m)]
     result = layout.task_result(task.task) if task else layout.inverse_result
     result_purpose = "phi_ddot, the motion and its quality" if task else "phi_ddot and its quality"
@@ -270,7 +270,7 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
                     z[i] -= work.G[i][k] * z[k]
                 z[i] = z[i] / work.G[i][i]
                 left += z[i] * z[i]
-        if left > tolerance * tolerance * wanted:
+        if left > lib.thresholds.reached_square * wanted:
             flags = flags | bit("UNREACHABLE")
         if not along:
             for t in range(6):

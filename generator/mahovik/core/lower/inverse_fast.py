@@ -41,9 +41,9 @@ def wide_answer(
     """phi_ddot = D^-1 Omega^-1 W^T z, (W Omega^-1 W^T + lambda^2 E) z = r: not more rows than flywheels.
 
     A row that is free, by `use`, is zero and its z is 0. With `table` W and r lack the norms of spin inertias, of the
-    table, and of rows, G. I has had its use: W Omega^-1 takes its place.
+    table, and of rows, G. W Omega^-1 takes the place of I, which is not read again.
     """
-    # normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is there
+    # normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; `I` now holds W Omega^-1
     for s in range(lib.layout.count):
         give = table.flywheel[s].spin_inv / options.weight[s] if table is not None else 1 / options.weight[s]
         for i in range(rows):

@@ -294,7 +294,7 @@ def add_frame_of_axes(lib: Library) -> None:
         along = dot(e1, zero)  # of zero along the axis
         across = reals(3)
         across[:] = zero - along * e1
-        unit(across, e2, "across2", lib.thresholds.parallel**2 * zero2)
+        unit(across, e2, "across2", lib.thresholds.parallel_square * zero2)
         for i in list(range(3)):
             R[3 * i : 3 * i + 3] = [e1[i], e2[i], cross(e1, e2)[i]]
         return OK

@@ -178,7 +178,6 @@ def add_torque_for(lib: Library, task: Rows) -> None:
     layout, N, m = lib.layout, lib.layout.count, len(task)
     n, base = int(N), base_of(task)
     least_squares, largest_share = lib[f"bounded_least_squares_{m}"], lib[f"largest_share_{m}"]
-    tolerance = lib.thresholds.unreachable
 
     @lib.kernel(
         f"torque_for_{task.name}",
@@ -248,7 +247,7 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                 rest -= W[i * n + s] * y[s]
             left += rest * rest
             wanted += r[i] * r[i]
-        flags = bit("UNREACHABLE") if left > tolerance * tolerance * wanted else 0
+        flags = bit("UNREACHABLE") if left > lib.thresholds.reached_square * wanted else 0
         if flags > 0:
             if options.keep_direction != 0:
                 start = reals(m)

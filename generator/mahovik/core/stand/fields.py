@@ -233,6 +233,8 @@ def stand_name_problem(name: str) -> str | None:
     """Why `name` cannot be the name of a stand, hence of its files, or None."""
     if name in C_HEADERS:
         return f"{show(name)} is the name of a standard header of C: {name}.h would hide it"
+    if name.lower() == "mahovik":
+        return f"{show(name)} begins the names that are the same for every stand, mahovik_encoder.h"
     if name.startswith("_"):
         return f"{show(name)} begins with _: all names of the C would, and C reserves such names; begin with a letter"
     return name_problem(name)

@@ -107,7 +107,7 @@ def design_attitude(stand: Stand, options: LoopOptions) -> AttitudeDesign:
     spins = np.array([float(inertia_about_origin(wheel)[0, 0]) for wheel in stand.flywheels])
     if np.linalg.matrix_rank(axes, tol=1e-6) < 3:
         raise UsageError(
-            f'stand "{stand.name}": the spin axes of its flywheels do not span space, so that they cannot turn the '
+            f'attitude: "{stand.name}": the spin axes of its flywheels do not span space, so that they cannot turn the '
             "carrier in every direction; expected three at least, with axes that lie in no plane"
         )
     if options.failure != "none" and np.linalg.matrix_rank(axes[1:], tol=1e-6) < 3:
@@ -171,7 +171,7 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
     """
     if stand.hold is not None:
         raise UsageError(
-            f'stand "{stand.name}": hold: the loop demands a task, which a held carrier does not have; turn it '
+            f'attitude: "{stand.name}": hold: the loop demands a task, which a held carrier does not have; turn it '
             "by `inverse_fast` and `torque` of its C, as docs/held/turn.c does, or take "
             "[hold] out"
         )
@@ -180,7 +180,7 @@ def attitude_task(stand: Stand, name: str | None) -> Task:
         reason = "no task: add [task.pointing] to its file"
         if names:
             reason = f"tasks {', '.join(names)}: give attitude=NAME"
-        raise UsageError(f'stand "{stand.name}": {reason}, with rows = ["wx", "wy", "wz"]')
+        raise UsageError(f'attitude: "{stand.name}": {reason}, with rows = ["wx", "wy", "wz"]')
     wanted = name if name is not None else names[0]
     task = next((item for item in stand.tasks if item.name == wanted), None)
     if task is None:
