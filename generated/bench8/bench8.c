@@ -1235,7 +1235,7 @@ BENCH8_CODE static void bench8_orthogonalise(bench8_inverse_work *restrict work)
         for (int j = 0; j < 6; ++j) { work->U[i][j] = 0.0; }
         work->U[i][i] = 1.0;
     }
-    for (int sweep = 0; sweep < 9; ++sweep) {
+    for (int sweep = 0; sweep < 9; ++sweep) {  /* they converge quadratically */
         for (int p = 0; p < 5; ++p) {
             for (int q = p + 1; q < 6; ++q) {
                 bench8_real a = 0.0;
@@ -1387,7 +1387,7 @@ BENCH8_CODE static void bench8_allocate(
         limited[s] = 0;
         share[s] = 1.0 / options->weight[s];
     }
-    for (int pass = 0; pass < 52; ++pass) {
+    for (int pass = 0; pass < 52; ++pass) {  /* at most: each flywheel is held and freed again */
         if (going > 0) {
             bench8_real most = 0.0;
             for (int s = 0; s < BENCH8_N; ++s) {
@@ -1492,7 +1492,7 @@ BENCH8_CODE static void bench8_allocate(
                         }
                         square += left[i] * left[i];
                     }
-                    bench8_real best = 1.0e-18 * wanted;  /* smaller gains are ignored */
+                    bench8_real best = BENCH8_EPS_REACHED2 * wanted;  /* smaller gains are ignored */
                     int freed = -1;
                     for (int s = 0; s < BENCH8_N; ++s) {
                         if (limited[s] > 0) {
@@ -1511,10 +1511,11 @@ BENCH8_CODE static void bench8_allocate(
                     }
                     if (freed >= 0) {
                         limited[freed] = 0;
-                    } else if (!(square > best && square < square_before * 0.999999999)) { settled = 1; }
+                    } else if (!(square > best && square < square_before * BENCH8_SETTLED)) { settled = 1; }
                     square_before = square;
                 }
             }
+            /* the weights are left out when each flywheel may have been held, or after half of all passes */
             if (pass >= 10 && (settled > 0 || pass == 26)) {
                 going = weighted;
                 weighted = 0;
@@ -1688,7 +1689,7 @@ BENCH8_CODE bench8_status bench8_inverse(
         z[i] = z[i] / work.G[i][i];
         left += z[i] * z[i];
     }
-    if (left > 1.0e-18 * wanted) { flags = flags | BENCH8_UNREACHABLE; }
+    if (left > BENCH8_EPS_REACHED2 * wanted) { flags = flags | BENCH8_UNREACHABLE; }
     for (int t = 0; t < 6; ++t) {
         const int i = 5 - t;
         for (int k = i + 1; k < 6; ++k) { z[i] -= work.G[k][i] * z[k]; }
@@ -1767,7 +1768,7 @@ BENCH8_CODE bench8_status bench8_inverse_fast(
     status = bench8_demand(table, x, sine, cosine, V_dot, &work);
     if (status != BENCH8_OK) { return status; }
     bench8_real answer[BENCH8_N];
-    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; I has had its use, W Omega^-1 is there */
+    /* normal equations: W Omega^-1 W^T z = r, y = Omega^-1 W^T z; `I` now holds W Omega^-1 */
     for (int s = 0; s < BENCH8_N; ++s) {
         const bench8_real give = 1.0 / options->weight[s];
         for (int i = 0; i < 6; ++i) { work.I_[i][s] = work.W[i][s] * give; }
@@ -1867,7 +1868,7 @@ BENCH8_CODE static bench8_status bench8_frame_of_axes(
     across[1] = zero[1] - along * e1[1];
     across[2] = zero[2] - along * e1[2];
     const bench8_real across2 = across[0] * across[0] + across[1] * across[1] + across[2] * across[2];
-    if (!(across2 > 2.5e-19 * zero2)) { return BENCH8_RANGE; }
+    if (!(across2 > BENCH8_EPS_PARALLEL2 * zero2)) { return BENCH8_RANGE; }
     const bench8_real across2_root = 1.0 / bench8_sqrt(across2);
     e2[0] = across[0] * across2_root;  e2[1] = across[1] * across2_root;  e2[2] = across[2] * across2_root;
     R[0] = e1[0];  R[1] = e2[0];
