@@ -32,6 +32,7 @@ from mahovik.core.stand.fields import (
     vector,
 )
 from mahovik.core.stand.hold import TWIST_NAMES, twists
+from mahovik.core.stand.masses import cross
 from mahovik.core.stand.model import Flywheel, Stand
 from mahovik.core.stand.model import Sequence as AngleSequence
 from mahovik.core.stand.tables import Default
@@ -117,16 +118,18 @@ def summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed
 def _summed(isolators: Sequence[Isolator], preload: bool, stand: Stand) -> Summed:
     """The suspension of one stand, whose numbers are floats. Raises QuantityError."""
     K, home = _matrix(isolators, lambda isolator: isolator.stiffness), _home(stand)
+    gravity = [g[0] for g in _times(_transposed(home), _column(stand.gravity))]
     bearing = preload or any(isolator.damping_ratio is not None for isolator in isolators)
-    x = _displacement(K, _weight(stand, home), stand) if bearing else [0.0] * 6
-    gravity = _times(_transposed(home), _column(stand.gravity))
+    x = _displacement(K, _weight(stand, gravity), stand) if bearing else [0.0] * 6
     damping = {isolator.name: _damping(isolator, x, gravity) for isolator in isolators}
     D = _matrix(isolators, lambda isolator: damping[isolator.name])
     position, angles = (ZERO3, ZERO3) if stand.hold is None else (stand.hold.position, stand.hold.angles)
-    if preload and any(x):
+    if preload:
         turn = math.sqrt(math.fsum(a * a for a in x[3:]))
         if turn > 1.0:
             raise QuantityError("suspension", "preload", f"springs would turn by {turn:.3g} rad, expected at most 1")
+        _require_stable(K, x, gravity, stand)
+    if preload and any(x):
         shift = _times(home, _column(x[:3]))
         position = cast(Vec3, tuple(p - s[0] for p, s in zip(position, shift, strict=True)))
         angles = _angles(_times(home, _rotation([-a for a in x[3:]])), stand.angles)
@@ -146,7 +149,7 @@ def _matrix(isolators: Sequence[Isolator], numbers: Callable[[Isolator], Vec3]) 
     return total
 
 
-def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows) -> Vec3:
+def _damping(isolator: Isolator, x: Sequence[float], gravity: Sequence[float]) -> Vec3:
     """Damping of an isolator along its axes, N s/m, where the suspension is displaced by x at rest."""
     ratio = isolator.damping_ratio
     if ratio is None:
@@ -154,8 +157,8 @@ def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows) -> Vec3:
     A = _product_of_turns(isolator.angles, (2, 1, 0))
     along = _times(_transposed(A), _times(_at(isolator.position), _column(x)))
     lift = _times(A, [[-k * s[0]] for k, s in zip(isolator.stiffness, along, strict=True)])
-    square = math.fsum(g[0] * g[0] for g in gravity)
-    mass = -math.fsum(f[0] * g[0] for f, g in zip(lift, gravity, strict=True)) / square if square else 0.0
+    square = math.fsum(g * g for g in gravity)
+    mass = 0.0 - math.fsum(f[0] * g for f, g in zip(lift, gravity, strict=True)) / square if square else 0.0
     if not mass > 0.0:
         key = "ratio" if isolator.loss is None else "loss"
         bears = "there is no gravity, so that it bears" if not square else f"it bears {mass:.4g} kg at rest, and so"
@@ -164,9 +167,8 @@ def _damping(isolator: Isolator, x: Sequence[float], gravity: Rows) -> Vec3:
     return cast(Vec3, tuple(2.0 * ratio * math.sqrt(k * mass) for k in isolator.stiffness))
 
 
-def _weight(stand: Stand, home: Rows) -> list[float]:
-    """Weight and buoyancy (6; N, N m) in the home pose about O1 in E1 axes; flywheels averaged over a turn."""
-    gravity = [g[0] for g in _times(_transposed(home), _column(stand.gravity))]
+def _weight(stand: Stand, gravity: Sequence[float]) -> list[float]:
+    """Weight and buoyancy (6; N, N m) under a gravity in E1 axes, about O1; flywheels averaged over a turn."""
     total = [0.0] * 6
     for body in stand.bodies:
         origin, axes = _place(stand, body)
@@ -211,6 +213,8 @@ def _place(stand: Stand, body: Any) -> tuple[list[float], Rows]:
 def _displacement(K: Rows, weight: Sequence[float], stand: Stand) -> list[float]:
     """x = S y (6; m, rad) with S^T K S y = S^T w: the springs carry the weight. Raises QuantityError."""
     S: Rows = np.eye(6).tolist() if stand.hold is None else twists(stand.hold).tolist()
+    if not S[0]:  # clamped: all is carried by the hold
+        return [0.0] * 6
     A, b = _times(_transposed(S), _times(K, S)), [w[0] for w in _times(_transposed(S), _column(weight))]
     size = [math.sqrt(A[i][i]) or 1.0 for i in range(len(A))]
     largest = max((abs(value) / s for value, s in zip(b, size, strict=True)), default=0.0)
@@ -235,6 +239,41 @@ def _displacement(K: Rows, weight: Sequence[float], stand: Stand) -> list[float]
         if L[k][k] > SOFT:
             y[k] = (y[k] - math.fsum(L[k][j] * y[j] for j in range(k + 1, len(A)))) / L[k][k]
     return [row[0] for row in _times(S, [[value / s] for value, s in zip(y, size, strict=True)])]
+
+
+def _require_stable(K: Rows, x: Sequence[float], gravity: Sequence[float], stand: Stand) -> None:
+    """Raise QuantityError where the stand falls from the pose in which springs, displaced by x, balance its weight.
+
+    A small twist of the carrier changes x by B twist, and the wrench of the weight in E1 axes by G twist, as gravity
+    turns there: the springs hold where K B - G has no negative eigenvalue along the freedoms.
+    """
+    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    if not S.any() or any(law.carries_weight for law in stand.laws):  # clamped; legs hold too, and are not known here
+        return
+    shift, turn = np.array(x[:3]), np.array(x[3:])
+    B, G, angle = np.eye(6), np.zeros((6, 6)), float(np.linalg.norm(turn))
+    B[:3, 3:] = cross(shift)
+    half = 0.5 * angle
+    square = (1.0 - half / math.tan(half)) / angle**2 if angle > 1e-3 else 1.0 / 12.0
+    B[3:, 3:] += 0.5 * cross(turn) + square * cross(turn) @ cross(turn)
+    for i, turned in enumerate(np.cross(np.array(gravity), np.eye(3)).tolist()):
+        G[:, 3 + i] = _weight(stand, turned)
+    springs, weight = (S.T @ A @ S for A in (np.array(K) @ B, G))
+    size = np.sqrt(np.diag(S.T @ np.array(K) @ S))
+    size[size == 0.0] = 1.0
+    values, vectors = np.linalg.eig((springs - weight) / np.outer(size, size))  # not symmetric: it has no potential
+    least = int(np.argmin(np.where(values.imag == 0.0, values.real, np.inf)))
+    if values[least].imag == 0.0 and values[least].real < -LEFT:
+        y = vectors[:, least].real / size
+        twist = S @ y
+        row = int(np.argmax(np.abs(twist)))
+        y /= twist[row]
+        held, pushed = float(y @ springs @ y), float(y @ weight @ y)
+        unit = "N/m" if row < 3 else "N m/rad"
+        words = (
+            f"along {TWIST_NAMES[row]} springs resist a motion by {held:.4g} {unit}, weight drives it by {pushed:.4g}"
+        )
+        raise QuantityError("suspension", "preload", f"{words}: expected stiffer ones, or a lower centre of mass")
 
 
 def _home(stand: Stand) -> Rows:
