@@ -37,17 +37,17 @@
  * BENCH8_PLAIN_NAMES for all files, and it sees the names as they are, as dlsym, --wrap and other
  * languages need them. */
 #ifndef BENCH8_PLAIN_NAMES
-#define bench8_default_parameters bench8_default_parameters_f64_92949c6d
-#define bench8_default            bench8_default_f64_92949c6d
-#define bench8_default_options    bench8_default_options_f64_92949c6d
-#define bench8_forward            bench8_forward_f64_92949c6d
-#define bench8_momentum           bench8_momentum_f64_92949c6d
-#define bench8_torque             bench8_torque_f64_92949c6d
-#define bench8_coupled            bench8_coupled_f64_92949c6d
-#define bench8_step               bench8_step_f64_92949c6d
-#define bench8_inverse            bench8_inverse_f64_92949c6d
-#define bench8_inverse_fast       bench8_inverse_fast_f64_92949c6d
-#define bench8_prepare            bench8_prepare_f64_92949c6d
+#define bench8_default_parameters bench8_default_parameters_f64_8eeb05f4
+#define bench8_default            bench8_default_f64_8eeb05f4
+#define bench8_default_options    bench8_default_options_f64_8eeb05f4
+#define bench8_forward            bench8_forward_f64_8eeb05f4
+#define bench8_momentum           bench8_momentum_f64_8eeb05f4
+#define bench8_torque             bench8_torque_f64_8eeb05f4
+#define bench8_coupled            bench8_coupled_f64_8eeb05f4
+#define bench8_step               bench8_step_f64_8eeb05f4
+#define bench8_inverse            bench8_inverse_f64_8eeb05f4
+#define bench8_inverse_fast       bench8_inverse_fast_f64_8eeb05f4
+#define bench8_prepare            bench8_prepare_f64_8eeb05f4
 #endif
 
 #ifdef __cplusplus
@@ -85,12 +85,12 @@ typedef double bench8_real;
 #define BENCH8_MIN_NORM2         0.998001  /* square of the length of a quaternion, or of sine and cosine */
 #define BENCH8_MAX_NORM2         1.002001  /* the same: within 1e-3 of unit length */
 #define BENCH8_EPS_RANK          1.0e-9    /* of singular values over the largest: below, one is zero */
-#define BENCH8_EPS_REACHED2      1.0e-18   /* of squares: above, UNREACHABLE */
-#define BENCH8_SETTLED           0.999999999  /* of a residual's square to that before: above, no gain */
+#define BENCH8_EPS_REACHED2      1.0e-18   /* of residual over demand, both squared: above, UNREACHABLE */
+#define BENCH8_SETTLED           0.999999999  /* of squared residuals of two passes: above, no gain */
 #define BENCH8_MIN_WEIGHT        1.0e-6    /* the weight of a flywheel in inverse; 1/MAX_WEIGHT */
 #define BENCH8_EPS_REGULAR       1.0e-12   /* on diagonals that limits may have left singular */
 #define BENCH8_EPS_PIVOT         1.0e-13   /* of a pivot over its diagonal: below, rounding */
-#define BENCH8_EPS_PARALLEL2     2.5e-19   /* square of that sine */
+#define BENCH8_EPS_PARALLEL2     2.5e-19   /* sine between `axis` and `zero`, squared: below, parallel */
 #define BENCH8_EPS_MASS          1.0e-30   /* kg, kg m2; masses and spin inertias: below, none */
 #define BENCH8_EPS_INERTIA       1.0e-9    /* how far below 0 rounding may take an eigenvalue */
 #define BENCH8_MAX_INERTIA       1.0e60    /* kg m2; sum of all moments of inertia about O1 */

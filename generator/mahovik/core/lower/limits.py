@@ -58,9 +58,11 @@ class Thresholds:
 
         self.rank = threshold(1e-9, 1e-5, "EPS_RANK", "of singular values over the largest: below, one is zero")
         self.unreachable = threshold(1e-9, 1e-4, "EPS_REACHED", "of residual over demand: above, UNREACHABLE")
-        self.reached_square = NamedNumber(self.unreachable**2, "EPS_REACHED2", "of squares: above, UNREACHABLE")
+        self.reached_square = NamedNumber(
+            self.unreachable**2, "EPS_REACHED2", "of residual over demand, both squared: above, UNREACHABLE"
+        )
         self.settled = NamedNumber(
-            1 - self.unreachable, "SETTLED", "of a residual's square to that before: above, no gain"
+            1 - self.unreachable, "SETTLED", "of squared residuals of two passes: above, no gain"
         )
         self.near_singular = threshold(1e-6, 1e-3, "EPS_SINGULAR", "default of `near_singular`")
         """above `rank`, or no kept value could ever be below it"""
@@ -75,7 +77,9 @@ class Thresholds:
         """a float at 1 m has a spacing of 1.2e-7 m"""
         self.parallel = threshold(5e-10, 1e-4, "EPS_PARALLEL", "sine between `axis` and `zero`: below, parallel")
         """in double half of what the stand file takes"""
-        self.parallel_square = NamedNumber(self.parallel**2, "EPS_PARALLEL2", "square of that sine")
+        self.parallel_square = NamedNumber(
+            self.parallel**2, "EPS_PARALLEL2", "sine between `axis` and `zero`, squared: below, parallel"
+        )
         self.least = threshold(1e-30, 1e-15, "EPS_MASS", "kg, kg m2; masses and spin inertias: below, none")
         """their inverses and what is made of them stay numbers"""
         self.unphysical = threshold(1e-9, 1e-5, "EPS_INERTIA", "how far below 0 rounding may take an eigenvalue")
