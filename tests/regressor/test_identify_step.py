@@ -27,9 +27,10 @@ from regressor.test_columns import case_of, failures
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("real", ["double", "float"])
-def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, real: str) -> None:
-    stand = random_stand(np.random.default_rng(6), 3, EVERYTHING)
+@pytest.mark.parametrize(("name", "real"), [("everything", "double"), ("everything", "float"), ("bench8", "double")])
+def test_a_step_is_that_of_the_covariance_form(tmp_path: Path, name: str, real: str) -> None:
+    everything = random_stand(np.random.default_rng(6), 3, EVERYTHING)
+    stand = everything if name == "everything" else load(stands.path(name))
     assert failures(checks_of(case_of(stand, tmp_path, real, named="identify_step"), "identify_step")) == {}
 
 

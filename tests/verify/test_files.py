@@ -4,15 +4,18 @@ import json
 import tomllib
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 
+from mahovik.contract.limits import DOUBLE, LIMITS
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import Stand, dumps, load, loads
 from mahovik.proof.second.reading import differences
-from mahovik.proof.verify.files import ACCEPTED, check_file, check_text
+from mahovik.proof.verify.files import check_file, check_options, check_text
 from mahovik.stands import path
 from strategies import stands
 
@@ -64,7 +67,7 @@ angles = [0.1, 0.2, 0.3]
 def test_every_form_of_a_data_sheet_is_read_twice() -> None:
     """The same file is read by `core/stand` and by the second reading: faults are planted in both."""
     faults = differences(loads(DATA_SHEET), tomllib.loads(DATA_SHEET))
-    assert max(faults.values()) <= ACCEPTED, faults
+    assert max(faults.values()) <= DOUBLE.value, faults
     assert {"sheet inertia", "disc centre of mass", "arm axes", "sensor position", "added mass"} <= faults.keys()
 
 
@@ -88,6 +91,35 @@ def test_a_number_that_was_read_otherwise_fails() -> None:
     assert check_file(DEMO, None).verdict == "not compared"
     document["carrier"]["mass"] = "3 stone"
     assert check_file(DEMO, document).words == 'the second reading does not know the unit "stone"'
+
+
+MOTORS = """
+schema = 1
+name = "motors"
+inverse_most = "200 rpm/s"
+carrier = { mass = 1, inertia = [1, 1, 1] }
+task.turn = { rows = ["wx"] }
+"""
+MOTORS += "".join(
+    f'[[flywheel]]\nname = "w{k}"\nmass = 1\ninertia = [1, 1, 1]\nmotor = {{ {motor} }}\n{more}\n'
+    for k, (motor, more) in enumerate([
+        ('torque = "20 mN m", speed = "6000 rpm", coulomb = 1e-4', ""),
+        ('torque_speed = { value = [[0, 20], [50, 5]], unit = ["rpm", "mN m"] }, viscous = 1e-5', "inverse_weight = 2"),
+        ("viscous = 1e-5", ""),
+    ])
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("real", ["double", "float"])
+def test_default_options_are_those_of_the_file(real: str) -> None:
+    """Motors by limits and by a curve, and one that is nowhere limited; a number of each that is wrong fails."""
+    made, document, limits = generate_all(loads(MOTORS), real), tomllib.loads(MOTORS), LIMITS[real]
+    options: Any = made.values.options
+    largest = float(made.program.precision.largest)
+    assert check_options(options, document, limits, largest).verdict == "ok"
+    for name, value in options.items():
+        wrong = options | {name: (np.array(value) * 0.9 + 0.01).tolist()}
+        assert check_options(wrong, document, limits, largest).words.startswith(f"{name}:")
 
 
 def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:

@@ -44,7 +44,8 @@ class PublicFunction:
     takes     arguments in order; those that a stand does not need are left out
     gives     results, by name
     want      whether `eval` answers it, by the name of the function
-    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "tasks", "held"; or nothing
+    needs     parts that a stand must have: "flywheels", "sensors" (instruments or points), "tasks", "held",
+              "unbalances" (flywheels of a free carrier); or nothing
     tasks     whether each task of the stand has a form of its own, `NAME_TASK`, with its demand in place of V_dot
     batch     whether it has a batch, many states in a register; others run state by state
     python    whether a model has a method of its name
@@ -303,7 +304,7 @@ _CHOSEN = (
         ("table", "mounting", "x", "V_dot", "phi_ddot", "wrench", "noise", "forget", "estimate"),
         ("estimate",),
         ("reference",),
-        needs="flywheels",
+        needs="unbalances",
         python=False,
     ),
 )

@@ -532,8 +532,8 @@ class Layout:
 
     @property
     def unbalances(self) -> int:
-        """Numbers that identify_step estimates."""
-        return 2 * int(self.count)
+        """Numbers that identify_step estimates: its slopes are those of all six rows of (8), of a free carrier."""
+        return 0 if self.held else 2 * int(self.count)
 
     @cached_property
     def estimate(self) -> Struct:

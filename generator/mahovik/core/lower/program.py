@@ -107,7 +107,7 @@ def lower_layout(layout: Layout, chosen: tuple[str, ...] = (), slopes: bool = Tr
         drive.add_reaction(lib)
     if "regressor" in chosen:
         regressor.add_all(lib)
-    if "identify_step" in chosen and layout.flywheels and not layout.held:  # its slopes are those of six rows
+    if "identify_step" in chosen and layout.unbalances:
         identify_step.add_all(lib)
     return _program(lib)
 

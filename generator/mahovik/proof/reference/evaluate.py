@@ -205,7 +205,7 @@ def answer_regressor(at: Pieces, stand: Stand, state: State) -> Values:
     return values | {"Y_linear": at.V_r, "Y_quadratic": at.V_r * np.abs(at.V_r)}
 
 
-# Recursive least squares of static unbalances, in the covariance form, all channels at once.
+# Recursive least squares of static unbalances, in the covariance form.
 
 
 def slopes(stand: Stand, state: State) -> Array:
@@ -214,19 +214,22 @@ def slopes(stand: Stand, state: State) -> Array:
     return np.asarray(-np.linalg.solve(pieces(stand, state).K, np.hstack(columns)))
 
 
-def identify_step(
-    stand: Stand, state: State, noise: Array, forget: float, unbalance: Array, covariance: Array
-) -> tuple[Array, Array]:
+def identify_step(stand: Stand, state: State, noise: Array, unbalance: Array, covariance: Array) -> tuple[Array, Array]:
     """Static unbalances (2N; kg m) and their covariance (2Nx2N) after one sample, from those before it.
 
-    m rc along axes 2 and 3 of each flywheel, to be added. V_dot of the state is measured, with standard deviations
-    `noise` (6).
+    m rc along axes 2 and 3 of each flywheel, to be added. V_dot of the state is measured, with independent standard
+    deviations `noise` (6); a component with 0 is not used. The covariance is Joseph's sum of squares, component by
+    component, as a difference of covariances loses digits.
     """
-    H = slopes(stand, state)
+    H, P = slopes(stand, state), covariance
     excess = vector(state.V_dot) - forward(pieces(stand, state), vector(state.phi_ddot))
-    P = covariance * (1.0 + forget)
-    gain = P @ H.T @ np.linalg.inv(H @ P @ H.T + np.diag(noise**2))
-    return unbalance + gain @ (excess - H @ unbalance), P - gain @ H @ P
+    for h, deviation, measured in zip(H, noise, excess, strict=True):
+        if deviation:
+            gain = P @ h / (h @ P @ h + deviation**2)
+            unbalance = unbalance + gain * (measured - h @ unbalance)
+            rest = np.eye(len(P)) - np.outer(gain, h)
+            P = rest @ P @ rest.T + deviation**2 * np.outer(gain, gain)
+    return unbalance, P
 
 
 # -- answers -----------------------------------------------------------------------------------------------------------

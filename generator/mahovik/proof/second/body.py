@@ -208,8 +208,13 @@ class MovingBody:
         return self._turned @ self._axes
 
     def angular_velocity(self) -> Expr:
-        """omega (3; rad/s), on the body's axes."""
-        return angular_velocity(self.axes(), self.chart.rate(self.axes()))
+        """omega (3; rad/s), on the body's axes: that of the carrier, and phi' about the first axis.
+
+        In R^T R' of the body's own axes R, phi' would come with sine^2 + cosine^2, whose rounding, differentiated, is
+        above all else at the highest speeds.
+        """
+        carrier = angular_velocity(self._turned, self.chart.rate(self._turned))
+        return self._axes.T @ carrier + ca.vertcat(self.chart.q_dot[6], 0, 0)
 
     def twist(self, stream: Expr) -> Expr:
         """Velocity of the body's origin relative to a fluid, and angular velocity, on the body's axes (6)."""

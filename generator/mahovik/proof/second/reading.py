@@ -1,4 +1,4 @@
-"""A second reading of the stand file: masses, their centres, inertia, added mass, mountings, sums of isolators.
+"""A second reading of the stand file: masses, their centres, inertia, added mass, mountings, sums of isolators, motors.
 
 All derivations begin with the numbers that `core/stand` has read, so that a wrong sign there is the same in all of
 them. This one reads the file's tables itself, by other ways: units by a table of its own; an unbalance as a complex
@@ -202,6 +202,49 @@ def differences(stand: Stand, document: Table) -> dict[str, float]:
     Lambda = np.zeros((6, 6)) if fluid is None else fluid
     result["added mass"] = _relative(Lambda, file.added_mass, np.abs(Lambda).max())
     return result | (_isolators(stand, document, file) if "isolator" in document else {})
+
+
+def default_options(document: Table, largest: float, near_singular: float) -> dict[str, Array]:
+    """Members of the default options of the C by the file's flywheels; `largest` stands for no limit.
+
+    A motor that nothing limits is none: `inverse_most` then bounds the acceleration, and friction does not count.
+    """
+    wheels = document.get("flywheel", [])
+    motors = [wheel.get("motor", {}) for wheel in wheels]
+    motors = [motor if motor.keys() & {"torque", "speed", "torque_speed"} else {} for motor in motors]
+    curves = [_curve(motor["torque_speed"]) if "torque_speed" in motor else [[0.0, largest]] for motor in motors]
+    points = max(map(len, curves), default=0)
+    padded = np.array([[*curve, *curve[-1:] * (points - len(curve))] for curve in curves])
+
+    def of_motors(key: str, absent: float) -> Array:
+        return np.array([_si(motor.get(key, absent)) for motor in motors])
+
+    none, zero = np.full(len(wheels), largest), np.zeros(len(wheels))
+    return {
+        "weight": np.array([_si(wheel.get("inverse_weight", 1)) for wheel in wheels]),
+        "limit": none,
+        "most": np.array([largest if motor else _si(document.get("inverse_most", 1e4)) for motor in motors]),
+        "motor_torque": of_motors("torque", largest),
+        "motor_speed": of_motors("speed", largest),
+        "motor_curve_speed": padded[..., 0],
+        "motor_curve_torque": padded[..., 1],
+        "motor_viscous": of_motors("viscous", 0.0),
+        "motor_coulomb": of_motors("coulomb", 0.0),
+        "motor_coulomb_speed": np.array([_si(motor.get("coulomb_speed", 0.1)) if motor else 1.0 for motor in motors]),
+        "motor_power": none,
+        "target_speed": zero,
+        "near_singular": np.array(near_singular),
+        **{name: np.array(0.0) for name in ("damping", "target_rate", "avoid_speed", "keep_direction")},
+        **{f"use_{name}": np.ones(len(task["rows"])) for name, task in document.get("task", {}).items()},
+    }
+
+
+def _curve(raw: Any) -> list[list[float]]:
+    """Speed and torque of the points of a curve; of one from speed 0 on also those of the other sense."""
+    pairs, units = (raw["value"], raw["unit"]) if isinstance(raw, dict) else (raw, (None, None))
+    points = [[_si(x, unit) for x, unit in zip(pair, units, strict=True)] for pair in pairs]
+    other_sense = [[-speed, torque] for speed, torque in points[::-1] if speed > 0.0]
+    return points if points[0][0] < 0.0 else other_sense + points
 
 
 def _isolators(stand: Stand, document: Table, file: Reading) -> dict[str, float]:

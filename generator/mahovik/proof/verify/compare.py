@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -21,7 +20,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import ROUNDINGS, Equation, Laws, Measured, Scales, bits_of
+from mahovik.proof.verify.scales import Equation, Laws, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
 
@@ -116,9 +115,6 @@ LARGEST = {precision.name: float(precision.largest) for precision in (DOUBLE, FL
 
 HALF_TURN = 1e-9
 """Distance from half a turn, rad, at which its angle may be of either sign; or what is accepted, where that is more."""
-
-LAST_PLACES, NEIGHBOURS = 2.0**-51, 3
-"""Relative distance of states by which rounding is measured, and how many there are."""
 
 
 def _half_turns_as(name: str, expected: Any, result: Any, near: float) -> Any:
@@ -268,9 +264,6 @@ class Rows:
                 self._second_answers = True
                 value, scale, between = measured.values[quantity], measured.scales[quantity], math.inf
                 other, more = difference(second[quantity], value, scale, check.floor)
-                if other > check.accepted_of_second and other <= self._noise(request.state, quantity, scale):
-                    check.note(off, _name(request), reason, request)
-                    continue
                 if answer is not None:
                     between = difference(result, second[quantity], scale, check.floor)[0]
                 self._note(check, (off, other, between), request, reason or more)
@@ -334,19 +327,6 @@ class Rows:
             return self._second.evaluate(state, (self.function,)), ""
         except StateError as error:
             return {}, f"second derivation refused: {error}"
-
-    def _noise(self, state: State, quantity: str, scale: Any) -> float:
-        """Rounding of the second derivation over a scale, measured: by states that are some last places away.
-
-        It differentiates energies: at the highest speeds terms cancel there that the equations do not have.
-        """
-        assert self._second is not None
-        noise, center = 0.0, self._second.evaluate(state, (self.function,))[quantity]
-        for _ in range(NEIGHBOURS):
-            with suppress(StateError):
-                moved = self._second.evaluate(self._scales.moved(state, LAST_PLACES), (self.function,))[quantity]
-                noise = max(noise, difference(moved, center, scale, self.limits.floor)[0])
-        return ROUNDINGS * noise
 
 
 def _name(request: Request) -> str:

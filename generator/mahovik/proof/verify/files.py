@@ -8,10 +8,14 @@ a folder is not what this version generates, with the functions concerned. Line 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 from mahovik import __version__
+from mahovik.contract.limits import DOUBLE, Limits
 from mahovik.core.emit.batch import batch_files
 from mahovik.core.emit.delivered import declared_functions, read_manifest
 from mahovik.core.emit.generate import Generated
@@ -21,13 +25,14 @@ from mahovik.core.emit.names import VERIFICATION
 from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.stand.model import Stand
 from mahovik.errors import UsageError
-from mahovik.proof.second.reading import Table, UnknownUnitError, differences
-from mahovik.proof.verify.check import TEXT, Check
-
-ACCEPTED = 1e-12
-"""Relative difference of two readings of a file that rounding may make; seen are 4e-16."""
+from mahovik.proof.second.reading import Table, UnknownUnitError, default_options, differences
+from mahovik.proof.verify.check import TEXT, Check, difference
 
 FILE = "stand file = second reading"
+OPTIONS = "default options = second reading"
+NEAR_SINGULAR = {"double": 1e-6, "float": 1e-3}
+"""Default of `near_singular` by the contract."""
+
 BATCH = "batch C = as generated"
 
 SHOWN = 6
@@ -39,11 +44,29 @@ def check_file(stand: Stand, document: Table | None) -> Check:
 
     `document`: the file's tables; None of a stand that has no file.
     """
-    row = Check("", FILE, limit=ACCEPTED, words="the stand has no file")
+    return _second_reading(Check("", FILE, limit=DOUBLE.value), document, lambda tables: differences(stand, tables))
+
+
+def check_options(options: Mapping[str, Any], document: Table | None, limits: Limits, largest: float) -> Check:
+    """Row: the default `options` of the C are those of a second reading of the stand's file.
+
+    `largest`: number of the element type that stands for no limit.
+    """
+
+    def relative(tables: Table) -> dict[str, float]:
+        expected = default_options(tables, largest, NEAR_SINGULAR[limits.real])
+        return {name: difference(value, expected[name], np.abs(expected[name]))[0] for name, value in options.items()}
+
+    return _second_reading(Check("", OPTIONS, limit=limits.value), document, relative)
+
+
+def _second_reading(row: Check, document: Table | None, relative: Callable[[Table], Mapping[str, float]]) -> Check:
+    """The row with relative differences by name."""
+    row.words = "the stand has no file"
     if document is not None:
         try:
-            for name, off in differences(stand, document).items():
-                row.note(off, words=f"{name}: relative difference {off:.1e}" if off > ACCEPTED else "")
+            for name, value in relative(document).items():
+                row.note(value, words=f"{name}: relative difference {value:.1e}" if value > row.limit else "")
         except UnknownUnitError as error:
             row.words = f'the second reading does not know the unit "{error}"'
     return row

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from mahovik.contract.functions import TASK_WANTS
+from mahovik.contract.functions import CHOSEN, TASK_WANTS
 from mahovik.contract.limits import DOUBLE, LIMITS, Limits
 from mahovik.core.stand.model import Stand, State
 from mahovik.core.toolchain.process import side_by_side
@@ -19,7 +19,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows, ordinary, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
-from mahovik.proof.verify.files import check_batch, check_file, check_text, is_as_generated
+from mahovik.proof.verify.files import check_batch, check_file, check_options, check_text, is_as_generated
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Backend, Request
@@ -106,7 +106,13 @@ def verify_c(
         rows.append(check_bits(backend, states, against))
         rows.append(check_refusals(backend.program, good_inputs(backend, states), raw_call(backend)))
         rows += [Check(name, "not in the folder") for name in backend.left_out]  # nothing judges them
+        if against is None:
+            absent = (row for row in CHOSEN.values() if not row.needs or getattr(backend.layout, row.needs))
+            rows += [Check(row.name, "not in the C", words="only by `generate --only all`") for row in absent]
     rows.append(check_file(stand, document))
+    if any(a.name == "options" for f in backend.program.functions if f.public for a in f.arguments):
+        options = backend.library.read(backend.library.default("default_options"))
+        rows.append(check_options(options, document, limits, backend.layout.precision.largest))
     if against is not None:
         rows.append(check_text(stand, backend.generated, against))
         rows += filter(None, [check_batch(stand, backend.generated, against)])

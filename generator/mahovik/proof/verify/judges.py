@@ -28,7 +28,6 @@ from mahovik.errors import UsageError
 from mahovik.proof.verify.backends import with_all_inputs
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, Report, difference, report
-from mahovik.proof.verify.compare import LAST_PLACES, NEIGHBOURS
 from mahovik.proof.verify.draw import draw, turns_of
 from mahovik.proof.verify.harness import Progress
 from mahovik.proof.verify.scales import ROUNDINGS, Scales
@@ -40,6 +39,9 @@ States = Sequence[tuple[str, State]]
 
 NEAR = 10.0
 """m: a coordinate of the carrier in E0 is at most this, since the programs add its position to that of every body."""
+
+LAST_PLACES, NEIGHBOURS = 2.0**-51, 3
+"""Relative distance of states by which rounding is measured, and how many there are."""
 
 POINT = ("position", "C", "twist", "specific_force", "angular_acceleration")
 """What `points` of `eval` says of a point."""

@@ -105,10 +105,11 @@ class Scales:
             return None
         _, near, at = self.neighbours(state)[0]
         scaled = scaled_demand(at, vector(near.V_dot))
-        left, bound = np.linalg.norm(scaled.root @ expected), self.cuts.reached * np.linalg.norm(scaled.r)
-        if abs(left - bound) > ROUNDINGS * LAST_PLACE[self.real] * np.linalg.norm(scaled.root * scale):
-            return None
-        return bool(np.linalg.norm(scaled.root @ vector(residual)) > bound)
+        with np.errstate(over="ignore"):
+            left, bound = np.linalg.norm(scaled.root @ expected), self.cuts.reached * np.linalg.norm(scaled.r)
+            if abs(left - bound) > ROUNDINGS * LAST_PLACE[self.real] * np.linalg.norm(scaled.root * scale):
+                return None
+            return bool(np.linalg.norm(scaled.root @ vector(residual)) > bound)
 
     def _ordinary_scales(self, want: str) -> Mapping[str, Any]:
         """Scales at an ordinary state; none where the reference refuses it."""

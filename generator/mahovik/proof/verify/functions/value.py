@@ -53,7 +53,7 @@ JACOBIAN_STATES, LOCKED_STATES = 4, 1
 """States at which a Jacobian is judged, and with locks: each pattern needs a derivative of its own."""
 
 DEVIATION, NOISE, FORGET = 1e-3, 0.1, 0.1
-"""kg m: deviation of the unbalances before a sample; noise, a part of what these make of a channel; `forget`."""
+"""kg m: deviation of the unbalances before a sample; noise, a part of what these make of a component; `forget`."""
 
 
 TURN = 2 * Fraction("3.1415926535897932384626433832795028841971693993751")
@@ -101,13 +101,14 @@ def trials_with_sines(case: Case, function: str) -> Iterator[Trial]:
         return reference.evaluate(stand, state, (function,), at, case.scales.cuts)
 
     for name, state in case.states:
-        arguments = case.backend.arguments(state) | turns(state)
-        arguments["x"] = arguments["x"] | {"phi": [0.0] * case.count}
+        arguments = case.backend.arguments(state)
+        by_sines = arguments | turns(state) | {"x": arguments["x"] | {"phi": [0.0] * case.count}}
 
-        def read(trials: Mapping[str, Any], arguments: Mapping[str, Any] = arguments) -> Mapping[str, Any]:
-            return case.backend.with_reaction(arguments, dict(trials)) if function in ("forward", "coupled") else trials
+        def read(motion: Mapping[str, Any], arguments: Mapping[str, Any] = arguments) -> Mapping[str, Any]:
+            """The motion, and of a held carrier its reaction, whose function takes no sines."""
+            return case.backend.with_reaction(arguments, dict(motion)) if function in ("forward", "coupled") else motion
 
-        yield Trial(name, state, arguments, equation, read)
+        yield Trial(name, state, by_sines, equation, read)
 
 
 def locked_trials(case: Case) -> Iterator[Trial]:
@@ -123,21 +124,26 @@ def locked_trials(case: Case) -> Iterator[Trial]:
 
 
 def estimate_trials(case: Case) -> Iterator[Trial]:
-    """The factored step of recursive least squares against the literal covariance form, from random estimates."""
+    """The factored step of recursive least squares against the literal covariance form, from random estimates.
+
+    Some variances reach the largest as they grow, and some components of V_dot are not used.
+    """
     n = 2 * case.count
     for number, (name, state) in enumerate(case.states):
-        rng = case.random(number)
+        rng, largest = case.random(number), float(case.nearest_numbers(DEVIATION**2))
         prior = {
             "unbalance": case.nearest_numbers(DEVIATION * rng.normal(size=n)).tolist(),
-            "variance": case.nearest_numbers(DEVIATION**2 * rng.uniform(0.5, 1.5, n)).tolist(),
+            "variance": case.nearest_numbers(largest * rng.uniform(0.5, 1.0, n)).tolist(),
             "factor": case.nearest_numbers(0.3 * rng.normal(size=n * (n - 1) // 2)).tolist(),
-            "largest": 1.0,
+            "largest": largest,
         }
-        H, u, P = slopes(case.stand, state), np.array(prior["unbalance"]), covariance(prior)
+        grown = np.minimum(largest, (1.0 + FORGET) * np.array(prior["variance"]))
+        H, u, P = slopes(case.stand, state), np.array(prior["unbalance"]), covariance({**prior, "variance": grown})
         noise = case.nearest_numbers(NOISE * np.sqrt(np.diag(H @ P @ H.T)))
+        noise[number % 7 :: 7] = 0.0
 
         def equation(stand: Stand, near: State, _: Any, noise: Array = noise, u: Array = u, P: Array = P) -> Values:
-            return dict(zip(("unbalance", "covariance"), identify_step(stand, near, noise, FORGET, u, P), strict=True))
+            return dict(zip(("unbalance", "covariance"), identify_step(stand, near, noise, u, P), strict=True))
 
         inputs = {**case.backend.arguments(state), "noise": noise.tolist(), "forget": FORGET, "estimate": prior}
         yield Trial(name, state, inputs, equation, lambda results: {
