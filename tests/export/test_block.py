@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 from functools import lru_cache
 from pathlib import Path
@@ -12,14 +13,16 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 import mahovik
+from cli.run import run as command
 from mahovik import stands
 from mahovik.core.stand import load
 from mahovik.core.toolchain.compiler import BITS
-from mahovik.out.export.fmu import export_block, with_wrench
+from mahovik.out.export.fmu import with_wrench
 
 HEADERS = Path(__file__).parent / "block"
 SAMPLE, DT, SAMPLES = 0.01, 0.005, 20
 TAU, WRENCH = (0.02, -0.03, 0.01), (0.5, -0.2, 0.1, 0.02, 0.03, -0.01)
+START = {"position": [0.1, 0.2, -0.3], "V": [0.01, 0.0, 0.02, 0.1, -0.2, 0.3], "phi_dot": [50.0, -20.0, 5.0]}
 STRICT = ("-Wall", "-Wextra", "-Werror", *BITS)
 
 
@@ -30,18 +33,19 @@ def run(program: Path, *numbers: float) -> list[str]:
 
 def written(folder: Path, tool: str) -> list[str]:
     """The C files of a block in a folder, without its interface."""
-    files = export_block(load(stands.path("demo3")), tool, DT)
-    for name, text in files.items():
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / name).write_text(text)
-    return [str(folder / name) for name in files if name.endswith(".c") and "simulink" not in name]
+    start = folder / "start.json"
+    start.write_text(json.dumps(START))
+    settings = ("--project", tool, "--fmu", f"start={start}", "--fmu", f"dt={DT}")
+    done = command("generate", str(stands.path("demo3")), *settings, "-o", str(folder / tool))
+    assert done.exit_code == 0, done.output
+    return [str(file) for file in sorted((folder / tool).glob("*.c")) if "simulink" not in file.name]
 
 
 @lru_cache
 def motion() -> tuple[NDArray[np.float64], ...]:
     """Position, quaternion, V, phi, phi_dot, mass centre in E1 and its velocity at each sample, by the model."""
     model = mahovik.build(mahovik.Stand.of(with_wrench(load(stands.path("demo3")))))
-    x, rows = model.states(1), []
+    x, rows = model.states(1, **{name: [values] for name, values in START.items()}), []
     for k in range(SAMPLES + 1):
         if k:
             for _ in range(round(SAMPLE / DT)):
@@ -56,10 +60,13 @@ def motion() -> tuple[NDArray[np.float64], ...]:
 def simulink(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("simulink")
     sources = written(folder, "simulink")
-    options = ["-std=c99", *STRICT, f"-I{HEADERS}", "-Wno-unused-value", "-c", "-o"]
+    address = "-fsanitize=address"  # notices a text in memory that is freed
+    options = ["-std=c99", *STRICT, address, f"-I{HEADERS}", "-Wno-unused-value", "-c", "-o"]
     block: list[str | Path] = ["gcc", *options, folder / "block.o"]
-    subprocess.run([*block, folder / "demo3_simulink.c"], check=True)
-    subprocess.run(["gcc", "-std=c99", *STRICT, *sources, folder / "block.o", "-o", folder / "run"], check=True)
+    subprocess.run([*block, folder / "simulink" / "demo3_simulink.c"], check=True)
+    subprocess.run(
+        ["gcc", "-std=c99", *STRICT, address, *sources, folder / "block.o", "-o", folder / "run"], check=True
+    )
     return folder / "run"
 
 
@@ -82,9 +89,13 @@ def test_the_module_of_basilisk_moves_as_the_model_does(tmp_path: Path) -> None:
     for source in written(tmp_path, "basilisk"):
         objects.append(source.removesuffix(".c") + ".o")
         subprocess.run(["gcc", "-std=c99", *STRICT, "-c", source, "-o", objects[-1]], check=True)
-    names = ['-DMODULE="demo3_basilisk.h"', "-DCLASS=demo3_basilisk", f"-I{HEADERS}", f"-I{tmp_path}"]
+    names = ['-DMODULE="demo3_basilisk.h"', "-DCLASS=demo3_basilisk", f"-I{HEADERS}", f"-I{tmp_path / 'basilisk'}"]
     main = ["g++", "-std=c++17", *STRICT, *names, str(HEADERS / "run_basilisk.cpp"), *objects]
     subprocess.run([*main, "-o", tmp_path / "run"], check=True)
+    few = subprocess.run(
+        [*main, "-DMAX_EFF_CNT=2", "-o", tmp_path / "few"], check=False, capture_output=True, text=True
+    )
+    assert "demo3 has more wheels than a message of Basilisk holds" in few.stderr
     rows = np.array([line.split() for line in run(tmp_path / "run", SAMPLE, DT, SAMPLES, *TAU, *WRENCH)], dtype=float)
     position, attitude, V, phi, phi_dot, center, velocity = motion()
     C = Rotation.from_quat(attitude[:, [1, 2, 3, 0]])

@@ -18,7 +18,7 @@ int main(int count, char **words)
         printf("\n");
         mdlUpdate(&S, 0);
     }
-    if (S.error) { printf("%s\n", S.error); }
     mdlTerminate(&S);
+    if (S.error) { printf("%s\n", S.error); }  /* when the block is gone */
     return 0;
 }

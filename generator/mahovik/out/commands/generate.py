@@ -95,8 +95,8 @@ def generate(
         real: element type; default double, of a board the widest of its FPU, of a folder that exists its own.
         batch: add functions for many states at once.
         project: write a project of this kind around the C.
-        fmu: set kind=cs|me, inputs=torque|acceleration, start=STATE.json, dt=TIME (the longest step
-            inside, default 0.1 ms) or binary=yes|no of the FMU.
+        fmu: set start=STATE.json (default the rest pose) or dt=TIME (the longest step inside, default 0.1 ms) of an FMU
+            or a block, kind=cs|me, inputs=torque|acceleration or binary=yes|no of an FMU.
         programme: add this programme of `mahovik plan`.
         motion: read the required motion of the programme, for drive torques, feedforward and trim.
         servo: add the servos of this file. Exit status 1 if the sampled, delayed loop is not stable with enough margin.
@@ -146,23 +146,14 @@ def generate(
         course, sources = programme_of(programme), (file_name(programme, "programme"), file_name(servo, "servo"))
         required = None if motion is None else motion_of(motion, named, course)
         usual = element_type(folder, named, real, usual)
-        _add_programme(
-            contents,
-            named,
-            course,
-            required,
-            None if servo is None else servo_of(servo, named),
-            table,
-            usual,
-            sources,
-            name,
-        )
+        servos = None if servo is None else servo_of(servo, named)
+        _add_programme(contents, named, course, required, servos, table, usual, sources, name)
     if programme is None or project is not None or not (folder / f"{named.name}.h").is_file():
         if project is None or project == "cmake":
             added = tuple(dict.fromkeys((*added, *delivered.additions)))
         loop = None if attitude is None else _loop_options(attitude)
         chosen = real or (delivered.real if check else "") or usual
-        _add_project(contents, named, folder, project, loop, chosen, only_ or delivered.only, added)
+        _add_project(contents, named, folder, project, loop, chosen, only_ or delivered.only, added, fmu)
     if check:
         _check_folder(folder, named, contents)
         return Result(f"{folder} is as the stand file gives it", meta={"folder": str(folder)}, details=("folder",))
@@ -181,8 +172,8 @@ def _refuse_contradictions(
     only: tuple[str, ...], added: tuple[str, ...],
 ) -> None:  # fmt: skip
     """Raise UsageError for options that mean nothing together."""
-    if fmu is not None and project != "fmu":
-        raise UsageError("fmu: only with project=fmu")
+    if fmu is not None and project not in ("fmu", *BLOCKS):
+        raise UsageError(f"fmu: only with project=fmu, {' or '.join(BLOCKS)}")
     for what, value in (("motion", motion), ("servo", servo), ("name", name if name != "programme" else None)):
         if value is not None and programme is None:
             raise UsageError(f"{what}: needs programme=P.json, which is missing")
@@ -251,11 +242,12 @@ class Contents:
 
 def _add_project(
     contents: Contents, stand: Stand, folder: Path, project: str | None, loop: LoopOptions | None, real: str,
-    only: tuple[str, ...], additions: tuple[str, ...],
+    only: tuple[str, ...], additions: tuple[str, ...], fmu: Any,
 ) -> None:  # fmt: skip
     """Add the C and the project around it, which compiles programmes of the contents and of the folder.
 
-    `loop`: options of an attitude loop; without a project for this machine. Raises UsageError, StandError.
+    `loop`: options of an attitude loop; without a project for this machine. `fmu`: settings of a block. Raises
+    UsageError, StandError.
     """
     if loop is None and project is None:
         from mahovik.core.emit.delivery import delivery
@@ -268,7 +260,7 @@ def _add_project(
     elif project in BLOCKS:
         from mahovik.out.export.fmu import export_block
 
-        contents.files = export_block(stand, str(project))
+        contents.files = export_block(stand, str(project), **_fmu_settings(stand, fmu, {}))
     elif loop is not None:
         from mahovik.out.export.project import attitude_project, attitude_sources, cmake_project
 
@@ -381,33 +373,42 @@ def _warn(stand: Stand, made: Contents, only: tuple[str, ...]) -> None:
         warn(line)
 
 
+def _fmu_settings(stand: Stand, settings: Any, words: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
+    """Start and longest step of an FMU or a block, and what is one of some words. Raises UsageError."""
+    from mahovik.core.stand.units import TIME
+    from mahovik.use.simulate.case import load_start
+
+    chosen: dict[str, Any] = {"start": None, "dt": 1e-4, **{key: known[0] for key, known in words.items()}}
+    for key, value in _pairs(settings or {}, "").items():
+        if key not in chosen:
+            raise UsageError(f'fmu: unknown "{key}"{suggestion(str(key), chosen)}')
+        if key in words and str(value) not in words[key]:
+            raise UsageError(f'fmu {key}: unknown "{value}"{suggestion(str(value), words[key])}')
+        chosen[key] = quantity("fmu dt", value, TIME, 1e-9, 10.0) if key == "dt" else str(value)
+    if chosen["start"] is None:
+        warn_of_turn(stand)
+    else:
+        chosen["start"] = reading("state", Path(chosen["start"]), load_start, stand)
+    return chosen
+
+
 def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progressing) -> Result:
     """Write the FMU, or compare what a file holds. Raises UsageError, CheckError, ToolchainError."""
     import io
     import zipfile
 
-    from mahovik.core.stand.units import TIME
     from mahovik.out.export.fmu import export_fmu
-    from mahovik.use.simulate.case import load_start
 
-    chosen: dict[str, Any] = {"start": None, "dt": 1e-4, **{key: words[0] for key, words in FMU.items()}}
-    for key, value in _pairs(settings or {}, "").items():
-        if key not in chosen:
-            raise UsageError(f'fmu: unknown "{key}"{suggestion(str(key), chosen)}')
-        if key in FMU and str(value) not in FMU[key]:
-            raise UsageError(f'fmu {key}: unknown "{value}"{suggestion(str(value), FMU[key])}')
-        chosen[key] = quantity("fmu dt", value, TIME, 1e-9, 10.0) if key == "dt" else str(value)
+    chosen = _fmu_settings(stand, settings, FMU)
     if chosen["kind"] == "me" and isinstance(settings, Mapping) and "dt" in settings:
         raise UsageError("fmu dt: model exchange has no internal step, the tool integrates")
     target = Path(output) if output is not None else Path(f"{stand.name}.fmu")
     if target.suffix != ".fmu":
         target = target / f"{stand.name}.fmu"
-    start = None if chosen["start"] is None else reading("state", Path(chosen["start"]), load_start, stand)
     if not check:
         probe(target)
     notify(progress, Progress(f"FMU of {stand.name}"))
-    binary = chosen["binary"] == "yes" and not check
-    made = export_fmu(stand, chosen["kind"], chosen["inputs"], chosen["dt"], start, binary)
+    made = export_fmu(stand, **chosen | {"binary": chosen["binary"] == "yes" and not check})
     if check:
         try:
             with zipfile.ZipFile(io.BytesIO(target.read_bytes())) as there:
@@ -418,8 +419,6 @@ def _fmu(stand: Stand, output: Any, settings: Any, check: bool, progress: Progre
         if wrong := [name for name, text in texts.items() if known.get(name) != text]:
             raise CheckError(f"{target}: {', '.join(wrong)}: not what the generator makes of the stand file")
         return Result(f"{target} is as the stand file gives it")
-    if start is None:
-        warn_of_turn(stand)
     write(target, made.content)
     return _result(f"FMU of {stand.name}", target.parent, {target.name: made.content}, made.lines)
 

@@ -74,12 +74,10 @@ def with_wrench(stand: Stand) -> Stand:
     return replace(stand, carrier=replace(stand.carrier, wrench_input=True))
 
 
-def export_block(
-    stand: Stand, tool: str, dt: float = 1e-4, start: State | None = None, generated: Generated | None = None
-) -> dict[str, str]:
+def export_block(stand: Stand, tool: str, dt: float = 1e-4, start: State | None = None) -> dict[str, str]:
     """A plant block of the simulator "simulink" or "basilisk", text by file name. Options, errors: as `export_fmu`."""
     stand = with_wrench(stand)
-    generated = generated or generate_all(stand)
+    generated = generate_all(stand)
     block = form(stand, generated.layout, generated.values, "cs", "torque", dt, start_of(stand, start, generated))
     return with_manifest(stand, generated, block_sources(stand, generated, block, tool), tool)
 

@@ -1,2 +1,5 @@
 #pragma once
-typedef struct { double wheelSpeeds[36]; double wheelThetas[36]; } RWSpeedMsgPayload;
+#ifndef MAX_EFF_CNT
+#define MAX_EFF_CNT 36
+#endif
+typedef struct { double wheelSpeeds[MAX_EFF_CNT]; double wheelThetas[MAX_EFF_CNT]; } RWSpeedMsgPayload;
