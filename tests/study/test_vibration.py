@@ -385,13 +385,31 @@ def test_small_differences_of_speed_make_sat4_quieter() -> None:
     assert result["after"] == pytest.approx(float(np.linalg.norm(values)), rel=1e-6)
     assert result["before"] > 5.0 * result["after"]
     (words, *_) = command(path("sat4"), **QUIET, momentum="0 0 0").messages
-    assert words == "no line is left in the band: RMS 0.00568592 m/s2 before, 0 after, of the whole equations"
+    assert (
+        words
+        == "no line above rounding is left in the band: RMS 0.00568592 m/s2 before, 0 after, of the whole equations"
+    )
     mean = np.zeros(3)
     for turn in range(4):
         phi = tuple(result["phases"] + turn * math.pi / 2)
         state = replace(rest_state(SAT4), phi=phi, phi_dot=tuple(result["speeds"].tolist()))
         mean += momentum(pieces(SAT4, state))[3:] / 4
     assert mean == pytest.approx([0.0, 0.0, 14.0], abs=1e-12)
+
+
+FAST = {"quantity": "acceleration", "improve": True}
+
+
+def test_wheels_stop_only_where_the_limit_lets_them() -> None:
+    """Two exciters of opposite senses hold no momentum: they are quietest at rest, which is no improvement."""
+    wanted: dict[str, Any] = {"speed": {"left": "600rpm", "right": "-600rpm"}, "at": "carrier"} | FAST
+    kept = command(path("shaker2"), **wanted)["improved"]
+    assert np.abs(kept["speeds"]).min() >= 10.0 * np.pi * (1.0 - 1e-8)
+    stopped = command(path("shaker2"), **wanted, limit="0..700rpm")
+    assert stopped["improved"]["speeds"].tolist() == [0.0, 0.0] and "stop: left, right" in stopped.messages
+    assert stopped.messages[0].startswith("no line above rounding is left") and "-0" not in " ".join(stopped.messages)
+    low = command(path("sat4"), **QUIET | {"speed": [314.0, -314.0, 314.0, -314.0], "band": "30..200Hz"})
+    assert "order 1 is outside of 30..200 Hz: rw1, rw2, rw3, rw4" in low.messages
 
 
 def test_limits_and_frequencies_to_be_avoided_hold() -> None:

@@ -17,13 +17,11 @@ from mahovik.out.arguments import (
     Phases,
     Progressing,
     Seconds,
-    Speed,
     StandGiven,
     Text,
     Turning,
     by_flywheel,
     by_name,
-    quantity,
     reading,
     time_limit,
     vector,
@@ -69,7 +67,7 @@ def vibration(
     require: Annotated[str | Sequence[str], "LIMIT"] = (),
     improve: bool = False,
     momentum: Vector | None = None,
-    limit: Speed | None = None,
+    limit: Annotated[float | str, "SPEED|LOW..HIGH"] | None = None,
     avoid: Annotated[str | Sequence[str], "F|LOW..HIGH|modes"] = (),
     seed: int = 0,
     time: Seconds | None = None,
@@ -100,7 +98,8 @@ def vibration(
         require: limit to be met at all speeds, "rms|peak|worst VALUE UNIT [LOW..HIGHHz]".
         improve: search speeds and phases that make it quieter in the band; the momentum of the wheels stays the same.
         momentum: hold this momentum of the wheels, in E1, N m s; default that of the given speeds.
-        limit: speed limit of all wheels in this search; default the no-load speeds of the motors.
+        limit: speed limit of all wheels in this search, or their range; default from half of the given speed to the
+            no-load speed of the motor, without motor twice the given speed.
         avoid: frequency that no order 1 or 2 may meet, within 10 %, or a range, or modes of the stand.
         seed: of the random starts of this search.
         time: end a sweep or a search after this time, with what is known then.
@@ -207,20 +206,18 @@ def _improve(
     stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, go_on: GoOn
 ) -> tuple[dict[str, Any], list[str]]:
     """`improved`, of which before and after are of the whole equations, and messages. Raises UsageError, CheckError."""
-    from mahovik.core.stand.units import SPEED
     from mahovik.use.vibration.improve import Freedom, avoided_bands, improve_vibration
+    from mahovik.use.vibration.speeds import read_limits
 
-    most = None if limit is None else quantity("limit", limit, SPEED, 0.0)
     wanted = None if momentum is None else vector("momentum", momentum, 'in N m s, as "0 0 14"')
     whole_number("seed", seed, 0)
-    freedom = Freedom.of(stand, vibration.speeds[0], wanted, most, avoided_bands(vibration, avoid))
+    freedom = Freedom.of(stand, vibration.speeds[0], wanted, read_limits(limit), avoided_bands(vibration, avoid))
     better = improve_vibration(vibration, freedom, band, seed=seed, go_on=go_on)
-    before, after = better.before, better.after
-    words = "no allowed speeds are quieter"
-    if after < before:
-        words = f"{before / after:.4g} times quieter" if after else "no line is left in the band"
-    sizes = [quantity_text(size, vibration.seen.measure.unit) if size else "0" for size in (before, after)]
-    said = [f"{words}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"]
+    sizes = [
+        quantity_text(size, vibration.seen.measure.unit) if size else "0" for size in (better.before, better.after)
+    ]
+    said = [f"{better.gain}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"]
+    said += better.remarks(vibration, band)
     for wheel, turning, angle in zip(vibration.plan.names, better.speeds, better.phases, strict=True):
         said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
     return better._asdict(), said

@@ -4,6 +4,7 @@ The search is to first order in unbalance. Wheels whose spin axes depend on one 
 without momentum; of wheels that turn together the phases cancel lines. The best speeds lie where something changes:
 two wheels begin to turn together, a line leaves the band, a limit is reached. Each is a plane in the space of speeds;
 their intersections are tried, and the best are refined by steps along what keeps together wheels that turn together.
+Wheels are neither to stop nor to race, unless limits say so: `Freedom.of`.
 """
 
 from __future__ import annotations
@@ -32,9 +33,16 @@ from mahovik.use.vibration.study import Vibration, vibration
 from mahovik.use.vibration.torus import Flags
 
 Band = tuple[float, float]
+Limits = tuple[float | None, float | None]
 
 GUARD = 0.02
 """Part of an end of the band that a line keeps from it, to be outside."""
+
+CHANGE = 2.0
+"""Largest ratio of speeds of the wheels to what they were, without limits."""
+
+ROUNDING = 1e-9
+"""Part of the RMS before below which nothing is left but rounding."""
 
 ORDERS = (1, 2)
 """Orders of the wheels that keep out of frequencies to be avoided."""
@@ -54,7 +62,7 @@ STARTS, SWEEPS = 12, 400
 
 @dataclass(frozen=True, eq=False)
 class Freedom:
-    """Speeds that hold a momentum: start + nullspace times anything, N wheels of at most `limit` (rad/s).
+    """Speeds that hold a momentum: start + nullspace times anything, N wheels within `floor` and `limit` (rad/s).
 
     axes     (r, N): momentum along the directions that carrier and wheels share, by speed, kg m2
     avoid    bands (Hz) that no order of a wheel may meet
@@ -63,15 +71,18 @@ class Freedom:
     start: Array
     nullspace: Array
     axes: Array
+    floor: Array
     limit: Array
     avoid: tuple[Band, ...]
 
     @staticmethod
-    def of(stand: Stand, speeds: Array, momentum: Array | None, limit: float | None, avoid: Sequence[Band]) -> Freedom:
+    def of(stand: Stand, speeds: Array, momentum: Array | None, limit: Limits, avoid: Sequence[Band]) -> Freedom:
         """Freedom of the wheels of a stand about speeds (N, rad/s); momentum (3, in E1, N m s), None: that of them.
 
-        limit   rad/s, None: no-load speeds of the motors. Raises UsageError: no speeds are free, or none hold the
-                momentum; CheckError: it needs more than the limits.
+        limit   lowest and highest speed, rad/s. None: each wheel keeps half of its given speed, or of that at the start
+                if it is less, and none is faster than its motor without load, or than twice the fastest without motor.
+
+        Raises UsageError: no speeds are free, or none hold the momentum; CheckError: it needs more than the limits.
         """
         N = len(stand.flywheels)
         turns = np.eye(3) if stand.hold is None else twists(stand.hold)[3:].T
@@ -91,14 +102,18 @@ class Freedom:
         if outside > RANK * max(float(np.linalg.norm(wanted)), 1e-30):
             raise UsageError(f"momentum: {outside:.4g} N m s of it are perpendicular to all spin axes")
         start = speeds + np.linalg.pinv(axes, rcond=RANK) @ (wanted - axes @ speeds)
-        motors = [(s.motor or UNLIMITED).no_load or math.inf for s in stand.flywheels]
-        limits = np.minimum(np.array(motors), math.inf if limit is None else limit)
-        return Freedom(start_within_limits(start, right[rank:].T, limits), right[rank:].T, axes, limits, tuple(avoid))
+        low, high = limit
+        fastest = CHANGE * float(np.abs([speeds, start]).max()) if high is None else math.inf
+        motors = [(s.motor or UNLIMITED).no_load or fastest for s in stand.flywheels]
+        limits = np.minimum(np.array(motors), math.inf if high is None else high)
+        start = start_within_limits(start, right[rank:].T, limits)
+        floor = np.minimum(np.abs(start), np.abs(speeds)) / CHANGE if low is None else np.full(N, low)
+        return Freedom(start, right[rank:].T, axes, floor, limits, tuple(avoid))
 
     def allows(self, speeds: Array) -> Flags:
         """Whether speeds (S, N) are within the limits and avoid what they must."""
         size = np.abs(speeds)
-        good = (size <= self.limit * (1.0 + EDGE)).all(axis=1)
+        good = ((size >= self.floor * (1.0 - EDGE)) & (size <= self.limit * (1.0 + EDGE))).all(axis=1)
         for low_high, order in itertools.product(self.avoid, ORDERS):
             good &= ~in_band(order * size / (2.0 * np.pi), low_high).any(axis=1)
         return np.asarray(good)
@@ -130,7 +145,7 @@ class Freedom:
         for (low, high), order in itertools.product(self.avoid, ORDERS):
             edges += [2.0 * np.pi * low / order * (1.0 - 2 * EDGE), 2.0 * np.pi * high / order * (1.0 + 2 * EDGE)]
         for s in range(N):
-            for edge in (*edges, *([self.limit[s]] if math.isfinite(self.limit[s]) else [])):
+            for edge in (*edges, *(x for x in (self.floor[s], self.limit[s]) if 0.0 < x < math.inf)):
                 rows += [unit[s], unit[s]]
                 values += [edge, -edge]
         return np.array(rows), np.array(values), pairs
@@ -188,7 +203,9 @@ def improve(
     tried = tried[np.unique(np.round(tried, 6), axis=0, return_index=True)[1]]
     tried = tried[freedom.allows(tried)]
     if not len(tried):
-        raise CheckError("avoid: no speeds that hold the momentum keep out of these frequencies within the limits")
+        raise CheckError(
+            "limit, avoid: no speeds that hold the momentum keep out of these frequencies within the limits"
+        )
     bounds = search.bound(tried)
     before = max(float(search.unheld(freedom.start[None])[0]), 1e-300)
     evaluated: list[tuple[float, float, Array]] = []
@@ -213,6 +230,25 @@ class Improved(NamedTuple):
     before: float
     after: float
 
+    @property
+    def gain(self) -> str:
+        """How much quieter it is, in words."""
+        if not self.after < self.before:
+            return "no allowed speeds are quieter"
+        if self.after <= ROUNDING * self.before:
+            return "no line above rounding is left in the band"
+        return f"{self.before / self.after:.4g} times quieter"
+
+    def remarks(self, start: Vibration, band: Band) -> list[str]:
+        """Which wheels stop, and of which the first order leaves the band, in words."""
+        inside = [in_band(np.abs(x) / (2.0 * np.pi), band) & (x != 0.0) for x in (start.speeds[0], self.speeds)]
+        still = np.flatnonzero((self.speeds == 0.0) & (start.speeds[0] != 0.0))
+        gone = np.flatnonzero(inside[0] & ~inside[1] & (self.speeds != 0.0))
+        words = {"stop: {}": still, f"order 1 is outside of {band[0]:g}..{band[1]:g} Hz: {{}}": gone}
+        return [
+            text.format(", ".join(start.plan.names[s] for s in wheels)) for text, wheels in words.items() if len(wheels)
+        ]
+
 
 def improve_vibration(
     start: Vibration, freedom: Freedom, band: Band, *, seed: int = 0, go_on: Callable[[], bool] = lambda: True
@@ -224,6 +260,7 @@ def improve_vibration(
     Raises CheckError: no speeds are allowed.
     """
     speeds, phases = improve(start.chain, freedom, band, seed=seed, go_on=go_on)
+    speeds = np.where(np.abs(speeds) > ROUNDING * np.abs(start.speeds[0]).max(initial=1.0), speeds, 0.0)
     stand, within = start.scene.stand, None if band == (0.0, np.inf) else band
     plan, makers = SpeedPlan.constants(stand, speeds.tolist()), start.chain.makers
     after = vibration(start.scene, plan, start.seen, phases=phases.tolist(), makers=makers, bands=[within])

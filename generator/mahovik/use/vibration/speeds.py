@@ -123,7 +123,7 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
     geared: dict[str, tuple[float, str]] = {}
     for name, text in texts.items():
         if isinstance(text, str) and ".." in text:
-            interval = _range(name, text)
+            interval = _range(f"speed {name}=", text)
             if sweep not in (None, interval):
                 raise UsageError(f"speed {name}={text}: one can be swept; gear this one to it, as {name}=1.5*{swept}")
             sweep, swept, factor[name] = interval, swept or name, 1.0
@@ -132,7 +132,7 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
                 raise UsageError(f'speed {name}={text}: unknown flywheel "{gear[2]}"{suggestion(gear[2], names)}')
             geared[name] = (-1.0 if gear[1] == "-" else _number(name, (gear[1] or "1*")[:-1]), gear[2])
         else:
-            constant[name] = _speed(name, text)
+            constant[name] = _speed(f"speed {name}=", text)
     for name in geared:
         ratio, other, passed = 1.0, name, list[str]()
         while other in geared:
@@ -176,24 +176,34 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     return result
 
 
-def _range(name: str, text: str) -> tuple[float, float]:
-    """The ends of LOW..HIGH, of which the first may leave its unit to the second."""
-    first, _, last = text.partition("..")
-    high = _speed(name, last)
-    unit = re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", last)
-    low = _speed(name, first + unit if re.fullmatch(r"\s*[-+\d.eE]+\s*", first) else first)
-    if low == high:
-        raise UsageError(f"speed {name}={text}: the range is empty, give one speed")
+def read_limits(limit: float | str | None) -> tuple[float | None, float | None]:
+    """Lowest and highest speed, rad/s, of LOW..HIGH or of the highest alone; None: not given. Raises UsageError."""
+    if limit is None:
+        return None, None
+    low, high = _range("limit ", limit) if isinstance(limit, str) and ".." in limit else (None, _speed("limit ", limit))
+    if high < (low or 0.0) or (low or 0.0) < 0.0:
+        raise UsageError(f"limit {limit}: expected a speed, or a range of them, from zero up")
     return low, high
 
 
-def _speed(name: str, text: float | str) -> float:
+def _range(where: str, text: str) -> tuple[float, float]:
+    """The ends of LOW..HIGH, of which the first may leave its unit to the second."""
+    first, _, last = text.partition("..")
+    high = _speed(where, last)
+    unit = re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", last)
+    low = _speed(where, first + unit if re.fullmatch(r"\s*[-+\d.eE]+\s*", first) else first)
+    if low == high:
+        raise UsageError(f"{where}{text}: the range is empty, give one speed")
+    return low, high
+
+
+def _speed(where: str, text: float | str) -> float:
     try:
         speed = in_si(text, SPEED)
     except QuantityError as error:
-        raise UsageError(f"speed {name}={text}: {error}") from None
+        raise UsageError(f"{where}{text}: {error}") from None
     if not math.isfinite(speed):
-        raise UsageError(f"speed {name}={text}: expected a finite speed, as {name}=1000 rpm")
+        raise UsageError(f"{where}{text}: expected a finite speed, as {where}1000 rpm")
     return speed
 
 
