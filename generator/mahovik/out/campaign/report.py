@@ -52,6 +52,7 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
     meta["sensitivity"] = _sensitivity(campaign, values)
     few = campaign.design.kind not in IN_BLOCKS and not meta["sensitivity"].count
     messages = [f"what a quantity depends on is estimated from {ENOUGH} samples on"] if few else []
+    messages += [varied.remark for varied in campaign.draw.varied if varied.remark]
     panels = [_histogram(q.name, q.unit, values[q.name]) for q in campaign.quantities]
     return Result(
         f"campaign {campaign.name}: {len(rows)} of {campaign.design.samples} samples", columns, rows="quantities",

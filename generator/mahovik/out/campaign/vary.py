@@ -163,6 +163,9 @@ _OPTIONS = dict.fromkeys(KINDS, ("least", "most", "group")) | {"grade": ("speed"
 """Keys beside that of the kind."""
 
 _GRADE = re.compile(r"G\s*(\d+\.?\d*|\.\d+)")
+NOTABLE_CUT = 1e-3
+"""Least part of a distribution that is worth a message where the bound of its key cuts it off."""
+
 _LEAST, _MOST = 2.0**-54, 1.0 - 2.0**-53
 """Probabilities are kept within these, so that no sample of an unbounded distribution is infinite."""
 
@@ -191,6 +194,18 @@ class Varied:
         first, last = self.distribution.cdf([self.low, self.high])
         values = self.distribution.ppf(first + (last - first) * p)
         return np.asarray(self.scale * np.clip(values, self.low, self.high))
+
+    @property
+    def remark(self) -> str:
+        """How much of a distribution the least value that its key may have cuts off, and the mean left; "" if little."""
+        if self.factor is None or self.low != self.number.least:
+            return ""
+        share = float(self.distribution.cdf(self.low))
+        if share < NOTABLE_CUT:
+            return ""
+        mean = self.scale * float(self.distribution.expect(lb=self.low, ub=self.high, conditional=True))
+        words = f"{100.0 * share:.3g} % of its distribution is below {self.low:g}, its least value, and is cut off"
+        return f"{self.number.path}: {words}; the mean is {mean:.6g} {self.number.dimension.si}".rstrip()
 
 
 @dataclass(frozen=True)

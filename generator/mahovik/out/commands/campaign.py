@@ -80,7 +80,7 @@ def campaign(
     result = summarise(campaign_, tables(campaign_, folder, whole), len(whole))
     if lost:
         messages = [f"chunk {number} is missing: {why}; run the campaign again" for number, why in lost.items()]
-        return replace(result, messages=messages, ok=False)
+        return replace(result, messages=[*result.messages, *messages], ok=False)
     if merge is not None:
         merge_chunks(campaign_, folder, Path(merge))
     if report is not None:

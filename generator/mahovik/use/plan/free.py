@@ -285,17 +285,16 @@ class FreeProblem:
         return Problem.of(self.problem(y).stand, self.start.motion).relative(motion)
 
     def solve(self, y: Array, motion: FlywheelMotion, budget: Budget) -> tuple[Array, FlywheelMotion, float]:
-        """A start refined with rising numbers of harmonics, and its relative residual; inf: given up."""
+        """A start refined with rising numbers of harmonics, and its relative residual."""
         reached = (y, motion, np.inf)
         turning = bool(np.any(motion.winding))
         for H in HARMONICS if turning else HARMONICS[1:]:
             y, motion = self.descend(y, motion.with_harmonics(H), budget)
             residual = self.relative(y, motion)
-            if residual > HOPELESS and (H == 0 or H > 2):
-                break
             if residual < reached[2]:
                 reached = (y, motion, residual)
-            if residual < EXACT or budget.exhausted:
+            given_up = residual > HOPELESS and (H == 0 or H > 2)
+            if given_up or residual < EXACT or budget.exhausted:
                 break
         return reached
 
