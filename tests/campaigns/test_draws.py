@@ -49,7 +49,9 @@ def test_numbers_are_distributed_as_scipy_says(tmp_path: Path, entry: str) -> No
 
 def test_what_the_least_value_of_a_key_cuts_off_is_said(tmp_path: Path) -> None:
     """A normal distribution about almost zero loses half, and has the mean sigma sqrt(2/pi)."""
-    campaign = read(tmp_path, '[vary]\n"carrier.mass" = { normal = [0, 200] }\n"gravity[2]" = { normal = [0, 1] }' + RUN)
+    campaign = read(
+        tmp_path, '[vary]\n"carrier.mass" = { normal = [0, 200] }\n"gravity[2]" = { normal = [0, 1] }' + RUN
+    )
     mass, gravity = (varied.remark for varied in campaign.draw.varied)
     assert mass.startswith("carrier.mass: 50 % of its distribution is below 0, ") and gravity == ""
     assert mass.endswith(f"; the mean is {200 * math.sqrt(2 / math.pi):.6g} kg")

@@ -219,3 +219,5 @@ def test_a_motion_beyond_the_bounds_says_how_near_the_search_came_and_what_lacks
     assert (plan["status"], plan["reason"], plan["programme"], plan.ok) == ("NO_PROGRAM", "SEARCH", None, False)
     words = next(line for line in plan.messages if "no stand was found" in line)
     assert "widen their bounds" in words
+    assert any(line.startswith("the nearest stand: ") for line in plan.messages)
+    assert 0.0 < plan["effort"]["best_residual"] < 1.0  # also of starts that are given up

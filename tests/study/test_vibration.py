@@ -429,7 +429,7 @@ def test_limits_and_frequencies_to_be_avoided_hold() -> None:
         ({"momentum": "0 0 40"}, CheckError, r"needs 1\.4\d* times the speed limits"),
         ({"momentum": "0 0"}, UsageError, "expected three finite numbers"),
         ({"speed": {"all": "0..10rpm"}}, UsageError, "expected one set of speeds"),
-        ({"improve": False, "limit": 3.0}, UsageError, "expected improve as well"),
+        ({"improve": False, "limit": 3.0}, UsageError, "search of `improve`, which is missing"),
         ({"avoid": "35"}, UsageError, "expected a frequency with its unit"),
         ({"avoid": "0.001..1000Hz"}, CheckError, "keep out of these frequencies"),
     ],

@@ -72,9 +72,11 @@ def reading(kind: str, source: Any, read: Callable[..., Made], *more: Any) -> Ma
 
 
 def _from_source(kind: str, source: Any, load: Callable[..., Made], read: Callable[..., Made], *more: Any) -> Made:
-    """What a file holds, or a mapping with its keys; anything else as it is."""
+    """What a file holds, or a mapping with its keys; an object of this package as it is. Raises UsageError."""
     if isinstance(source, str | Path):
         return reading(kind, Path(source), load, *more)
+    if not isinstance(source, Mapping) and not type(source).__module__.startswith("mahovik"):
+        raise UsageError(f"{kind}: expected a path or a mapping, found {type(source).__name__}")
     made: Made = read(text_of_keys(source, kind != "state"), *more) if isinstance(source, Mapping) else source
     return made
 

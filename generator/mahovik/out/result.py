@@ -88,13 +88,22 @@ class Column(NamedTuple):
         return f"{self.name}, {self.unit}" if self.unit else self.name
 
     def flat(self) -> list[Column]:
-        """Each part as a column of its own: `amplitude x`, `amplitude y`; without parts itself."""
+        """Each part as a column of its own with its unit: `amplitude x`, `amplitude y`; without parts itself."""
         if not self.axes:
             return [self]
-        sizes = self.values.shape[1:]
+        sizes, units = (
+            self.values.shape[1:],
+            self.unit.split(", "),
+        )  # of a twist that of the linear half, then of the other
         labels = product(*(axis.labels or range(size) for axis, size in zip(self.axes, sizes, strict=True)))
         return [
-            Column(" ".join([self.name, *map(str, names)]), self.unit, self.values[:, *place], (), self.shown)
+            Column(
+                " ".join([self.name, *map(str, names)]),
+                units[place[-1] * len(units) // sizes[-1]],
+                self.values[:, *place],
+                (),
+                self.shown,
+            )
             for place, names in zip(np.ndindex(*sizes), labels, strict=True)
         ]
 
@@ -233,6 +242,19 @@ class Result(Mapping[str, Any]):
         """The columns, each part of one with parts as a column of its own."""
         return [part for one in self.columns for part in one.flat()]
 
+    def long(self) -> tuple[list[str], list[Column]]:
+        """Names of the columns that rows are known by, and those of a table: a row a moment of each sample."""
+        names = [self.index] if self.index else []
+        if len(self.columns) < 2 or not all(one.axes and one.axes[0].name == "t" for one in self.columns[1:]):
+            return names, self.flat()
+        index, *columns = self.columns
+        t = columns[0].axes[0].labels
+        result = [index._replace(values=np.repeat(index.values, len(t))), column("t", "s", np.tile(t, self.count))]
+        for one in columns:
+            values = one.values.reshape(-1, *one.values.shape[2:])
+            result += one._replace(values=values, axes=one.axes[1:]).flat()
+        return [*names, "t"], result
+
     def to_dict(self) -> dict[str, Any]:
         """Plain data, as JSON has it: what is not finite is None, a complex number a pair."""
         units = {one.name: one.unit for one in self.columns if one.unit} | dict(self.units)
@@ -259,10 +281,10 @@ class Result(Mapping[str, Any]):
 
     def to_pandas(self) -> Any:
         """The rows as a pandas.DataFrame; units stand in `attrs["units"]`. Raises UsageError without pandas."""
-        columns = self.flat()
+        names, columns = self.long()
         frame = library("pandas", "frames").DataFrame({one.name: one.values for one in columns})
         frame.attrs["units"] = {one.name: one.unit for one in columns}
-        return frame.set_index(self.index) if self.index else frame
+        return frame.set_index(names) if names else frame
 
     def to_xarray(self) -> Any:
         """The columns as an xarray.Dataset, each with its unit in `attrs`. Raises UsageError without xarray."""
@@ -308,7 +330,7 @@ class Result(Mapping[str, Any]):
             write(path, draw(self.title, self._drawings(), suffix, self))
 
     def _csv(self) -> str:
-        text, columns = io.StringIO(), self.flat()
+        text, (_, columns) = io.StringIO(), self.long()
         lines = csv.writer(text, lineterminator="\n")
         lines.writerow([f"{one.name} [{one.unit}]" if one.unit else one.name for one in columns])
         lines.writerows(zip(*(one.values.tolist() for one in columns), strict=True))

@@ -197,7 +197,7 @@ class Varied:
 
     @property
     def remark(self) -> str:
-        """How much of a distribution the least value that its key may have cuts off, and the mean left; "" if little."""
+        """How much of a distribution the least value of its key cuts off, and the mean that is left; "" if little."""
         if self.factor is None or self.low != self.number.least:
             return ""
         share = float(self.distribution.cdf(self.low))

@@ -130,7 +130,7 @@ def vibration(
     if improve and (plan.sweep is not None or makers.harmonics):
         raise UsageError("improve: expected one set of speeds, and no makers' harmonics, which have no phases")
     if not improve and (momentum is not None or limit is not None or avoid):
-        raise UsageError("momentum, limit, avoid: say what holds in a search; expected improve as well")
+        raise UsageError("momentum, limit, avoid: say what holds in the search of `improve`, which is missing")
     _warn_of_speeds(machine, speed, plan)
     go_on = _clock(time, progress)
     phases = by_flywheel("phase", phase, machine)

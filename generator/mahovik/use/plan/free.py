@@ -326,7 +326,7 @@ def plan_free(
     short = with_shortest_period(motion)
     problem = FreeProblem(stand, numbers, unknowns, Problem.of(stand, short))
     budget, state, beyond = Budget(_NO_LIMIT, options.seconds), Search(doing="searching a stand"), None
-    spare, refused = problem.start.rows_count < problem.start.N, ""
+    spare, refused, nearest = problem.start.rows_count < problem.start.N, "", problem.start
     try:
         for k in range(STARTS):
             on_progress(state)
@@ -347,11 +347,12 @@ def plan_free(
                     return made
                 beyond = beyond or (made if made.document is not None else None)
                 refused = made.plan.words[0]
-            state.best = min(state.best, residual)
+            if residual < state.best:
+                state.best, nearest = residual, problem.problem(y)
     except KeyboardInterrupt:
         state.interrupted = True
     state.cut = budget.cut
-    return beyond or _nothing(problem, state, refused, options.seed)
+    return beyond or _nothing(nearest, state, refused, options.seed)
 
 
 def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, FlywheelMotion]:
@@ -384,17 +385,17 @@ def _planned(
     return FreePlan(plan, document, tuple(changes))
 
 
-def _nothing(problem: FreeProblem, state: Search, refused: str, seed: int) -> FreePlan:
-    """The outcome without a stand: how near the search came, why the last stand was refused, or what this one lacks."""
+def _nothing(nearest: Problem, state: Search, refused: str, seed: int) -> FreePlan:
+    """The outcome without a stand: how near the search came, why the last was refused, or what the nearest lacks."""
     words = [
         f"no stand was found (this does not prove that there is none): {state.starts} starts, {state.end_reason}, "
         f"least relative "
         f"residual {state.best:.3g}; free more numbers, widen their bounds, or make the motion smaller"
     ]
-    first = preflight(problem.start)
+    lacking = preflight(nearest)
     if refused:
         words.append(f"the last stand: {refused}")
-    elif first.refusal is not None:
-        words.append(f"the stand as it is: {first.refusal.words}")
+    reasons = lacking.hint if lacking.refusal is None else (lacking.refusal.words,)
+    words += [f"the nearest stand: {why}" for why in reasons if not refused]
     effort = {"seed": seed, "starts": state.starts, "best_residual": float(state.best), "cut_by_time": state.cut}
     return FreePlan(Plan("NO_PROGRAM", "SEARCH", tuple(words), (), (), effort, state.interrupted))

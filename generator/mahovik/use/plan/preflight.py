@@ -322,7 +322,7 @@ def check_span(problem: Problem, P: Array, preflight: Preflight) -> None:
     what = part.words(way, float(np.linalg.norm(x, axis=1).max()))
     preflight.refusal = Refusal(
         "SPAN",
-        f"{what} is required, which these flywheels cannot give at any angles or speeds ({100 * share:.2g} % of the "
+        f"{what} is required, which these flywheels cannot give at any angles or speeds ({100 * share:.3g} % of the "
         f"required wrench is outside their span); {_HELPS[part.kind].format(part.direction_words(way))}",
     )
 
@@ -357,7 +357,7 @@ def check_first_moment(problem: Problem, force: Array, C: Array, preflight: Pref
             "FIRST_MOMENT",
             f"along {where} the motion needs a first moment of +-{need:.3g} kg m from the flywheels; "
             f"their total unbalance perpendicular to it is {have:.3g} kg m, at any speed; "
-            f"possible with {100 / preflight.reach:.2g} % of this amplitude, or with {preflight.reach:.3g} times "
+            f"possible with {100 / preflight.reach:.3g} % of this amplitude, or with {preflight.reach:.3g} times "
             "the unbalance",
         )
     elif preflight.reach > near:

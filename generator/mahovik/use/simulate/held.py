@@ -179,7 +179,7 @@ class LostIncrement:
     def __str__(self) -> str:
         return (
             f"float: a step of {self.dt:g} s adds {self.increment:.1e} rad/s to {self.flywheel} and rounds its speed "
-            f"at {self.speed * 30 / math.pi:.5g} rpm by up to {self.rounding:.1e} rad/s: up to {100 * self.part:.2g} % "
+            f"at {self.speed * 30 / math.pi:.5g} rpm by up to {self.rounding:.1e} rad/s: up to {100 * self.part:.3g} % "
             f"is lost, and all of a torque below {self.lost_torque:.2g} N m: give step a carry, or take double"
         )
 
@@ -209,6 +209,6 @@ def lost_increments_line(lost: Sequence[LostIncrement]) -> str:
     worst = max(lost, key=lambda increment: increment.part)
     more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
     return (
-        f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.2g} % of what they add to the speed of "
+        f"float: steps of {worst.dt:g} s lose up to {100 * worst.part:.3g} % of what they add to the speed of "
         f"{worst.flywheel}{more}: give step a carry, or take double; `check` with dt=TIME judges another step"
     )

@@ -292,7 +292,7 @@ class Vibration:
             messages.append(f"the stand is free to drift: {words}")
         if self.chain.makers.structure is not None:
             mass, gyro = (float(ratio.max(initial=0.0)) for ratio in self.chain.ratios)
-            shift = f"would shift a frequency by up to {50 * mass:.2g} % and couple modes by up to {100 * gyro:.2g} %"
+            shift = f"would shift a frequency by up to {50 * mass:.3g} % and couple modes by up to {100 * gyro:.3g} %"
             messages.append(f"structural modes do not act back on the wheels, which {shift}")
         if self.seen.name.startswith("hold.") and (words := numbers_in_words(self.scene.stand.hold, "hold.")):
             messages.append(words)
