@@ -128,3 +128,20 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
         result.save(tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
     pyplot.close("all")
+
+
+def test_samples_of_a_motion_are_a_table_with_a_row_a_moment(tmp_path: Path) -> None:
+    """As of one run, behind the number of the sample; each component of a twist has its own unit."""
+    model = mahovik.build(mahovik.example("demo3"))
+    tables = model.tables({"carrier.mass": np.array([9.0, 10.0])})
+    result = model.simulate(2e-3, regime={"default": {"speed": 100.0}}, dt=1e-3, every=1e-3, tables=tables)
+    frame, alone = result.to_pandas(), model.simulate(2e-3, regime={"default": {"speed": 100.0}}, dt=1e-3, every=1e-3)
+    assert frame.index.names == ["sample", "t"] and len(frame) == 6
+    assert list(frame.columns) == list(alone.to_pandas().columns)
+    assert np.array_equal(frame["position x"].to_numpy().reshape(2, 3), result["position", slice(None), 0])
+    assert [frame.attrs["units"][f"V {letter}"] for letter in "uvwpqr"] == ["m/s"] * 3 + ["rad/s"] * 3
+    result.save(tmp_path / "motion.csv")
+    head, *rows = csv.reader((tmp_path / "motion.csv").read_text(encoding="utf-8").splitlines())
+    assert head[:3] == ["sample", "t [s]", "position x [m]"] and [row[0] for row in rows] == list("000111")
+    with pytest.raises(mahovik.UsageError, match="regime: expected a path or a mapping, found function"):
+        model.simulate(1e-3, regime=lambda t: 0.0)  # type: ignore[arg-type]

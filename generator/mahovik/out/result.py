@@ -242,7 +242,7 @@ class Result(Mapping[str, Any]):
         """The columns, each part of one with parts as a column of its own."""
         return [part for one in self.columns for part in one.flat()]
 
-    def long(self) -> tuple[list[str], list[Column]]:
+    def _long(self) -> tuple[list[str], list[Column]]:
         """Names of the columns that rows are known by, and those of a table: a row a moment of each sample."""
         names = [self.index] if self.index else []
         if len(self.columns) < 2 or not all(one.axes and one.axes[0].name == "t" for one in self.columns[1:]):
@@ -281,7 +281,7 @@ class Result(Mapping[str, Any]):
 
     def to_pandas(self) -> Any:
         """The rows as a pandas.DataFrame; units stand in `attrs["units"]`. Raises UsageError without pandas."""
-        names, columns = self.long()
+        names, columns = self._long()
         frame = library("pandas", "frames").DataFrame({one.name: one.values for one in columns})
         frame.attrs["units"] = {one.name: one.unit for one in columns}
         return frame.set_index(names) if names else frame
@@ -330,7 +330,7 @@ class Result(Mapping[str, Any]):
             write(path, draw(self.title, self._drawings(), suffix, self))
 
     def _csv(self) -> str:
-        text, (_, columns) = io.StringIO(), self.long()
+        text, (_, columns) = io.StringIO(), self._long()
         lines = csv.writer(text, lineterminator="\n")
         lines.writerow([f"{one.name} [{one.unit}]" if one.unit else one.name for one in columns])
         lines.writerows(zip(*(one.values.tolist() for one in columns), strict=True))

@@ -181,5 +181,4 @@ def _split(places: int | str | Sequence[float], w: Sequence[complex]) -> list[Co
     angles = [quantity("places", text, PLAIN) for text in texts]
     if len(angles) == 1 and angles[0] >= 3 and angles[0] % 1 == 0:
         angles = [360.0 * k / angles[0] for k in range(int(angles[0]))]
-    parts = (split_weight(correction, angles) for correction in w)
-    return [column("split", "", [" + ".join(map(write_polar, part)) for part in parts])]
+    return [column("split", "", [" + ".join(map(write_polar, split_weight(correction, angles))) for correction in w])]

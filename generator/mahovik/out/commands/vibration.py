@@ -33,7 +33,6 @@ from mahovik.out.result import Column, Result, column, quantity_text
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.speeds import Asked
-    from mahovik.use.vibration.study import Verdict
     from mahovik.use.vibration.study import Vibration as Study
     from mahovik.use.vibration.view import Observable
 
@@ -138,7 +137,7 @@ def vibration(
     result = find(machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=go_on)
     warn_of_turn(machine)
     verdicts = list(map(result.judge, limits))
-    meta: dict[str, Any] = {"requirements": [_verdict(result, verdict) for verdict in verdicts]} if limits else {}
+    meta: dict[str, Any] = {"requirements": list(map(result.verdict_entry, verdicts))} if limits else {}
     messages = [*map(result.verdict_words, verdicts), *result.remarks()]
     ok = all(verdict.met for verdict in verdicts)
     if improve:
@@ -192,16 +191,6 @@ def _clock(seconds: float | str | None, progress: Progressing) -> GoOn:
     return go_on
 
 
-def _verdict(vibration: Study, verdict: Verdict) -> dict[str, Any]:
-    """A requirement and how it is met, in SI."""
-    wanted, axes = verdict.requirement, vibration.seen.axes
-    return {
-        "text": wanted.text, "value": verdict.value, "limit": wanted.limit, "unit": vibration.seen.measure.unit,
-        "met": verdict.met, "speed": float(vibration.value[verdict.step]),
-        "axis": axes[min(verdict.axis, len(axes) - 1)],
-    }  # fmt: skip
-
-
 def _improve(
     stand: Stand, vibration: Study, band: Interval, momentum: Any, limit: Any, avoid: Any, seed: int, go_on: GoOn
 ) -> tuple[dict[str, Any], list[str]]:
@@ -216,11 +205,8 @@ def _improve(
     sizes = [
         quantity_text(size, vibration.seen.measure.unit) if size else "0" for size in (better.before, better.after)
     ]
-    said = [f"{better.gain}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"]
-    said += better.remarks(vibration, band)
-    for wheel, turning, angle in zip(vibration.plan.names, better.speeds, better.phases, strict=True):
-        said.append(f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0")
-    return better._asdict(), said
+    gain = f"{better.gain}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"
+    return better._asdict(), [gain, *better.remarks(vibration, band)]
 
 
 def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messages: list[str], ok: bool) -> Result:

@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares, linprog
 
+from mahovik.contract.quantities import RPM
 from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.motor import UNLIMITED
@@ -240,13 +241,18 @@ class Improved(NamedTuple):
         return f"{self.before / self.after:.4g} times quieter"
 
     def remarks(self, start: Vibration, band: Band) -> list[str]:
-        """Which wheels stop, and of which the first order leaves the band, in words."""
+        """Which wheels stop, of which the first order leaves the band, and the speeds and phases, in words."""
         inside = [in_band(np.abs(x) / (2.0 * np.pi), band) & (x != 0.0) for x in (start.speeds[0], self.speeds)]
         still = np.flatnonzero((self.speeds == 0.0) & (start.speeds[0] != 0.0))
         gone = np.flatnonzero(inside[0] & ~inside[1] & (self.speeds != 0.0))
-        words = {"stop: {}": still, f"order 1 is outside of {band[0]:g}..{band[1]:g} Hz: {{}}": gone}
+        changes = {"stop: ": still, f"order 1 is outside of {band[0]:g}..{band[1]:g} Hz: ": gone}
+        names = start.plan.names
         return [
-            text.format(", ".join(start.plan.names[s] for s in wheels)) for text, wheels in words.items() if len(wheels)
+            *(words + ", ".join(names[s] for s in wheels) for words, wheels in changes.items() if len(wheels)),
+            *(
+                f"{wheel}: {RPM * turning:.6f} rpm, phase {np.degrees(angle):.3f} deg at t = 0"
+                for wheel, turning, angle in zip(names, self.speeds, self.phases, strict=True)
+            ),
         ]
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -259,6 +259,15 @@ class Vibration:
     def rpm(self, step: int) -> str:
         """The swept speed at a step, in words."""
         return f"{RPM * self.value[step]:.6g} rpm"
+
+    def verdict_entry(self, verdict: Verdict) -> dict[str, Any]:
+        """A requirement and how it is met, in SI."""
+        wanted, axes = verdict.requirement, self.seen.axes
+        return {
+            "text": wanted.text, "value": verdict.value, "limit": wanted.limit, "unit": self.seen.measure.unit,
+            "met": verdict.met, "speed": float(self.value[verdict.step]),
+            "axis": axes[min(verdict.axis, len(axes) - 1)],
+        }  # fmt: skip
 
     def verdict_words(self, verdict: Verdict) -> str:
         """A requirement and how far it is met, in words."""
