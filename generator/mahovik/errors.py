@@ -17,7 +17,7 @@ class MahovikError(Exception):
     exit_status = 2
 
     def __str__(self) -> str:
-        return printable(super().__str__())
+        return printable(Exception.__str__(self))
 
 
 class FileError(MahovikError):

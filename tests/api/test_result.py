@@ -42,6 +42,10 @@ def test_it_is_a_mapping_of_columns_and_entries() -> None:
     assert dict(result)["largest"] == 0.002 and result.count == 2
     with pytest.raises(mahovik.InputError, match="'frequenc': no such column or entry, did you mean \"frequency\""):
         result["frequenc"]
+    assert result.get("frequenc") is None and result.get("counted", 0) == 3
+    assert repr(Result("", meta={"files": ["a"]})) == "<Result of ['files']>"
+    with pytest.raises(ValueError, match="two columns or entries have one name"):
+        Result("", (column("names", "", ["a"]),), meta={"names": 1})
 
 
 def test_json_has_rows_columns_or_an_object_a_row() -> None:

@@ -98,4 +98,4 @@ def test_refused_arguments(bench: Path) -> None:
     assert "--plane: a name is given twice" in refused(
         "balance", stand, "--data", data, "--plane", "w1=0", "--plane", "w1=1mm"
     )
-    assert "need a stand" in refused("balance", "--influence", data, "--plane", "w1=0")
+    assert "--plane: needs STAND.toml" in refused("balance", "--influence", data, "--plane", "w1=0")

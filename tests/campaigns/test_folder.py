@@ -110,8 +110,8 @@ def test_names_comments_and_units_are_of_the_same_campaign_and_files_are_not(tmp
     ("options", "words"),
     [
         (("--chunk", "4"), "--chunk 4: expected 0 to 3"),
-        (("--chunk", "0", "--workers", "2"), "--chunk: "),
-        (("--workers", "0"), "--workers: 0: expected 1 or more"),
+        (("--chunk", "0", "--workers", "2"), "--workers: not allowed with --chunk N"),
+        (("--workers", "0"), "--workers 0: expected a whole number of at least 1"),
         (("--merge", "all.csv"), "--merge all.csv: expected a name that ends in .parquet"),
         (("--scheduler", "tcp://127.0.0.1:1"), "scheduler tcp://127.0.0.1:1: no scheduler answered"),
         (("--scheduler", "nowhere"), "--scheduler"),

@@ -32,7 +32,7 @@ def table(text: str, head: str) -> dict[str, list[str]]:
 
 def test_all_of_it_is_in_json() -> None:
     document = json.loads(run("check", SAT4, "--json").stdout)
-    assert document["mass"] == pytest.approx(60.0)
+    assert document["total_mass"] == pytest.approx(60.0)
     assert sum(moment["inertia"] for moment in document["principal"]) == pytest.approx(
         sum(document["inertia"][i][i] for i in range(3))
     )

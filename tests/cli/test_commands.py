@@ -157,7 +157,7 @@ def test_json_in_float() -> None:
     result = run("verify", DEMO3, "--rigorous", "--states", "3", "--real", "float", "--json")
     assert result.exit_code == 0
     report = json.loads(result.stdout)
-    assert (report["passed"], report["states"], report["judged"]) == (True, 3, "float C")
+    assert (report["passed"], report["count"], report["subject"]) == (True, 3, "float C")
     assert {row["judged"] for row in report["rows"]} == set(wants_of("rigorous")) & set(wants_of_carrier(held=False))
     forward = next(row for row in report["rows"] if row["judged"] == "forward")
     assert (forward["quantity"], forward["verdict"]) == ("V_dot", "ok")

@@ -215,7 +215,7 @@ def test_verify_judges_the_functions_that_are_there_under_their_name(part: Path)
     assert result.exit_code == 0, result.output
     report = json.loads(result.stdout)
     assert report["stand"] == "shakerp"
-    assert report["judged"] == f"C in {part}, only forward, torque"
+    assert report["subject"] == f"C in {part}, only forward, torque"
     verdicts = {(row["judged"], row["quantity"]): row["verdict"] for row in report["rows"]}
     assert verdicts["forward", "V_dot"] == verdicts["torque", "tau"] == "ok"
     assert verdicts["", "interpreter = C, bit for bit"] == verdicts["", "bad inputs refused"] == "ok"

@@ -45,6 +45,7 @@ CASES: dict[str, tuple[int, tuple[str, ...]]] = {
     "plan, free": (0, (SHAKER2, "--motion", SPIN, "--free", "*t.mass", "--stand", "new.toml")),
     "judge, cat": (1, (DEMO3, "--with", "cat", "--states", "2")),
     "verify": (0, (DEMO3, "--states", "2")),
+    "verify, all": (0, (DEMO3, "--states", "2", "--all")),
     "verify, other": (1, (SHAKER2, "still.json", "--motion", SPIN)),
     "evidence": (0, (DEMO3, "--only", "good")),
     "evidence, bad": (1, (DEMO3,)),
@@ -102,12 +103,17 @@ def numbers(value: Any) -> Iterator[float]:
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_one_document(case: str) -> None:
+def test_one_document_and_a_table_where_rows_are_printed(case: str) -> None:
     status, arguments = CASES[case]
-    result = run(case.partition(",")[0], *arguments, "--json")
+    command = case.partition(",")[0]
+    saves = "save" in {one.name for one in dict(commands())[command].params} and "-o" not in arguments
+    saved = ("-o", "saved.csv") if saves else ()
+    result = run(command, *arguments, *saved, "--json")
     assert result.exit_code == status, result.output
     assert json.loads(result.stdout)
     assert "NaN" not in result.stdout and "Infinity" not in result.stdout
+    if saved and not status:
+        assert len(Path("saved.csv").read_text(encoding="utf-8").splitlines()) > 1
 
 
 @pytest.mark.parametrize(

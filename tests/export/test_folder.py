@@ -106,9 +106,9 @@ def test_an_untouched_project_is_as_the_stand_file_gives_it(project: str, tmp_pa
 @pytest.mark.parametrize(
     ("project", "more", "words"),
     [
-        ("fmu", (), "fmu has no firmware to play it; expected cmake or a board"),
-        ("simulink", (), "simulink has no firmware to play it"),
-        ("cmake", ("--attitude", "pointing"), "both drive the flywheels"),
+        ("fmu", (), "--programme: not allowed with --project fmu"),
+        ("simulink", (), "--programme: not allowed with --project simulink"),
+        ("cmake", ("--attitude", "pointing"), "--attitude: not allowed with --programme FILE"),
     ],
 )
 def test_what_plays_no_programme_is_refused(

@@ -40,7 +40,7 @@ def test_files_and_what_is_said(saved: str, tmp_path: Path) -> None:
     lines = lines[[line.startswith("programme: ") for line in lines].index(True) :]
     assert lines[0] == "programme: quintic, 256 intervals, double, 0.05 s"
     assert lines[-2].startswith("programme: relative residual ")
-    assert lines[-1] == "limit 1e-06"
+    assert lines[-1] == "accepted error of the tables: 1e-06"
     again = run("generate", STAND, "--programme", saved, "--motion", MOTION, "-o", str(folder), "--table", "fourier")
     assert "programme: fourier, 2 harmonics, double" in again.stdout
 

@@ -548,7 +548,7 @@ def test_nothing_is_overwritten() -> None:
         ((URDF, "--carrier", "wheel4"), "--carrier wheel4: turns"),
         ((URDF, "--gravity", "0,0,nan"), "--gravity 0,0,nan: expected three finite numbers"),
         ((MJCF, "--gravity", "0,0,1"), "--gravity: a model of MuJoCo has its own"),
-        (("bench8", "--fix", "j"), "--fix: of a FILE of another program, not of the example bench8"),
+        (("bench8", "--fix", "j"), "--fix: needs *.urdf or *.xml or *.mjcf or *.sdf"),
     ],
 )
 def test_refused(arguments: tuple[str, ...], said: str) -> None:

@@ -191,14 +191,6 @@ def test_a_plain_run_in_float_warns_of_lost_increments(recwarn: pytest.WarningsR
     assert not recwarn.list
 
 
-def test_scipy_has_no_float_and_no_carry() -> None:
-    for more in ({"real": "float"}, {"carried": True}):
-        with pytest.raises(UsageError, match="backend scipy: not allowed with "):
-            simulate(case(busy(), MIXED, **more), "scipy")
-    with pytest.raises(UsageError, match="real half: expected double or float"):
-        case(busy(), MIXED, real="half")
-
-
 def test_interruption_keeps_what_was_computed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("mahovik.use.simulate.course.NUMBERS", 1)  # a piece a moment
 

@@ -25,7 +25,7 @@ from mahovik.stands import path
 from mahovik.use.study.linear import places
 from mahovik.use.vibration import steady as steady_motions
 from mahovik.use.vibration.chain import Makers
-from mahovik.use.vibration.lines import in_band, rms
+from mahovik.use.vibration.lines import LineName, Lines, in_band, rms, size_of
 from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes, read_structure
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import Steady, quasiperiodic, steady
@@ -107,6 +107,35 @@ def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size
     assert result.lines.sizes[0, first] == pytest.approx([size, size, 0.0], rel=1e-6, abs=1e-16)
 
 
+def test_lengths_are_those_of_the_time_course() -> None:
+    """Of one frequency, and of several over all phases: lengths at many moments and phases come near, none is above."""
+    rng = np.random.default_rng(3)
+    a = rng.standard_normal((4, 3, 3)) + 1j * rng.standard_normal((4, 3, 3))
+    a[0, 1:], a[1, 0], a[1, 2] = 0.0, [1.0, 1j, 0.0], 0.0  # one line; a round and a plain ellipse
+    lines = Lines(tuple(LineName(f"w{k}", 1.0) for k in range(3)), np.tile([1.0, 2.0, 2.0], (4, 1)), a)
+    angles = rng.uniform(0.0, 2.0 * np.pi, (400_000, 3))
+    tied = angles[:, [0, 1, 1]]  # w2 and w3 have one frequency
+    for lengths, phases in ((lines.lengths(np.zeros(3)).worst, angles), (lines.lengths(np.zeros(3)).peak, tied)):
+        sampled = np.array([np.linalg.norm((np.exp(1j * phases) @ row).real, axis=1).max() for row in a])
+        assert (sampled <= lengths * (1.0 + 1e-9)).all() and lengths == pytest.approx(sampled, rel=0.01)
+    assert size_of(a[1, 0]) == pytest.approx(1.0, rel=1e-12)
+    assert lines.lengths(np.zeros(3)).rms == pytest.approx(np.linalg.norm(lines.sums().rms, axis=1))
+
+
+def test_the_largest_amplitude_of_a_sweep_is_the_longest_vector_of_the_motion(tmp_path: Path) -> None:
+    stand = one_wheel(tmp_path, STATIC, SUSPENSION.replace("[9e5, 9e5", "[9e5, 7e5"))
+    seen = find_view(stand, "eye", "acceleration")
+    result = find(stand, read_speeds(stand, ["w=60..110"]), seen)
+    largest = result.largest()
+    moved = seen.full(steady(stand, [result.value[largest.step]]).full())
+    longest = np.linalg.norm(moved, axis=1).max()
+    assert largest.value == pytest.approx(longest, rel=5e-3)  # which has some moments only
+    assert result.lengths().worst.max() == pytest.approx(longest, rel=5e-3)
+    assert (
+        np.linalg.norm(result.sums().worst, axis=1).max() > 1.1 * longest
+    )  # the root of the sum of squares is no length
+
+
 @pytest.mark.parametrize(
     ("name", "speeds", "point"),
     [
@@ -185,7 +214,7 @@ def test_the_largest_amplitude_of_a_sweep_is_the_true_one(stand: str, most: int)
     assert (
         0.98 * dense["largest"]["value"]
         < largest["value"]
-        == pytest.approx(np.sqrt(2) * _norm(result["rms"]), rel=0.02)
+        == pytest.approx(float(np.nanmax(result["length", "peak"])), rel=0.02)
     )
 
 
@@ -429,7 +458,7 @@ def test_limits_and_frequencies_to_be_avoided_hold() -> None:
         ({"momentum": "0 0 40"}, CheckError, r"needs 1\.4\d* times the speed limits"),
         ({"momentum": "0 0"}, UsageError, "expected three finite numbers"),
         ({"speed": {"all": "0..10rpm"}}, UsageError, "expected one set of speeds"),
-        ({"improve": False, "limit": 3.0}, UsageError, "search of `improve`, which is missing"),
+        ({"improve": False, "limit": 3.0}, UsageError, "limit: needs improve=True"),
         ({"avoid": "35"}, UsageError, "expected a frequency with its unit"),
         ({"avoid": "0.001..1000Hz"}, CheckError, "keep out of these frequencies"),
     ],

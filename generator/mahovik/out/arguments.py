@@ -9,13 +9,15 @@ import contextlib
 import json
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from dataclasses import replace
+from functools import partial, wraps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
 from mahovik.errors import FileError, UsageError
 from mahovik.nearest import suggestion
-from mahovik.out.notices import OnProgress
+from mahovik.out.notices import OnProgress, hearing
+from mahovik.signatures import HIDDEN, Rules, check_arguments
 
 if TYPE_CHECKING:
     from mahovik.core.motion.programme import Programme
@@ -30,7 +32,8 @@ Keys = Mapping[str, Any]
 Number = float | str
 """A number in SI, or a text with its unit."""
 
-StandGiven = Annotated["CoreStand | str | Path", "STAND.toml"]
+StandGiven = Annotated["CoreStand | Keys | str | Path", "STAND.toml"]
+"""A stand, its file, or a mapping with the keys of one."""
 FileGiven = Annotated[Keys | str | Path, "FILE"]
 """A file's path, or a mapping with its keys."""
 FilePath = Annotated[str | Path, "FILE"]
@@ -39,6 +42,7 @@ Names = Annotated[str | Sequence[str], "NAME,NAME"]
 Text = Annotated[str, "TEXT"]
 Seconds = Annotated[Number, "TIME"]
 Speed = Annotated[Number, "SPEED"]
+Vector = Annotated[str | Sequence[float], "X,Y,Z"]
 Band = Annotated[tuple[Number, Number] | str, "LOW..HIGHHz"]
 Speeds = Annotated[Number | Mapping[str, Number] | Sequence[Number], "NAME=SPEED"]
 """One for all flywheels, by their names, or one for each; on the command line `NAME=VALUE`, as often as needed."""
@@ -47,8 +51,27 @@ Turning = Annotated[
 ]
 """Speeds of flywheels of which one may be swept, and others geared to it."""
 Phases = Annotated[Mapping[str, Number] | Sequence[Number], "NAME=ANGLE"]
-Progressing = OnProgress | None
+Progressing = Annotated[OnProgress | None, HIDDEN]
 """What hears how far a command is; the command line shows it as a line, and offers no option for it."""
+
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def command(needs: Rules | None = None, excludes: Rules | None = None) -> Callable[[Function], Function]:
+    """Make a function a command: its arguments are checked before it runs, its warnings are messages of its result."""
+
+    def of(function: Function) -> Function:
+        @wraps(function)
+        def checked(*args: Any, **values: Any) -> Any:
+            check_arguments(function, args, values, needs or {}, excludes or {})
+            with hearing() as warnings:
+                result = function(*args, **values)
+            return replace(result, messages=[*map("warning: {}".format, warnings), *result.messages])
+
+        return cast("Function", checked)
+
+    return of
 
 
 def output_path(name: str, path: str | Path, read: Sequence[str | Path]) -> Path:
@@ -124,10 +147,12 @@ def servo_of(servo: Servo | str | Path, stand: CoreStand) -> Servo:
     return reading("servo", servo, load_servo, stand) if isinstance(servo, str | Path) else servo
 
 
-def state_of(state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str, ...], hint: str) -> State:
-    """A state as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
+def state_of(name: str, state: State | Keys | str | Path, stand: CoreStand, keys: tuple[str, ...], hint: str) -> State:
+    """A state of an argument as `eval` reads it; `keys` are allowed. Raises UsageError; `hint` says why no others."""
     from mahovik.use.simulate.case import load_start, read_start
 
+    if isinstance(state, str | Path) and not Path(state).exists():
+        raise UsageError(f"{name} {state}: no such file, expected one with a state")
     return _from_source("state", state, load_start, read_start, stand, keys, hint)
 
 

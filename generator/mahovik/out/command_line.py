@@ -2,25 +2,19 @@
 
 A command is a typed function in a module of its name, and a line in `out.commands.COMMANDS`:
 
+    @command(needs={"speed": ("steps",)})
     def modes(
         stand: StandGiven,
         *,
         at: FileGiven = "rest",
-        flywheels: Literal["locked", "free"] = "locked",
         speed: Speeds | None = None,
         progress: Progressing = None,
     ) -> Result:
         '''Find natural frequencies, damping and shapes.
 
-        More words about what it does.
-
         Args:
             at: state to linearise about, as `eval` reads it, or rest.
-            flywheels: locked to their motion, as by a stiff servo, or free.
             speed: speed of a flywheel, rad/s or with a unit.
-
-        Raises:
-            CheckError: there is no rest pose.
         '''
 
 Arguments before the star have no name on the command line, those behind it are options, `output` is `-o`. Of the type,
@@ -29,14 +23,12 @@ with float makes numbers of texts that are one; `Annotated` has the word for the
 readers of files, and quantities with units. An argument `progress` is shown as a line. All checks stand in the
 function: messages name an argument as their first word, or as `NAME=VALUE`, and the command line writes the option.
 Heavy modules are imported in the function, so that help is there at once. The command line adds `--json`, and `-o FILE`
-where the function has no `output`; it prints the `Result`, and exits with 0 if it is `ok`, else 1. A generator has its
-lines printed one by one, and its `Result` last. Errors are one line on standard error: 2 input, 1 a failed check, 130
-Ctrl-C.
+where the function has no `output`; it prints the `Result`, and exits with 0 if it is `ok`, else 1. Errors are one line
+on standard error: 2 input, 1 a failed check, 130 Ctrl-C.
 """
 
 from __future__ import annotations
 
-import builtins
 import contextlib
 import dataclasses
 import inspect
@@ -44,10 +36,9 @@ import json
 import os
 import re
 import sys
-import types
 import typing
 import warnings
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from itertools import chain
@@ -60,6 +51,7 @@ from mahovik import __version__
 from mahovik.errors import MahovikError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.commands import COMMANDS
+from mahovik.signatures import HIDDEN, alternatives, kinds_of
 
 if TYPE_CHECKING:
     from mahovik.out.result import Result
@@ -76,14 +68,13 @@ WHOLE, MOST = "no file is half written", 20
 
 def make_command(name: str) -> click.Command:
     """The command of a name in `COMMANDS`."""
-    module = import_module(f"mahovik.out.commands.{name}")
-    function = getattr(module, name)
+    function = getattr(import_module(f"mahovik.out.commands.{name}"), name)
     words, entries = read_docstring(function)
-    hints = typing.get_type_hints(function, None, _Names(vars(builtins) | vars(module)), include_extras=True)
+    kinds = kinds_of(function)
     parameters = inspect.signature(function).parameters
-    made = {key: _parameter(one, hints[key], entries.get(key, "")) for key, one in parameters.items()}
+    made = {key: _parameter(one, *kinds[key], entries.get(key, "")) for key, one in parameters.items()}
     params = [one for one in made.values() if one is not None]
-    if typing.get_origin(hints["return"]) is not Generator:
+    if name != "eval":  # which prints lines itself, as they come, so that a program can hold a conversation
         if "output" not in made:
             formats = "Write the result to this file: .csv, .json, .parquet, .svg or .png."
             params.append(click.Option(["-o", "save"], metavar="FILE", help=formats))
@@ -124,29 +115,10 @@ class _Command(click.Command):
         return super().parse_args(ctx, result)
 
 
-class _Names(dict[str, Any]):
-    """Names in annotations; what is imported for type checkers alone is any object."""
-
-    def __missing__(self, _name: str) -> Any:
-        return object
-
-
-def _split(hint: Any) -> tuple[str | None, list[Any]]:
-    """Word for the value of an annotation, and its alternatives without None."""
-    if typing.get_origin(hint) is typing.Annotated:
-        inside, *_, word = typing.get_args(hint)
-        return word, _split(inside)[1]
-    if typing.get_origin(hint) in (typing.Union, types.UnionType):
-        parts = [_split(part) for part in typing.get_args(hint) if part is not type(None)]
-        return next((word for word, _ in parts if word), None), [kind for _, kinds in parts for kind in kinds]
-    return None, [hint]
-
-
-def _parameter(one: inspect.Parameter, hint: Any, words: str) -> click.Parameter | None:
+def _parameter(one: inspect.Parameter, word: str, kinds: Sequence[Any], words: str) -> click.Parameter | None:
     """The argument or option of a parameter; None for what the command line itself gives."""
-    word, kinds = _split(hint)
     required = one.default is one.empty
-    if one.name == "progress" or word == "":
+    if word == HIDDEN:
         return None
     if one.kind is one.POSITIONAL_OR_KEYWORD and one.name != "output":
         return click.Argument([one.name], required=required, metavar=f"{word}" if required else f"[{word}]")
@@ -159,14 +131,13 @@ def _parameter(one: inspect.Parameter, hint: Any, words: str) -> click.Parameter
         return click.Option(declarations, is_flag=True, help=words)
     if typing.Literal in origins:
         choices = [value for kind in kinds for value in typing.get_args(kind)]
-        return click.Option(declarations, type=click.Choice(choices), **shown)
-    if origins <= {int}:
-        return click.Option(declarations, type=int, metavar=word or "N", **shown)
+        return click.Option(declarations, type=_Choice(choices), **shown)
     repeated = bool(origins & {Sequence, Mapping, list, dict}) and word not in ("FILE", "STAND.toml", "NAME,NAME")
-    numbers = float in origins or any(float in _split(arg)[1] for kind in kinds for arg in typing.get_args(kind))
-    option = click.Option(declarations, metavar=word or "TEXT", multiple=repeated, **shown)
-    option.callback = partial(_value, numbers, repeated, Mapping in origins)
-    return option
+    known = [inner for kind in kinds for part in (kind, *typing.get_args(kind)) for inner in alternatives(part)[1]]
+    numbers: list[type] = [kind for kind in (int, float) if kind in known]
+    shown |= {"metavar": word or ("N" if int in numbers else "TEXT"), "multiple": repeated}
+    read = partial(_value, numbers, repeated, Mapping in origins)
+    return click.Option(declarations, type=click.UNPROCESSED, callback=read, **shown)
 
 
 def option_name(name: str) -> str:
@@ -174,12 +145,20 @@ def option_name(name: str) -> str:
     return "-o" if name == "output" else f"--{name.rstrip('_').replace('_', '-')}"
 
 
-def _value(numbers: bool, repeated: bool, mapping: bool, _context: Any, option: click.Parameter, value: Any) -> Any:
+class _Choice(click.Choice[Any]):
+    """Choices that the function checks, which names the argument."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        return next((choice for choice in self.choices if str(choice) == str(value)), value)
+
+
+def _value(numbers: list[type], repeated: bool, mapping: bool, _: Any, option: click.Parameter, value: Any) -> Any:
     """What a function gets for the text or the texts of an option."""
 
     def read(text: Any) -> Any:
-        with contextlib.suppress(ValueError):
-            return float(text) if numbers else text
+        for kind in numbers:
+            with contextlib.suppress(ValueError):
+                return kind(text)
         return text
 
     if not repeated or not isinstance(value, tuple):
@@ -196,7 +175,7 @@ def _value(numbers: bool, repeated: bool, mapping: bool, _context: Any, option: 
 # ---- running it
 
 
-def _run(function: Callable[..., Any], as_json: bool = False, save: str | None = None, **values: Any) -> None:
+def _run(function: Callable[..., Any], as_json: bool | None = None, save: str | None = None, **values: Any) -> None:
     """Call a function with what was given, print and save its result, and exit with its verdict."""
     parameters = inspect.signature(function).parameters
     arguments = {key: value for key, value in values.items() if value not in (None, [], ())}
@@ -205,12 +184,9 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
         from mahovik.out.result import check_place
 
         check_place(Path(save))
-        words = (
-            word for value in arguments.values() for word in (value if isinstance(value, list | tuple) else [value])
-        )
-        output_path(
-            "-o", save, [part for word in words if isinstance(word, str) for part in (word, word.partition("=")[2])]
-        )
+        texts = chain.from_iterable(x if isinstance(x, list | tuple) else [x] for x in arguments.values())
+        words = [word for word in texts if isinstance(word, str)]
+        output_path("-o", save, [*words, *(word.partition("=")[2] for word in words)])
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -221,8 +197,6 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
                     result = function(**arguments, progress=show)
             else:
                 result = function(**arguments)
-            if stream := isinstance(result, Generator):
-                result = _stream(result)
         except MahovikError as error:
             first = isinstance(error, UsageError)
             lines = [_with_options(line, parameters, first) for line in str(error).splitlines()]
@@ -231,37 +205,26 @@ def _run(function: Callable[..., Any], as_json: bool = False, save: str | None =
                 click.echo(json.dumps({"error": lines}, indent=1))
             raise
         finally:
-            for warning in caught:
-                click.echo(f"warning: {_with_options(str(warning.message), parameters)}", err=True)
+            said = [f"warning: {_with_options(str(warning.message), parameters)}" for warning in caught]
+            for line in said:
+                click.echo(line, err=True)
     result = dataclasses.replace(result, messages=[_with_options(line, parameters) for line in result.messages])
     if save is not None:
         result.save(save)
-    if stream:
-        click.echo("".join(f"{line}\n" for line in result.messages), err=True, nl=False)
-    else:
-        _print(result, as_json)
+    if as_json is not None:
+        _print(result, as_json, said)
     if result.meta.get("interrupted"):
         click.echo("interrupted: these are the results so far", err=True)
         raise SystemExit(INTERRUPTED)
     raise SystemExit(0 if result.ok else 1)
 
 
-def _stream(lines: Generator[str, None, Result]) -> Result:
-    """Print lines as they come, so that a program can hold a conversation; the result behind them."""
-    while True:
-        try:
-            line = next(lines)
-        except StopIteration as end:
-            return typing.cast("Result", end.value)
-        sys.stdout.write(f"{line}\n")
-        sys.stdout.flush()
-
-
-def _print(result: Result, as_json: bool) -> None:
-    """Print a result: JSON, or tables that narrow terminals fold, with colours on a terminal."""
+def _print(result: Result, as_json: bool, said: Sequence[str]) -> None:
+    """Print a result: JSON, or tables that narrow terminals fold, with colours on a terminal, without what was said."""
     if as_json:
         click.echo(result.to_json())
         return
+    result = dataclasses.replace(result, messages=[line for line in result.messages if line not in said])
     terminal = sys.stdout.isatty()
     without = os.environ.get("NO_COLOR") or os.environ.get("TERM", "").lower() in ("dumb", "unknown")
     styles = not without and bool(terminal or os.environ.get("FORCE_COLOR"))
@@ -280,6 +243,8 @@ def _with_options(message: str, parameters: Mapping[str, inspect.Parameter], fir
         return str(one.metavar).strip("[]") if isinstance(one, click.Argument) else option_name(name)
 
     def value(match: re.Match[str]) -> str:
+        if isinstance(made.get(match[1]), click.Argument):
+            return match[2]
         return f"{option(match[1])}{'' if match[2] == 'True' else f' {match[2]}'}"
 
     begin = message.partition(":")[0]
@@ -292,22 +257,19 @@ def _with_options(message: str, parameters: Mapping[str, inspect.Parameter], fir
 def _usage_words(error: click.UsageError) -> str:
     """What click found, in the words of other messages: the option, what was found, what was expected."""
     if isinstance(error, click.NoSuchOption):
-        known = [] if error.ctx is None else [name for one in error.ctx.command.params for name in one.opts]
+        params = [] if error.ctx is None else error.ctx.command.params
+        known = [name for one in params if isinstance(one, click.Option) for name in one.opts]
         return f"no such option {error.option_name}{suggestion(error.option_name, known)}"
     if isinstance(error, click.BadOptionUsage):
-        return f"{error.option_name}: its value is missing"
+        return f"{error.option_name}: {'takes no value' if 'does not' in error.message else 'its value is missing'}"
+    if error.ctx is not None and (extra := re.search(r"extra arguments? \((.*)\)", error.message)):
+        return f"{extra[1]}: more than the arguments of the command"
     param = getattr(error, "param", None)
     words = " ".join(error.format_message().split()).rstrip(".").replace(". Did you mean", ", did you mean")
     if param is None:
         return words
     name = param.metavar if isinstance(param, click.Argument) else param.opts[0]
-    if isinstance(error, click.MissingParameter):
-        return f"{name}: missing"
-    match = re.match(r"'(.*)' is not ", error.message)
-    if match and isinstance(param.type, click.Choice):
-        return f'{name}: unknown "{match[1]}", expected one of {", ".join(map(str, param.type.choices))}'
-    number = "a whole number" if param.type is click.INT else "a number"
-    return f"{name} {match[1]}: expected {number}" if match else words
+    return f"{name}: missing" if isinstance(error, click.MissingParameter) else words
 
 
 # ---- all of them

@@ -10,6 +10,7 @@ import sys
 import threading
 import warnings
 from collections.abc import Callable, Iterator, Sequence
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from mahovik.contract.quantities import BOUNDS, RPM
@@ -27,8 +28,24 @@ class MahovikWarning(UserWarning):
     """Something plausible but doubtful: a step that is long, a speed beyond a motor's."""
 
 
+_HEARD: ContextVar[tuple[list[str], ...]] = ContextVar("heard", default=())
+
+
+@contextlib.contextmanager
+def hearing() -> Iterator[list[str]]:
+    """A list of what is warned of while the body runs."""
+    result: list[str] = []
+    token = _HEARD.set((*_HEARD.get(), result))
+    try:
+        yield result
+    finally:
+        _HEARD.reset(token)
+
+
 def warn(words: str) -> None:
-    """Warn the caller of the Python interface; commands print it as a line."""
+    """Warn the caller of the Python interface, also in the messages of the result; commands print it as a line."""
+    for heard in _HEARD.get():
+        heard.append(words)
     warnings.warn(words, MahovikWarning, stacklevel=3)
 
 

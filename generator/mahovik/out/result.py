@@ -120,6 +120,10 @@ class Column(NamedTuple):
         return (Ellipsis, *result, *(slice(None) for _ in self.axes[len(result) :]))
 
 
+class NoEntryError(InputError, KeyError):
+    """A result has no column or entry of this name."""
+
+
 def column(
     name: str, unit: str, values: ArrayLike | Sequence[float | None], parts: Sequence[str] = (), shown: str = ""
 ) -> Column:
@@ -186,6 +190,10 @@ class Result(Mapping[str, Any]):
     drawings: Sequence[Drawing] = ()
     single: bool = False
 
+    def __post_init__(self) -> None:
+        if len({*self}) < len(self):
+            raise ValueError(f"{self.title}: two columns or entries have one name: {', '.join(self)}")
+
     def __getitem__(self, key: str | tuple[Any, ...]) -> Any:
         name, *labels = key if isinstance(key, tuple) else (key,)
         for one in self.columns:
@@ -194,7 +202,7 @@ class Result(Mapping[str, Any]):
                 return values[one.part(*labels)] if labels else values
         if name in self.meta:
             return self.meta[name]
-        raise InputError(f"{name!r}: no such column or entry{suggestion(str(name), list(self))}")
+        raise NoEntryError(f"{name!r}: no such column or entry{suggestion(str(name), list(self))}")
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or name in self.__dataclass_fields__:
@@ -221,7 +229,7 @@ class Result(Mapping[str, Any]):
         return True  # what has no rows is still a result
 
     def __repr__(self) -> str:
-        return f"<{self.title}{'' if self.ok else ': FAILED'}>"
+        return f"<{self.title or f'Result of {list(self)}'}{'' if self.ok else ': FAILED'}>"
 
     def __str__(self) -> str:
         return self.text()
@@ -502,11 +510,11 @@ def plain(value: Any) -> Any:
     return str(value) if isinstance(value, Path) else value
 
 
-def suffix_of(path: Path) -> str:
-    """How the name of a file ends that a result can be written to. Raises UsageError."""
+def suffix_of(path: Path, name: str = "path") -> str:
+    """How an argument `name` ends, the name of a file that a result can be written to. Raises UsageError."""
     from mahovik.writing import format_of
 
-    suffix = format_of(path, SUFFIXES, "-o")
+    suffix = format_of(path, SUFFIXES, name)
     if suffix in (".svg", ".png"):
         library("matplotlib", "report")
     return suffix
@@ -516,7 +524,7 @@ def check_place(path: Path) -> None:
     """Raise UsageError, before anything is computed, where a result cannot be written to a file."""
     from mahovik.writing import probe
 
-    suffix_of(path)
+    suffix_of(path, "-o")
     probe(path)
 
 

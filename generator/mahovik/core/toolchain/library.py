@@ -137,7 +137,7 @@ class Library:
     def function(self, name: str) -> Any:
         """A public function by its name without prefix, to be called with data of `ffi`. StateError: there is none."""
         if not self.has(name):
-            raise StateError(f"{name} is not in the C: export it again")
+            raise StateError(f"{name} is not in the C: generate it again")
         return getattr(self._library, f"{self._prefix}_{name}")
 
     def default(self, name: str) -> Any:

@@ -33,8 +33,10 @@ class Stand(CoreStand):
         return _read(exact(document), source)
 
     @staticmethod
-    def of(stand: CoreStand | str | Path) -> Stand:
-        """A stand as it is, or the one of a file. Raises StandError."""
+    def of(stand: CoreStand | Mapping[str, Any] | str | Path) -> Stand:
+        """A stand as it is, or the one of a file or of a mapping with its keys. Raises StandError."""
+        if isinstance(stand, Mapping):
+            return Stand.from_dict(stand)
         if not isinstance(stand, CoreStand):
             stand = load(stand)
         if isinstance(stand, Stand):
@@ -74,10 +76,9 @@ class Stand(CoreStand):
         bodies = {"name": "", "kind": "", "mount": "", "mass": "kg", "center_of_mass": "m"}
         unbalance = {"name": "", "spin_inertia": "kg m2", "static": "kg m", "dynamic": "kg m2"}
         return Result(
-            repr(self).strip("<>"),
+            f"{repr(self).strip('<>')}, {summary.mass:.6g} kg",
             columns_of(summary.bodies, bodies, {"center_of_mass": ("x", "y", "z")}),
-            meta={"unbalance": Result("unbalance", columns_of(summary.unbalance, unbalance)), "mass": summary.mass},
-            units={"mass": "kg"},
+            meta={"unbalance": Result("unbalance", columns_of(summary.unbalance, unbalance))},
         )._repr_html_()
 
 

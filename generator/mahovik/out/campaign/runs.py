@@ -246,7 +246,7 @@ def _over_regime(stand: Stand, over: RegimeTable, quantities: Sequence[Quantity]
     stand = stand.replace(inputs) if inputs else stand
     begin: Begin
     if start != "rest":
-        state = state_of(start, stand, START_KEYS, HINT)
+        state = state_of("start", start, stand, START_KEYS, HINT)
         begin = partial(_begin_at, _column(stand, state))
     else:
         begin = AtRest(stand, [flywheel.phase or 0.0 for flywheel in regime.flywheels])

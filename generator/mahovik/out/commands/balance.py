@@ -10,7 +10,7 @@ import numpy as np
 
 from mahovik.core.stand.units import PLAIN
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, quantity, reading
+from mahovik.out.arguments import FileGiven, Number, StandGiven, by_name, command, quantity, reading
 from mahovik.out.commands.identify import DataGiven, files_of
 from mahovik.out.result import Column, Result, column
 
@@ -21,6 +21,10 @@ NOTHING = 1e-12
 """Part of the largest vibration before that is written as zero."""
 
 
+@command(
+    needs={"stand": ("data", "plane"), "influence": ("method",)},
+    excludes={"influence": ("data", "plane")},
+)
 def balance(
     stand: StandGiven | None = None,
     *,
@@ -28,7 +32,7 @@ def balance(
     plane: Annotated[Mapping[str, Sequence[Number] | Number], "NAME=X,.."] | None = None,
     influence: FileGiven | None = None,
     method: Literal["least-squares", "min-max"] = "least-squares",
-    places: Annotated[int | str | Sequence[float], "COUNT|DEGREES,.."] = "",
+    places: Annotated[float | str | Sequence[float], "COUNT|DEGREES,.."] = "",
 ) -> Result:
     """Find correction weights of flywheels or of any rotor.
 
@@ -58,8 +62,6 @@ def balance(
         raise UsageError("influence, stand: expected one of them: FILE.json, or STAND.toml with data")
     files = files_of(data)
     if influence is not None:
-        if files or plane:
-            raise UsageError("data, plane: need a stand; a file of influences takes none of them")
         return _by_influence(influence, method, places)
     if not files:
         raise UsageError("data: missing, expected files of measured data of the stand")

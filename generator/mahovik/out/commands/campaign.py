@@ -6,13 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
-from mahovik.errors import UsageError
-from mahovik.out.arguments import Folder, Progressing, reading
+from mahovik.errors import whole_number
+from mahovik.out.arguments import Folder, Progressing, command, reading
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result
 from mahovik.writing import format_of, probe
 
 
+@command(excludes={"chunk": ("scheduler", "workers", "merge", "report"), "scheduler": ("workers",)})
 def campaign(
     file: Annotated[str | Path, "C.toml"],
     *,
@@ -54,12 +55,8 @@ def campaign(
         if path is not None:
             format_of(Path(path), (suffix,), name)
             probe(Path(path))
-    if chunk is not None and (scheduler is not None or workers is not None or merge is not None or report is not None):
-        raise UsageError("chunk: is computed in this process alone; not allowed with workers, scheduler, merge, report")
-    if scheduler is not None and workers is not None:
-        raise UsageError("workers: a scheduler has its own; give one of workers and scheduler")
-    if workers is not None and workers < 1:
-        raise UsageError(f"workers: {workers}: expected 1 or more")
+    if workers is not None:
+        whole_number("workers", workers)
     campaign_ = reading("campaign", Path(file), load_campaign)
     folder = Path(output)
     wanted = range(campaign_.chunks) if chunk is None else [chunk]

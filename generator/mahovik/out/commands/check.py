@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, by_flywheel, quantity
+from mahovik.out.arguments import Phases, Seconds, Speed, StandGiven, by_flywheel, command, quantity
 from mahovik.out.notices import warn_of_speeds
 from mahovik.out.result import Result, column, columns_of
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 AXES = ("x", "y", "z")
 
 
+@command(excludes={"tools": ("stand", "speed", "phase", "dt")})
 def check(
     stand: StandGiven | None = None,
     *,
@@ -89,7 +90,7 @@ def check(
         ),
         rows="bodies",
         meta=meta | more,
-        units={"mass": "kg", "center_of_mass": "m", "inertia": "kg m2", "worst_unbalance_force": "N"},
+        units={"total_mass": "kg", "total_center_of_mass": "m", "inertia": "kg m2", "worst_unbalance_force": "N"},
         messages=[*held, *pose, *(f"warning: {line}" for line in warnings)],
         details=(*details, *more),
     )  # fmt: skip
@@ -114,8 +115,8 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
         if one.unit != "rad" or one.where.partition(".")[0] == "hold":  # angles of bodies are in other tables
             bodies.setdefault((one.key, one.text, one.in_si), []).append(one.where)
     meta: dict[str, Any] = {
-        "stand": stand.name, "structure": names.structure, "physics": names.physics, "mass": summary.mass,
-        "center_of_mass": list(summary.center_of_mass), "inertia": summary.inertia,
+        "stand": stand.name, "structure": names.structure, "physics": names.physics, "total_mass": summary.mass,
+        "total_center_of_mass": list(summary.center_of_mass), "inertia": summary.inertia,
         "principal": Result("principal inertia about the centre of mass", (
             column("inertia", "kg m2", summary.principal_inertia),
             column("axis", "", summary.principal_axes, AXES),

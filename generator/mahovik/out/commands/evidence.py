@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Literal
 
 from mahovik.errors import CheckError, UsageError
-from mahovik.out.arguments import Folder, Progressing, StandGiven, Text
+from mahovik.out.arguments import Folder, Progressing, StandGiven, Text, command
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
 
+@command(excludes={"check": ("stand", "output", "full", "only", "real")})
 def evidence(
     stand: StandGiven | None = None,
     *,
@@ -47,8 +48,6 @@ def evidence(
     from mahovik.proof.evidence import check as differences
 
     if check is not None:
-        if stand is not None or output is not None:
-            raise UsageError("check: checks a folder, without a stand file and -o")
         if changed := differences(Path(check)):
             raise CheckError("\n".join(changed))
         return Result(f"{check}: every file is as it was written", meta={"folder": str(check)}, details=("folder",))

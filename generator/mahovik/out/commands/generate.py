@@ -20,6 +20,7 @@ from mahovik.out.arguments import (
     Progressing,
     StandGiven,
     Text,
+    command,
     file_name,
     motion_of,
     programme_of,
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from mahovik.use.control.attitude import LoopOptions
 
 Project = Annotated[str, "cmake|fmu|simulink|basilisk|BOARD"]
-Settings = Annotated[str | Mapping[str, Number], "NAME=VALUE"]
+Settings = Annotated[str | Sequence[str] | Mapping[str, Number], "NAME=VALUE"]
 
 BLOCKS = ("simulink", "basilisk")
 """Simulators for which there is a plant block."""
@@ -47,10 +48,25 @@ BLOCKS = ("simulink", "basilisk")
 ALONE = ("fmu", "fuzz", *BLOCKS)
 """Projects that compile neither programmes nor loops, nor what is added to the C."""
 
+OF_C = ("only", "with_", "batch")
+"""Arguments that choose functions; what calls them chooses them elsewhere."""
+
 FMU = {"kind": ("cs", "me"), "inputs": ("torque", "acceleration"), "binary": ("yes", "no")}
 """Settings of an FMU that are one of some words, the default first."""
 
 
+@command(
+    needs={
+        " or ".join(f"project={name}" for name in ("fmu", *BLOCKS)): ("fmu",),
+        "programme": ("motion", "servo", "name", "table"),
+    },
+    excludes={
+        "programme": ("attitude",),
+        "attitude": OF_C,
+        " or ".join(f"project={name}" for name in ALONE): ("programme", "attitude", *OF_C),
+        " or ".join(f"project={name}" for name in BLOCKS): ("real",),
+    },
+)
 def generate(
     stand: StandGiven,
     *,
@@ -88,7 +104,8 @@ def generate(
 
     Args:
         stand: the stand file.
-        output: write into this folder; default ./NAME of the stand.
+        output: write into this folder, of project fmu this file; default ./NAME of the stand, with `-attitude` and
+            `-PROJECT` behind it, or ./NAME.fmu.
         only: write these public functions alone and what they need, or all; list prints what there is.
         with_: add selftest, golden vectors; recorder, a log of flights; eva, proofs; batch; encoder, phases of counts.
         prefix: use this name in C instead of the stand's, so that two element types lie in one image.
@@ -121,7 +138,8 @@ def generate(
         return _functions(machine)
     if project is not None and project not in (known := ("cmake", *ALONE, *TARGETS)):
         raise UsageError(f'project: unknown "{project}"{suggestion(project, known)}')
-    _refuse_contradictions(project, fmu, programme, motion, servo, attitude, name, real, only_, added)
+    if added and project not in (None, "cmake"):
+        raise UsageError("with_: a board has the self-test and nothing else")
     named = with_prefix(machine, prefix)
     if project == "fmu":
         return _fmu(named, output, fmu, check, progress)
@@ -132,7 +150,9 @@ def generate(
     if check or programme is not None:
         delivered = delivered_options(folder) or Options("")
     if project is None and delivered.project:
-        project = delivered.project  # which is to compile the programme as well
+        project = delivered.project.removeprefix("attitude-" * with_loop)  # which is to compile the programme as well
+        if project.startswith("attitude-") and programme is None:
+            raise CheckError(f"{folder} has an attitude loop: expected the attitude=TASK that it was made with")
         if programme is not None and project not in ("cmake", *TARGETS):
             words = f"{folder} has the project {project}, which cannot play it: choose another folder"
             raise UsageError(f"programme: {words}")
@@ -165,31 +185,6 @@ def generate(
     if project is None and contents.files:
         _warn(named, contents, only_)
     return _deliver(folder, named, contents, stand)
-
-
-def _refuse_contradictions(
-    project: str | None, fmu: Any, programme: Any, motion: Any, servo: Any, attitude: Any, name: str, real: str | None,
-    only: tuple[str, ...], added: tuple[str, ...],
-) -> None:  # fmt: skip
-    """Raise UsageError for options that mean nothing together."""
-    if fmu is not None and project not in ("fmu", *BLOCKS):
-        raise UsageError(f"fmu: only with project=fmu, {' or '.join(BLOCKS)}")
-    for what, value in (("motion", motion), ("servo", servo), ("name", name if name != "programme" else None)):
-        if value is not None and programme is None:
-            raise UsageError(f"{what}: needs programme=P.json, which is missing")
-    if programme is not None and attitude is not None:
-        raise UsageError("programme, attitude: both drive the flywheels; write them into two folders")
-    if programme is not None and project in ALONE:
-        raise UsageError(f"programme: {project} has no firmware to play it; expected cmake or a board as project")
-    if attitude is not None and project in ALONE:
-        raise UsageError(f"attitude: needs cmake or a board, not project={project}")
-    if (only or added) and (project in ALONE or attitude is not None):
-        what = "attitude" if attitude is not None else "project"
-        raise UsageError(f"{what}: has all functions that it calls; not with only=NAMES, with_=NAMES, batch=True")
-    if added and project not in (None, "cmake"):
-        raise UsageError("with_: a board has the self-test and nothing else")
-    if real == "float" and project in BLOCKS:
-        raise UsageError(f"real: the block of {project} computes in double, leave it out")
 
 
 def _pairs(settings: Any, bare: str) -> dict[str, Any]:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven, reading, text_of_keys
+from mahovik.out.arguments import FilePath, StandGiven, command, output_path, reading, text_of_keys
 from mahovik.out.result import Result, column
-from mahovik.writing import probe, write
+from mahovik.writing import write
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 DataGiven = Annotated["str | Path | DataFrame | Sequence[str | Path | DataFrame]", "DATA"]
 
 
+@command()
 def identify(
     stand: StandGiven,
     *,
@@ -58,9 +59,7 @@ def identify(
     if output is not None:
         if not isinstance(stand, str | Path):
             raise UsageError("output: needs the stand as a file, whose comments stay")
-        if Path(output).resolve() in [Path(file).resolve() for file in (stand, *files) if isinstance(file, str | Path)]:
-            raise UsageError(f"output: {output} is read; expected another file")
-        probe(Path(output))
+        output_path("output", output, [file for file in (stand, *files) if isinstance(file, str | Path)])
     paths, delays = reading("free", free, read_free)
     numbers = Free(machine, paths, delays)
     recordings = reading("data", files, read_recordings, machine)

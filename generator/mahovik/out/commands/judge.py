@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
 from mahovik.nearest import names_in, suggestion
-from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, expecting, reading, time
+from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, command, expecting, reading, time
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
@@ -32,10 +32,11 @@ MARGIN = 10.0
 COARSEST = 0.01
 """Largest accepted difference of derived accelerations."""
 
-STATES, TIMEOUT = 200, "5 min"
-"""Number of states, and limit of the time, by default."""
 
-
+@command(
+    needs={"fmu": ("map",), "map": ("fmu",), "with_": ("attitude",)},
+    excludes={"log": ("states", "timeout")},
+)
 def judge(
     stand: StandPath,
     *,
@@ -46,10 +47,10 @@ def judge(
     attitude: Literal["quaternion", "angles"] | None = None,
     want: Names = (),
     explain: bool = False,
-    states: int = STATES,
+    states: int = 200,
     seed: int = 1,
     tolerance: float = 1e-12,
-    timeout: Seconds = TIMEOUT,
+    timeout: Seconds = "5 min",
     progress: Progressing = None,
 ) -> Result:
     """Judge a program, an FMU or a log by the reference, and find its fault.
@@ -90,14 +91,6 @@ def judge(
     judged = sum(subject is not None for subject in (with_, log, fmu))
     if judged != 1:
         raise UsageError(f"with_, log, fmu: found {judged or 'none'} of them, expected one")
-    if (fmu is None) != (map is None):
-        raise UsageError("fmu, map: one is missing, expected both")
-    if attitude is not None and with_ is None:
-        raise UsageError("attitude: only of a program, with_=COMMAND; a map and a log have their own attitudes")
-    if log is not None and (states, timeout) != (STATES, TIMEOUT):
-        raise UsageError(
-            f"{'timeout' if states == STATES else 'states'}: not with log=FILE, of which all rows are judged"
-        )
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         notify(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:

@@ -9,7 +9,7 @@ import numpy as np
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in, suggestion
-from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, state_of
+from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, command, state_of
 from mahovik.out.notices import rest_to_start
 from mahovik.out.plots import Line, Panel, stems
 from mahovik.out.result import Result, column, columns_of
@@ -23,6 +23,7 @@ STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_do
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 
+@command(needs={"speed": ("steps",)}, excludes={"speed": ("at", "flywheels", "points")})
 def modes(
     stand: StandGiven,
     *,
@@ -66,8 +67,6 @@ def modes(
 
     machine = Stand.of(stand)
     if speed is not None:
-        if at != "rest" or flywheels != "locked" or points is not None:
-            raise UsageError("at, flywheels, points: not allowed with speed, which sweeps the modes about rest")
         return _campbell(machine, speed, steps)
     uniform_stream(machine)
     names = None if points is None else list(names_in("points", points))
@@ -131,7 +130,7 @@ def _nominal(stand: Stand, at: Any) -> State:
     from mahovik.use.simulate.held import allowed_start
 
     if not isinstance(at, str) or at != "rest":
-        return allowed_start(stand, state_of(at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
+        return allowed_start(stand, state_of("at", at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
     try:
         return rest_to_start(stand)
     except CheckError as error:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik import stands
 from mahovik.contract.evaluation import STATE, ZEROS, text_lines
+from mahovik.core.stand.fields import stand_name_problem
 from mahovik.errors import CheckError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FilePath, Names, Progressing, Text, kind_of, vector
+from mahovik.out.arguments import FilePath, Names, Progressing, Text, Vector, command, kind_of, vector
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 from mahovik.writing import format_of, is_written_through, write, write_all
@@ -21,13 +22,19 @@ if TYPE_CHECKING:
 SUFFIXES = (".urdf", ".xml", ".mjcf", ".sdf", ".xacro")
 """Files of other programs, and of macros, for which their reader says what to do."""
 
+OF_FILE = ("carrier", "instruments", "gravity", "armature", "fix")
+"""Arguments that say how such a file is read."""
+
 ADAPTER = "adapter"
 """What `new` writes that is no stand."""
 
 Source = Annotated[str, "NAME|FILE"]
-Vector = Annotated[tuple[float, float, float] | str, "X,Y,Z"]
 
 
+@command(
+    needs={"source=*.urdf or source=*.xml or source=*.mjcf or source=*.sdf": OF_FILE},
+    excludes={"list": ("source", "output", "name", *OF_FILE)},
+)
 def new(
     source: Source | None = None,
     *,
@@ -74,7 +81,7 @@ def new(
         )
     if source is None:
         raise UsageError(f"source: which example? One of {', '.join(stands.names())}; or {ADAPTER}, or a FILE")
-    if name is not None and (problem := _name_problem(name)) is not None:
+    if name is not None and (problem := stand_name_problem(name)) is not None:
         raise UsageError(f"name {name}: {problem}")
     place = None if output is None else str(output)
     if source == ADAPTER:
@@ -85,9 +92,6 @@ def new(
         options: dict[str, Any] = {"carrier": carrier, "instruments": instruments, "armature": armature, "fix": fixed}
         made, comparison = _imported(Path(source), name, down, progress, **options)
         return _write_stand(made, comparison, place)
-    settings = {"carrier": carrier, "instruments": instruments, "gravity": gravity, "armature": armature, "fix": fix}
-    for what in (key for key, value in settings.items() if value):
-        raise UsageError(f"{what}: of a FILE of another program, not of the example {source}")
     if Path(source).is_file():
         words = "a URDF, an MJCF or an SDF (.urdf, .xml, .sdf), or the name of an example"
         raise UsageError(f"{source}: is {kind_of(source) or 'a file'}, expected {words}")
@@ -100,7 +104,7 @@ def _example(name: str, output: str | None, called: str | None) -> Result:
     messages: list[str] = []
     if called is None and not alone:  # the stand is called after its file, where a stand may be
         called = target.name.removesuffix(".toml")
-        if called != name and (problem := _name_problem(called)) is not None:
+        if called != name and (problem := stand_name_problem(called)) is not None:
             messages = [f"the stand is still named {name}, since {problem}; give another by name=NAME"]
             called = name
     files = {target.name: source}
@@ -185,13 +189,6 @@ def _refuse_existing(path: Path) -> None:
     """Raises UsageError: nothing is ever overwritten."""
     if path.exists() and not is_written_through(path):
         raise UsageError(f"{path}: exists already, nothing was written")
-
-
-def _name_problem(name: str) -> str | None:
-    """Why a stand cannot have a name; None if it can."""
-    from mahovik.core.stand.fields import stand_name_problem
-
-    return stand_name_problem(name)
 
 
 def _first_sentence(path: Path) -> str:

@@ -5,18 +5,18 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.nearest import suggestion
 from mahovik.out.arguments import (
     FileGiven,
     FilePath,
     Progressing,
     Seconds,
     StandGiven,
+    command,
     output_path,
     programme_of,
     required_of,
@@ -42,6 +42,7 @@ _FIGURES = (
 _UNITS = {"duration": "s", "least_duration": "s", "strayed": "m"}
 
 
+@command(needs={"free": ("stand_",)}, excludes={"method=ocp": ("free",)})
 def plan(
     stand: StandGiven,
     *,
@@ -82,13 +83,7 @@ def plan(
     from mahovik.out.api.stands import Stand
     from mahovik.use.plan.outcome import PlanOptions
 
-    if method not in get_args(Method):
-        raise UsageError(f'method: unknown "{method}"{suggestion(method, get_args(Method))}')
     keys = [key for text in ([free] if isinstance(free, str) else free) for key in text.split(",")]
-    if stand_ is not None and not keys:
-        raise UsageError("stand_: is written where numbers are free; expected free=KEYS beside it")
-    if keys and method == "ocp":
-        raise UsageError("method ocp: judges plans of a stand as it is; expected no free=KEYS beside it")
     read = [source for source in (stand, motion) if isinstance(source, str | Path)]
     paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
     machine, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, Folder, Progressing, StandGiven
+from mahovik.out.arguments import FilePath, Folder, Progressing, StandGiven, command
 from mahovik.out.notices import Progress, notify
 from mahovik.out.result import Result, column
 
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 PARTS = {"position": "xyz", "attitude": "wxyz", "V": "uvwpqr"}
 
 
+@command()
 def replay(
     stand: StandGiven,
     *,

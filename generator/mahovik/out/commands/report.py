@@ -13,7 +13,7 @@ from markupsafe import Markup
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, MahovikError, UsageError
 from mahovik.nearest import names_in
-from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven, file_name
+from mahovik.out.arguments import FilePath, Names, Progressing, StandGiven, command, file_name
 from mahovik.out.commands.check import check
 from mahovik.out.commands.modes import modes
 from mahovik.out.commands.verify import verify
@@ -41,6 +41,7 @@ COSTLY = ("forward", "torque", "coupled", "inverse", "inverse_fast", "momentum",
 """Functions whose operations are shown, where the stand has them."""
 
 
+@command(excludes={"derivation": ("at", "require")})
 def report(
     stand: StandGiven,
     *,
@@ -71,8 +72,6 @@ def report(
 
     machine = Stand.of(stand)
     format_of(Path(output), (".html",))
-    if derivation and (at or require):
-        raise UsageError("derivation: shows no vibration; remove at and require")
     require_drawing()
     probe(Path(output))
     source = file_name(stand, f"{machine.name}.toml")
@@ -81,11 +80,10 @@ def report(
         text = page(f"{machine.name}: equations of motion", derivation_parts(machine), machine, [("stand", source)])
     else:
         points = _measured(machine) if at is None else names_in("at", at)
-        limits = (require,) if isinstance(require, str) else tuple(require)
         checked = check(machine)
         sections: tuple[Callable[[], Part | None], ...] = (
             lambda: bodies_part(machine, checked), lambda: modes_part(machine), lambda: vibration_part(machine, points),
-            lambda: limits_part(checked), lambda: requirements_part(machine, points[0], limits),
+            lambda: limits_part(checked), lambda: requirements_part(machine, points[0], require),
             lambda: verification_part(machine, source), lambda: cost_part(machine),
         )  # fmt: skip
         for done, section in enumerate(sections, start=1):
@@ -188,7 +186,7 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
             result = vibration(stand, speed=f"0..{_fastest(stand)!r} rad/s", at=point, quantity=quantity, steps=STEPS)
         except CheckError as error:
             return Part("Vibration", f"{error}: there is no steady vibration to show.")
-        rms, unit = np.linalg.norm(np.nan_to_num(result["rms"]), axis=1), result["largest"]["unit"]
+        rms, unit = np.nan_to_num(result["length", "rms"]), result["largest"]["unit"]
         if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
@@ -204,7 +202,7 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
     return Part("Vibration", words * bool(shown), panels=tuple(shown), notes=tuple(remarks), summary=summary)
 
 
-def requirements_part(stand: Stand, point: str, require: Sequence[str]) -> Part | None:
+def requirements_part(stand: Stand, point: str, require: str | Sequence[str]) -> Part | None:
     """Limits of the angle of a point, over all common speeds."""
     if not require:
         return None

@@ -15,9 +15,11 @@ from mahovik.out.arguments import (
     Progressing,
     Seconds,
     StandGiven,
+    command,
     file_name,
     motion_of,
     programme_of,
+    quantity,
     regime_of,
     servo_of,
     state_of,
@@ -35,13 +37,13 @@ if TYPE_CHECKING:
 
 Share = Annotated[float | str, "PERCENT"]
 
-OF_REGIME = {"until": None, "regime": None, "start": None, "dt": "0.1 ms", "every": "1 ms", "order": 4, "mounts": False,
-             "real": "double", "carried": False, "backend": "c"}  # fmt: skip
-OF_PROGRAMME = {"motion": None, "servo": None, "mismatch": "0%", "seed": 1, "periods": None, "begin": None,
-                "table": 128}  # fmt: skip
-"""Arguments that belong to one way of running, with their defaults."""
+OF_REGIME = ("until", "regime", "start", "every", "mounts", "backend")
+OF_C = ("dt", "order", "real", "carried")
+OF_PROGRAMME = ("motion", "servo", "mismatch", "seed", "periods", "begin", "table")
+"""Arguments that belong to one way of running."""
 
 
+@command(needs={"programme": OF_PROGRAMME, "backend=c": OF_C}, excludes={"programme": (*OF_REGIME, *OF_C)})
 def simulate(
     stand: StandGiven,
     *,
@@ -103,11 +105,6 @@ def simulate(
     """
     from mahovik.out.api.stands import Stand
 
-    arguments = {key: value for key, value in locals().items() if key in OF_REGIME | OF_PROGRAMME}
-    excluded, words = (OF_PROGRAMME, "needs") if programme is None else (OF_REGIME, "not allowed with")
-    for name, default in excluded.items():
-        if arguments[name] != default:
-            raise UsageError(f"{name}: {words} programme=P.json")
     model = Stand.of(stand)
     if programme is not None:
         if motion is None or servo is None:
@@ -165,7 +162,7 @@ def _beginning(stand: Stand, regime: Any, start: Any, until: float) -> tuple[Reg
 
     if not (math.isfinite(until) and until > 0.0):
         raise UsageError(f"until {until:g}: expected a time above 0, in s")
-    first = None if start is None else state_of(start, stand, START_KEYS, HINT)
+    first = None if start is None else state_of("start", start, stand, START_KEYS, HINT)
     chosen = None if regime is None else regime_of(regime, stand, until)
     if first is not None:
         return chosen or steady_regime(stand, first.phi_dot), allowed_start(stand, first)
@@ -225,23 +222,12 @@ def _coordinates(errors: Errors) -> Result:
     return Result("errors of coordinates", columns, rows="coordinates", index="coordinate", details=("harmonics",))
 
 
-def share_of(mismatch: float | str) -> float:
-    """A share from `0.01` or `"1%"`. Raises UsageError."""
-    text = str(mismatch).strip()
-    try:
-        share = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
-    except ValueError:
-        share = math.nan
-    if not (math.isfinite(share) and share >= 0.0):
-        raise UsageError(f"mismatch {mismatch}: expected 0 or more, such as 0.01 or 1%")
-    return share
-
-
 def following_case(
     stand: Stand, motion: Any, programme: Any, servo: Any, mismatch: float | str, seed: int, periods: int | None,
     begin: str | None, table: int,
 ) -> Following:  # fmt: skip
     """The run to be made, of files or what they hold; see `simulate`. Raises UsageError and what the files raise."""
+    from mahovik.core.stand.units import PLAIN
     from mahovik.proof.verify.programme.verification import motion_check, stand_check
     from mahovik.use.control.loop import make_case
     from mahovik.use.control.mismatch import with_mismatch
@@ -255,7 +241,7 @@ def following_case(
     if (check := motion_check(required, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
     servos, servo_source = servo_of(servo, stand), file_name(servo, "the servos")
-    real = with_mismatch(stand, share_of(mismatch), seed)
+    real = with_mismatch(stand, quantity("mismatch", mismatch, PLAIN, 0.0), seed)
     case = make_case(stand, real, required, course, servos, periods, begin, table, source, servo_source)
     stable = margins(stand, servos)
     if stable.radius >= 1.0:

@@ -18,6 +18,7 @@ from mahovik.out.arguments import (
     Progressing,
     StandGiven,
     Text,
+    command,
     motion_of,
     programme_of,
     servo_of,
@@ -41,9 +42,23 @@ CHECK_COLUMNS = (
 QUANTITY = 40
 """Most columns of a quantity in it."""
 
+WAYS = ("targets", "cost", "judges", "rigorous")
+"""Verifications of the C of their own."""
+
 Subject = Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"]
 
 
+@command(
+    needs={
+        "subject": ("servo",),
+        "subject=*.json or programme": ("tolerance",),
+        "subject=*.json or programme or servo": ("motion", "name"),
+    },
+    excludes={
+        "subject=*.json": ("servo", "only", "states", "seed", "real", *WAYS, "all", "worst"),
+        "cost": ("states", "seed", "all", "junit", "worst", "programme", "motion"),
+    },
+)
 def verify(
     stand: StandGiven,
     subject: Subject | None = None,
@@ -115,7 +130,7 @@ def verify(
     for file in (junit, worst):
         if file is not None:
             probe(Path(file))
-    ways = {"targets": targets, "cost": cost, "judges": judges, "rigorous": rigorous, "servo": servo}
+    ways = dict(zip((*WAYS, "servo"), (targets, cost, judges, rigorous, servo), strict=True))
     chosen = [way for way, value in ways.items() if value and not (way == "targets" and cost)]
     if len(chosen) > 1:
         raise UsageError(f"{', '.join(chosen)}: each is a verification of its own, expected one of them")
@@ -126,12 +141,8 @@ def verify(
         return _log(machine, path, names_in("only", only))
     if path is not None and not path.is_dir() and not cost:
         raise UsageError(f"{path}: no such file or folder, expected a folder of C, a programme or a log")
-    if name != "programme" and servo is None and programme is None:
-        raise UsageError("name: no programme or servos are judged; give programme=P.json or servo=S.toml")
     if only:
         raise UsageError("only: of a LOG, which is missing")
-    if path is None and servo is not None:
-        raise UsageError("servo: its C is in a FOLDER, which is missing")
     if cost:
         return _cost(machine, path, targets, real, progress)
     if servo is not None and path is not None:
@@ -280,12 +291,15 @@ def _cost(stand: Stand, folder: Path | None, targets: str | None, real: str | No
     figures = asdict(costs)
     rows = [(target, function) for target in figures["targets"] for function in target["functions"]]
     names = [key for key in (rows[0][1] if rows else {}) if key != "function"]
+    cells = {
+        key: [", ".join(x) if isinstance(x := function[key], tuple) else x for _, function in rows] for key in names
+    }
     return Result(
         f"cost of {stand.name}: instructions and bytes",
         (
             *columns_of([target for target, _ in rows], {"target": "", "real": ""}),
             column("function", "", [function["function"] for _, function in rows]),
-            *(column(key, "", [_figure(function[key]) for _, function in rows]) for key in names),
+            *(column(key, "", values) for key, values in cells.items()),
         ),
         rows="functions",
         meta=figures,
@@ -293,19 +307,14 @@ def _cost(stand: Stand, folder: Path | None, targets: str | None, real: str | No
     )
 
 
-def _figure(figure: Any) -> Any:
-    """A figure of a function; names in one text."""
-    return ", ".join(figure) if isinstance(figure, tuple) else figure
-
-
 def report_result(
     report: Report, *, by: str = "", more: Mapping[str, Any] | None = None, words: Sequence[str] = (),
     everything: bool = False, junit: Any = None, worst: Any = None,
 ) -> Result:  # fmt: skip
-    """The result of a report: a line for each function in text, `rows` with every check in JSON.
+    """The result of a report: a line for each function, and `rows` with every check.
 
     by          head of the column of what is judged; more, words: further entries and sentences
-    everything  the text has every check too
+    everything  a line for each check instead
     """
     from mahovik.proof.verify.check import as_junit, conclusion, summary, worst_lines
 
@@ -329,12 +338,12 @@ def report_result(
     return Result(
         f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}   "
         f"seed {report.seed}",
-        () if everything else _short_columns(short, by),
-        rows="nearest",
+        _short_columns(short, by) if not everything else checks.columns if checks.count else (),
+        rows="rows" if everything else "nearest",
         meta=about | {"rows": checks} | dict(more or {}),
         messages=messages,
         ok=report.passed,
-        details=(*about, *(() if everything else ("rows",)), *(more or {})),
+        details=(*about, "rows", *(() if everything else ("states",)), *(more or {})),
         drawings=(_draw_shares,),
     )
 

@@ -20,8 +20,10 @@ from mahovik.out.arguments import (
     StandGiven,
     Text,
     Turning,
+    Vector,
     by_flywheel,
     by_name,
+    command,
     reading,
     time_limit,
     vector,
@@ -29,6 +31,7 @@ from mahovik.out.arguments import (
 from mahovik.out.notices import Progress, notify, warn_of_speeds, warn_of_turn
 from mahovik.out.plots import ARCSEC, Line, Panel, stems
 from mahovik.out.result import Column, Result, column, quantity_text
+from mahovik.use.vibration.lines import MAKER, in_band, read_band, read_requirements, size_of
 
 if TYPE_CHECKING:
     from mahovik.out.api.stands import Stand
@@ -37,10 +40,12 @@ if TYPE_CHECKING:
     from mahovik.use.vibration.view import Observable
 
 Tables = Annotated[Mapping[str, str | Path], "NAME=FILE.csv"]
-Vector = Annotated[str | Sequence[float], '"X Y Z"']
 
 Interval = tuple[float, float]
 GoOn = Callable[..., bool]
+
+STEPS = 61
+"""Speeds of a sweep before more are added, by default."""
 
 SHOWN = 12
 """Lines of a sweep with columns of their own."""
@@ -49,6 +54,7 @@ NO_LINE = 1e-6
 """Part of the largest amplitude below which a line is not listed."""
 
 
+@command(needs={"improve": ("momentum", "limit", "avoid", "seed")})
 def vibration(
     stand: StandGiven,
     *,
@@ -57,7 +63,7 @@ def vibration(
     quantity: Literal["angle", "rate", "displacement", "velocity", "acceleration", "force", "moment"] | None = None,
     band: Band | None = None,
     phase: Phases | None = None,
-    steps: int = 61,
+    steps: int = STEPS,
     harmonics: Tables | None = None,
     noise: Tables | None = None,
     inner_modes: Tables | None = None,
@@ -77,6 +83,8 @@ def vibration(
     Of one set of speeds: a line a wheel and order, of which the amplitude is 0 to peak. Of a sweep: a row a speed, with
     more speeds at resonances, so that the largest amplitude is the true one. On every axis rms is the root mean square
     over time at the given phases, peak what these let happen, worst the sum of all amplitudes, whatever the phases.
+    `largest`, the columns of lines and the picture are of the length of the vector: of one frequency half the longest
+    axis of its ellipse, not the root of the sum of squares.
     The whole equations are solved, in a sweep where a sum is largest or they differ from the linear ones.
 
     Args:
@@ -94,7 +102,7 @@ def vibration(
         inner_modes: radial, axial and rocking mode of a wheel on its bearings.
         modes: table of structural modes, which do not act back on the wheels.
         sight: table of sensitivities of a line of sight, in place of a point.
-        require: limit to be met at all speeds, "rms|peak|worst VALUE UNIT [LOW..HIGHHz]".
+        require: limit to be met on every axis at all speeds, "rms|peak|worst VALUE UNIT [LOW..HIGHHz]".
         improve: search speeds and phases that make it quieter in the band; the momentum of the wheels stays the same.
         momentum: hold this momentum of the wheels, in E1, N m s; default that of the given speeds.
         limit: speed limit of all wheels in this search, or their range; default from half of the given speed to the
@@ -109,7 +117,6 @@ def vibration(
     """
     from mahovik.out.api.stands import Stand
     from mahovik.use.vibration.chain import Makers
-    from mahovik.use.vibration.lines import read_band, read_requirements
     from mahovik.use.vibration.maker import read_harmonics, read_inner_modes, read_noise, read_structure
     from mahovik.use.vibration.speeds import read_speeds
     from mahovik.use.vibration.study import vibration as find
@@ -128,8 +135,8 @@ def vibration(
     plan = read_speeds(machine, speed)
     if improve and (plan.sweep is not None or makers.harmonics):
         raise UsageError("improve: expected one set of speeds, and no makers' harmonics, which have no phases")
-    if not improve and (momentum is not None or limit is not None or avoid):
-        raise UsageError("momentum, limit, avoid: say what holds in the search of `improve`, which is missing")
+    if plan.sweep is None and steps != STEPS:
+        raise UsageError("steps: needs a range of speeds, speed=NAME=LOW..HIGH")
     _warn_of_speeds(machine, speed, plan)
     go_on = _clock(time, progress)
     phases = by_flywheel("phase", phase, machine)
@@ -137,7 +144,7 @@ def vibration(
     result = find(machine, plan, seen, steps=steps, phases=phases, makers=makers, bands=bands, go_on=go_on)
     warn_of_turn(machine)
     verdicts = list(map(result.judge, limits))
-    meta: dict[str, Any] = {"requirements": list(map(result.verdict_entry, verdicts))} if limits else {}
+    meta: dict[str, Any] = {"requirements": list(map(result.verdict_entry, verdicts))}
     messages = [*map(result.verdict_words, verdicts), *result.remarks()]
     ok = all(verdict.met for verdict in verdicts)
     if improve:
@@ -163,8 +170,6 @@ def _tables(
     stand: Stand, name: str, tables: Mapping[str, str | Path] | None, read: Callable[[Path], Any]
 ) -> dict[str, Any]:
     """Tables by flywheel. Raises UsageError, TableError."""
-    if tables is not None and not isinstance(tables, Mapping):
-        raise UsageError(f"{name} {tables}: expected NAME=FILE.csv")
     paths = by_name(name, tables or {}, stand)
     made = {path: reading("table", Path(path), read) for path in dict.fromkeys(paths.values())}
     return {wheel: made[path] for wheel, path in paths.items()}
@@ -214,13 +219,18 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
     seen, unit, stand = vibration.seen, vibration.seen.measure.unit, vibration.scene.stand
     axes, swept = seen.axes, vibration.plan.sweep is not None
     sums = {name: values[:, : len(axes)] for name, values in vibration.sums(band)._asdict().items()}
+    lengths = vibration.lengths(band)._asdict()
     words = f" in {band[0]:g}..{band[1]:g} Hz" if band else ""
     about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
-    units = dict.fromkeys(("rms", "peak", "worst", "before", "after"), unit) | {"speeds": "rad/s", "phases": "rad"}
+    units = dict.fromkeys(("rms", "peak", "worst", "length", "before", "after"), unit) | {
+        "speeds": "rad/s",
+        "phases": "rad",
+    }
     title, columns, index = f"{stand.name}: {seen.quantity} of {seen.name}{words}", _orders(vibration, band), ""
     if not swept:
-        meta = about | {name: values[0] for name, values in sums.items()} | meta
+        of_length = {name: values[0] for name, values in lengths.items()}
+        meta = about | {name: values[0] for name, values in sums.items()} | {"length": of_length} | meta
         details.append("phase")
     else:
         largest, listed = vibration.largest(band), _line_columns(vibration, band)
@@ -233,22 +243,21 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
         columns = (
             column("speeds", "rad/s", vibration.value, shown="rpm"),
             *(column(name, unit, values, axes) for name, values in sums.items()),
+            column("length", unit, np.column_stack([*lengths.values()]), list(lengths)),
             *listed,
         )
-        details += ["swept", "peak", *(line.name for line in listed)]
+        details += ["swept", "peak", "length", *(line.name for line in listed)]
     return Result(
         f"{title}; amplitudes 0 to peak", columns, rows="" if swept else "orders", index=index, meta=meta, units=units,
-        messages=messages, ok=ok, details=details, drawings=_picture(vibration, sums, swept),
+        messages=messages, ok=ok, details=details, drawings=_picture(vibration, lengths, swept),
     )  # fmt: skip
 
 
 def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
     """The lines of one set of speeds, largest first; amplitudes along the axes."""
-    from mahovik.use.vibration.lines import MAKER, in_band
-
     lines, axes = vibration.lines, vibration.seen.axes
     frequency, a = lines.frequency[0], lines.amplitude[0, :, : len(axes)]
-    size = np.where(in_band(frequency, band or (0.0, np.inf)), np.linalg.norm(a, axis=1), 0.0)
+    size = np.where(in_band(frequency, band or (0.0, np.inf)), size_of(a), 0.0)
     listed = [i for i in np.argsort(-size, kind="stable") if size[i] > NO_LINE * size.max(initial=0.0)]
     names = [lines.names[i] for i in listed]
     phase = [np.full(len(axes), np.nan) if lines.names[i].source == MAKER else np.angle(a[i]) for i in listed]
@@ -264,30 +273,28 @@ def _orders(vibration: Study, band: Interval | None) -> tuple[Column, ...]:
 
 
 def _line_columns(vibration: Study, band: Interval | None) -> list[Column]:
-    """The largest lines of a sweep: magnitude of the amplitude over the axes."""
-    from mahovik.use.vibration.lines import in_band
-
+    """The largest lines of a sweep: their largest lengths."""
     lines = vibration.lines
     inside = in_band(lines.frequency, band or (0.0, np.inf)) & (lines.frequency > 0.0)
-    size = np.where(inside, np.linalg.norm(lines.amplitude, axis=2), 0.0)
+    size = np.where(inside, size_of(lines.amplitude), 0.0)
     largest = np.nanmax(np.nan_to_num(size), axis=0, initial=0.0)
     listed = [i for i in np.argsort(-largest, kind="stable")[:SHOWN] if largest[i] > NO_LINE * largest.max()]
     return [column(lines.names[i].text, vibration.seen.measure.unit, size[:, i]) for i in listed]
 
 
-def _picture(vibration: Study, sums: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
-    """Lines over their frequency; of a sweep worst case and RMS over its speed, norms over the axes."""
+def _picture(vibration: Study, lengths: Mapping[str, np.ndarray[Any, Any]], swept: bool) -> list[Panel]:
+    """Lengths of lines over their frequency; of a sweep those of worst case and RMS over its speed."""
     seen, unit, scale = vibration.seen, vibration.seen.measure.unit, 1.0
     if unit.startswith("rad"):
         unit, scale = f"arcsec{unit[3:]}", ARCSEC
     title = f"{seen.quantity} of {seen.name}, {unit}"
     if not swept:
-        size = scale * np.linalg.norm(vibration.lines.amplitude[0], axis=1)
+        size = scale * size_of(vibration.lines.amplitude[0])
         x, span = vibration.lines.frequency[0], (0.0, 1.1 * float(vibration.lines.frequency.max(initial=1.0)))
         return [Panel(f"{title}, 0 to peak", (stems("", x, size),), abscissa="frequency, Hz", height=1.6, span=span)]
     x, order = RPM * vibration.value, np.argsort(vibration.value)
     names = {"worst": "worst case over phases", "rms": "RMS"}
-    size = scale * np.linalg.norm(np.stack([sums[name] for name in names]), axis=2)[:, order]
+    size = scale * np.stack([lengths[name] for name in names])[:, order]
     drawn = tuple(Line(words, x[order], y, k) for k, (words, y) in enumerate(zip(names.values(), size, strict=True)))
     steep = bool(np.nanmax(size[0]) > 50.0 * np.nanmedian(size[0]) > 0.0)
     words, span = f"speed of {vibration.plan.names[vibration.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))

@@ -140,7 +140,9 @@ def export_programme(
     numbers = tuple((t.form.part, t.span, t.value) for t in tables)
     facts = Facts(programme.motion, numbers, tuple(_table_facts(t, e) for t, e in measured), lines, most)
     files = programme_files(stand, made, player.golden(), facts, called)
-    return ProgrammeExport(files, (*lines, f"limit {most:g}"), made, tuple(tables), tuple(deviations))
+    return ProgrammeExport(
+        files, (*lines, f"accepted error of the tables: {most:g}"), made, tuple(tables), tuple(deviations)
+    )
 
 
 def check_name(stand: Stand, layout: Layout, called: str) -> None:

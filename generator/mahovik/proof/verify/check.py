@@ -263,9 +263,10 @@ def conclusion(report: Report) -> str:
 
 
 def summary(report: Report) -> dict[str, Any]:
-    """What the JSON of a report says besides its rows."""
-    keys = ("stand", "structure", "physics", "judged", "left_out", "seed", "states", "tolerance", "passed")
-    return {key: getattr(report, key) for key in keys} | {"conclusion": conclusion(report)}
+    """What the JSON of a report says besides its rows, which have `judged` and `states` of their own."""
+    keys = ("stand", "structure", "physics", "left_out", "seed", "tolerance", "passed")
+    about = {"subject": report.judged, "count": report.states, "conclusion": conclusion(report)}
+    return {key: getattr(report, key) for key in keys} | about
 
 
 def as_junit(report: Report) -> str:

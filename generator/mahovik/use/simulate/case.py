@@ -58,8 +58,6 @@ class Case:
             raise UsageError(f"dt {self.dt:g}: expected at most {MAX_STEP:g} s, the longest step of the C")
         if self.order not in (2, 4):
             raise UsageError(f"order {self.order}: expected 4 or 2")
-        if self.real not in ("double", "float"):
-            raise UsageError(f"real {self.real}: expected double or float")
         if self.until / self.every > MAX_ROWS:
             raise UsageError(f"every {self.every:g}: more than {MAX_ROWS // 1_000_000} million rows")
 

@@ -11,13 +11,12 @@ from mahovik.core.stand.hold import freedom_names, has_coordinates
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.core.toolchain.compiled import Block, compile_library
-from mahovik.errors import StateError, UsageError
+from mahovik.errors import StateError
 from mahovik.proof.reference.algebra import carrier_rotation, quaternion_of
 from mahovik.use.measured.headers import AXES, CARRIER, RATES, sensors, state_columns, with_units
 from mahovik.use.simulate.case import Array, Case, wrap_phases
 from mahovik.use.simulate.course import NEEDS, Moments, motion, parts_of, stand_for, why_refused
 
-BACKENDS = ("c", "scipy")
 STATE_COLUMNS = tuple(with_units([*CARRIER["position"], *CARRIER["quaternion"], *CARRIER["V"]]))
 """Columns of the carrier's place, attitude and twist."""
 
@@ -79,14 +78,9 @@ def _moments(case: Case, backend: str, needs: Collection[str]) -> tuple[Block | 
     C = carrier_rotation(case.stand, start)
     y = np.array([*start.position, *(start.quaternion or quaternion_of(C)), *start.V])
     if backend == "scipy":
-        if case.real == "float" or case.carried:
-            option = "real float" if case.real == "float" else "carried"
-            raise UsageError(f"backend scipy: not allowed with {option}")
         from mahovik.use.simulate import judge
 
         return None, judge.motion(case, y, needs)
-    if backend != "c":
-        raise UsageError(f"backend {backend}: expected one of {', '.join(BACKENDS)}")
     stand = stand_for(case.stand, case.regime)
     made = compile_library(stand, case.real, kind="states")
     x = np.array([*y, *wrap_phases(case.phi0), *case.phi_dot0])

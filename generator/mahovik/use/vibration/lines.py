@@ -8,6 +8,9 @@ seen, with noise of root mean square s beside them,
     peak   largest value that these phases let happen: sum over frequencies of what adds up there, and 3 s
     worst  largest value at any phases, to first order in unbalance by wheel: sum of all amplitudes, and 3 s
 
+The length of what is seen, as a vector, has the same three: rms is the root of the sum of their squares, peak and worst
+are the largest length, which of one frequency is half the longest axis of its ellipse, not the root of that sum.
+
 A wheel's first order is that of the linear equations. What the whole equations, solved at the given phases, have beside
 it is a line as well, so that rms and peak are those of the whole equations, and worst is never below peak.
 """
@@ -110,7 +113,7 @@ class LineName(NamedTuple):
 
 
 class Sums(NamedTuple):
-    """rms, peak, worst (S, 3 each); NaN where there is no steady motion."""
+    """rms, peak, worst, (S, 3) each on the axes or (S) of the length; NaN where there is no steady motion."""
 
     rms: Array
     peak: Array
@@ -162,16 +165,31 @@ class Lines:
         return np.asarray(np.isfinite(self.amplitude).all(axis=(1, 2)))
 
     def sums(self, noise: Array | float = 0.0, band: tuple[float, float] | None = None) -> Sums:
-        """The sums within a band (Hz; None: all), with noise of this mean square (S, 3) there."""
+        """The sums on the axes in a band (Hz; None: all), with noise of this mean square (S, 3) there."""
+        sizes = [np.abs(a) for a in (self.by_frequency(band)[1], self.inside(band))]
+        peak, worst = (size.sum(axis=1) + SIGMAS * np.sqrt(noise) for size in sizes)
+        square = np.einsum("slk,slk->sk", sizes[0], sizes[0])
+        return Sums(np.sqrt(square / 2.0 + noise), peak, worst)
+
+    def lengths(self, noise: Array, band: tuple[float, float] | None = None) -> Sums:
+        """The sums (S) of the length, likewise."""
+        most = SIGMAS * np.sqrt(noise.sum(axis=-1))
+        peak, worst = (longest(a) + most for a in (self.by_frequency(band)[1], self.inside(band)))
+        return Sums(np.linalg.norm(self.sums(noise, band).rms, axis=1), peak, worst)
+
+    def inside(self, band: tuple[float, float] | None) -> Complex:
+        """Amplitudes (S, L, 3), 0 outside of a band (Hz; None: all)."""
         inside = in_band(self.frequency, band or (0.0, np.inf)) | ~self.is_finite[:, None]
-        amplitude = np.where(inside[:, :, None], self.amplitude, 0.0)
+        return np.where(inside[:, :, None], self.amplitude, 0.0)
+
+    def by_frequency(self, band: tuple[float, float] | None = None) -> tuple[Array, Complex]:
+        """Frequencies (S, L) and amplitudes in a band, those of one frequency added up but for makers' lines."""
         tied = np.array([name.source != MAKER for name in self.names], dtype=bool)
-        shared = np.abs(coherent(self.frequency[:, tied], amplitude[:, tied])[1])
-        sizes = np.abs(amplitude)
-        loose, most = sizes[:, ~tied], SIGMAS * np.sqrt(noise)
-        square = np.einsum("slk,slk->sk", shared, shared) + np.einsum("slk,slk->sk", loose, loose)
-        peak = shared.sum(axis=1) + loose.sum(axis=1)
-        return Sums(np.sqrt(square / 2.0 + noise), peak + most, sizes.sum(axis=1) + most)
+        amplitude = self.inside(band)
+        shared = coherent(self.frequency[:, tied], amplitude[:, tied])
+        loose = self.frequency[:, ~tied], amplitude[:, ~tied]
+        f, a = (np.concatenate(parts, axis=1) for parts in zip(shared, loose, strict=True))
+        return f, a
 
     def with_tolerances(self) -> Lines:
         """These lines with the largest amplitudes that the tolerances of the tables allow."""
@@ -236,6 +254,47 @@ def coherent(frequency: Array, amplitude: Complex) -> tuple[Array, Complex]:
         first = np.diff(f, axis=1, prepend=-1.0) > SAME * f
         total[first] = np.add.reduceat(a.reshape(-1, 3), np.flatnonzero(first))
     return f, np.where((f > 0.0)[..., None], total, 0.0)
+
+
+DIRECTIONS = np.array([n for n in np.ndindex(3, 3, 3) if n > (1, 1, 1)]) - 1.0
+"""The 13 axes of a cube, through its faces, edges and corners, from which the longest direction is sought."""
+
+CLIMBS = 40
+"""Steps of this search, which leave at most 1e-3 of the length."""
+
+
+def longest_direction(amplitude: Complex) -> Array:
+    """Directions (..., 3) in which vectors Re(a exp(i p)) with amplitudes (..., 3) are longest over p."""
+    turn = np.exp(-0.5j * np.angle((amplitude * amplitude).sum(axis=-1, keepdims=True)))
+    return np.asarray((amplitude * turn).real)
+
+
+def size_of(amplitude: Complex) -> Array:
+    """Largest length (...) of vectors Re(a exp(i p)) with amplitudes (..., 3): half the longest axis of the ellipse."""
+    return np.asarray(np.linalg.norm(longest_direction(amplitude), axis=-1))
+
+
+def longest(amplitude: Complex) -> Array:
+    """Largest length (S) of the sum of lines (S, L, 3) at any phases.
+
+    It is the largest sum of what the lines have along one direction. Of the axes of a cube and of the largest line the
+    best direction is turned to the sum of the lines, each at its phase of the largest part along it.
+    """
+    rows, lines, _ = amplitude.shape
+    if not lines:
+        return np.zeros(rows)
+    a = np.nan_to_num(amplitude)
+    largest = np.take_along_axis(a, size_of(a).argmax(axis=1)[:, None, None], axis=1)
+    starts = np.concatenate([np.broadcast_to(DIRECTIONS, (rows, 13, 3)), longest_direction(largest)], axis=1)
+    starts /= np.maximum(np.linalg.norm(starts, axis=2, keepdims=True), 1e-300)
+    best = np.abs(a @ starts.swapaxes(1, 2)).sum(axis=1).argmax(axis=1)
+    n = np.take_along_axis(starts, best[:, None, None], axis=1)[:, 0]
+    for _ in range(CLIMBS if lines > 1 else 0):
+        along = np.einsum("slk,sk->sl", a, n)
+        n = np.einsum("slk,sl->sk", a, np.exp(-1j * np.angle(along))).real
+        n /= np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
+    length = np.abs(np.einsum("slk,sk->sl", a, n)).sum(axis=1)
+    return np.where(np.isfinite(amplitude).all(axis=(1, 2)), length, np.nan)
 
 
 WORDS = {

@@ -156,16 +156,18 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     if isinstance(asked, int | float) or (isinstance(asked, str) and "=" not in asked):
         return dict.fromkeys(names, asked)
     listed = [asked] if isinstance(asked, str) else list(asked)
+    alone = [entry for entry in listed if not (isinstance(entry, str) and "=" in entry)]
     if isinstance(asked, Mapping):
         pairs = list(asked.items())
-    elif listed and all(isinstance(entry, str) and "=" in entry for entry in listed):
+    elif not alone:
         pairs = [(name.strip(), text) for name, _, text in (str(entry).partition("=") for entry in listed)]
-    elif len(listed) == len(names) and not any(isinstance(entry, str) and "=" in entry for entry in listed):
+    elif len(alone) == len(listed) == len(names):
         pairs = list(zip(names, listed, strict=True))
     else:
-        raise UsageError(
-            f"speed {listed[0] if listed else ''}: expected NAME=SPEED or NAME=LOW..HIGH, as w1=0..6000rpm"
-        )
+        words = f"{len(listed)} speeds, but the stand has {len(names)} flywheels" if alone == listed else alone[0]
+        raise UsageError(f"speed: {words}; expected NAME=SPEED or NAME=LOW..HIGH, as w1=0..6000rpm")
+    if not pairs:
+        raise UsageError("speed: is empty, expected that of a flywheel, as w1=6000rpm, or of all")
     result: dict[str, float | str] = {}
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
         if name != ALL and name not in names:

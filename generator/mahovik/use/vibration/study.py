@@ -27,7 +27,7 @@ from mahovik.core.stand.model import Stand
 from mahovik.errors import CheckError
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.vibration.chain import Band, Chain, Makers, noise, spectrum, undamped_mode
-from mahovik.use.vibration.lines import MAKER, LineName, Lines, Requirement, Spectrum, Sums, coherent, in_band
+from mahovik.use.vibration.lines import LineName, Lines, Requirement, Spectrum, Sums, in_band, size_of
 from mahovik.use.vibration.plant import Plant, Scene, crossings, natural_at, orders_of
 from mahovik.use.vibration.speeds import SpeedPlan
 from mahovik.use.vibration.view import Observable
@@ -200,7 +200,7 @@ class Verdict(NamedTuple):
 
 
 class Largest(NamedTuple):
-    """The largest amplitude of a frequency, root of the sum of squares over the axes: at a step, Hz."""
+    """The largest length that one frequency gives what is seen: at a step, Hz."""
 
     value: float
     step: int
@@ -244,6 +244,10 @@ class Vibration:
     def sums(self, band: Band | None = None) -> Sums:
         """The sums within a band that the study knows (Hz; None: all)."""
         return self.lines.sums(self.noises[band], band)
+
+    def lengths(self, band: Band | None = None) -> Sums:
+        """Those of the length of what is seen."""
+        return self.lines.lengths(self.noises[band], band)
 
     def judge(self, requirement: Requirement) -> Verdict:
         """Whether a requirement is met at all speeds, with the makers' tolerances and what solutions leave out."""
@@ -309,11 +313,8 @@ class Vibration:
 
     def largest(self, band: Band | None = None) -> Largest:
         """The largest amplitude in a band; lines of one frequency add up."""
-        tied = np.array([name.source != MAKER for name in self.lines.names], dtype=bool)
-        shared = coherent(self.lines.frequency[:, tied], self.lines.amplitude[:, tied])
-        loose = self.lines.frequency[:, ~tied], self.lines.amplitude[:, ~tied]
-        f, a = (np.concatenate(x, axis=1) for x in zip(shared, loose, strict=True))
-        size = np.where(in_band(f, band or (0.0, np.inf)), np.nan_to_num(np.linalg.norm(a, axis=2)), 0.0)
+        f, a = self.lines.by_frequency(band)
+        size = np.nan_to_num(size_of(a))
         if not size.any():
             return Largest(0.0, 0, 0.0)
         at = np.unravel_index(int(size.argmax()), size.shape)
@@ -421,9 +422,8 @@ class _Study:
             vibration = study(value)
             if vibration is None:
                 break
-            sums = vibration.sums()
-            sizes = [np.linalg.norm(axes, axis=1) for axes in (sums.rms, sums.worst)]
-            near = np.concatenate([unsettled(value, size) for size in sizes])
+            lengths = vibration.lengths()
+            near = np.concatenate([unsettled(value, size) for size in (lengths.rms, lengths.worst)])
             more = merged(self.plan, value, near)
             if len(more) == len(value):
                 return value, None
@@ -431,18 +431,21 @@ class _Study:
         return value, float(near[0]) if len(near) else float(value[0])
 
     def largest(self, vibration: Vibration) -> list[int]:
-        """Unsolved steps at which a sum is largest: each sum in each band, on each axis and of all."""
+        """Unsolved steps at which a sum is largest: each sum in each band, on each axis and of the length."""
         solved, steps = np.isin(vibration.value, list(self.solved)), set()
         unbalance, tabled = self.linear(vibration.value)
         linear = self.without_tabled(unbalance).join(tabled)
         for band in self.bands:
-            for known, estimated in zip(vibration.sums(band), linear.sums(vibration.noises[band], band), strict=True):
-                total, by_linear = (np.linalg.norm(np.nan_to_num(x), axis=1) for x in (known, estimated))
-                pairs = zip((*np.nan_to_num(known).T, total), (*np.nan_to_num(estimated).T, by_linear), strict=True)
-                for size, estimate in pairs:
+            within = vibration.noises[band], band
+            known, estimated = (
+                [np.nan_to_num(np.column_stack(of)) for of in zip(x.sums(*within), x.lengths(*within), strict=True)]
+                for x in (vibration.lines, linear)
+            )
+            for sizes, estimates in zip(known, estimated, strict=True):
+                for size, estimate in zip(sizes.T, estimates.T, strict=True):
                     most = size[solved].max(initial=0.0)
                     off = min(np.abs(size - estimate)[solved].max(initial=0.0), MOST_OFF * most)
-                    if size.max() > most + off + EQUAL * (most + total.max()):
+                    if size.max() > most + off + EQUAL * (most + sizes[:, 3].max()):
                         steps.add(int(size.argmax()))
         return sorted(steps)
 

@@ -94,7 +94,7 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
         raise UsageError(f"{manifest}: not as `mahovik generate --{kind}` writes it: write the {kind} again")
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
-        raise UsageError(f"{manifest}: its physics is {physics}, {expected}: export the {kind} again")
+        raise UsageError(f"{manifest}: its physics is {physics}, {expected}: generate the {kind} again")
     return Part(Library(source, stand.name, programme), real, limit)
 
 
@@ -188,7 +188,7 @@ class CompiledProgramme:
     def inputs(self, function: str, phase: float = 0.25) -> dict[str, Any]:
         """Arguments of the function of a table; of four outputs the last are drive torques."""
         if function not in self.tables or not self.made.library.has(function):
-            raise StateError(f"{function} is in one of programme and C alone: export it again")
+            raise StateError(f"{function} is in one of programme and C alone: generate it again")
         count = len(self.made.library.ffi.typeof(self.made.library.function(function)).args) - 1
         none = np.full(len(self.case.stand.flywheels), np.nan)
         return {"phase": phase} | dict.fromkeys(("phi", "phi_dot", "phi_ddot", "tau")[:count], none)

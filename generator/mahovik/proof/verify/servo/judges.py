@@ -241,7 +241,7 @@ def table_checks(case: ServoCase) -> Iterator[Check]:
     yield period
     yield from _members(case, "servo_default", gains_of(case, span))
     if (trim is None) == library.has("trim_default"):
-        words = "of servo file and C one has a trim, the other none: export the servo again"
+        words = "of servo file and C one has a trim, the other none: generate the servo again"
         yield Check("trim_default", "trim", verdict="FAILED", words=words)
     elif trim is not None:
         row, matrix = Check("trim_default", "means are not corrected"), case.default("trim_default")["matrix"]
