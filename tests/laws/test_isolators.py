@@ -16,7 +16,7 @@ import mahovik
 from mahovik.core.stand import loads
 from mahovik.core.stand.model import Stand, rest_state
 from mahovik.core.stand.stand_file import dumps
-from mahovik.errors import StandError
+from mahovik.errors import StandError, UsageError
 from mahovik.laws.suspension.law import Suspension
 from mahovik.proof import reference
 from mahovik.proof.second.reading import differences
@@ -209,6 +209,9 @@ def test_samples_differ_as_their_stands_do() -> None:
             'suspension, stiffness: given beside [[isolator]], which make it: expected preload = "weight" alone',
         ),
         (corners(more="ratio = 0.1\nloss = 0.2"), "isolator mount0, loss: given beside ratio: expected one of"),
+        (corners(more="zeta = 0.1"), 'unknown key "zeta": `ratio` is that of critical damping'),
+        (corners(more="damping_ratio = 0.1"), "`ratio` is that of critical damping"),
+        (corners(more="Q = 10"), "`loss` is 1 / Q"),
         (corners(more="damping = { ratio = 0.1 }"), "damping: expected 3 numbers; ratio is a key beside it: ratio ="),
         (corners("[1e3, 1e3, -5]"), 'isolator "mount0", stiffness[2]: -5 N/m is negative'),
         (corners('["1 N/mm", "1 N/mm", "1 N m/rad"]'), "expected a stiffness (N/m)"),
@@ -227,6 +230,14 @@ def test_refusals(text: str, problem: str) -> None:
     with pytest.raises(StandError) as caught:
         loads(TABLE + text)
     assert problem in str(caught.value)
+
+
+def test_changes_of_what_the_file_does_not_give() -> None:
+    stand = mahovik.Stand.of(loads(TABLE + corners(more="ratio = 0.1")))
+    with pytest.raises(StandError, match=r'isolator "mount0", damping: expected 3 numbers, found 0\.2'):
+        stand.replace({"mount0.damping[0]": 0.2})
+    with pytest.raises(UsageError, match=r"suspension\.stiffness\[0\]\[0\]: \[\[isolator\]\] make it: expected"):
+        stand.replace({"suspension.stiffness[0][0]": 0.2})
 
 
 def test_check_shows_natural_frequencies_and_sag() -> None:

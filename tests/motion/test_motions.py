@@ -96,6 +96,10 @@ def test_units_bounds_and_weights() -> None:
     [
         ({"schema": 2}, "schema: expected 1, found 2"),
         ({"perod": 1}, 'unknown key "perod", did you mean "period"?'),
+        (
+            {"amplitude": 0.1},
+            'unknown key "amplitude": a motion has `harmonics`: rows `cos` and `sin` at the order `k`',
+        ),
         ({"frequency": 10}, 'unknown key "frequency": a motion has `period` = 1 / frequency, in seconds'),
         ({"type": "cyclic"}, 'type: expected "periodic", "finite" or "slew", found "cyclic"'),
         ({"period": "-5 ms"}, "period: -5 ms (-0.005 s) is not above 0"),

@@ -106,6 +106,7 @@ def test_tables(tmp_path: Path) -> None:
         (HEAD + "[flywheel.left]\nspeed = 1", 'flywheel "right": has no law'),
         (HEAD + "[flywheel.left]\nphase = 1\n[flywheel.right]\nhold=true", "no law: expected"),
         (regime_of_left("speed = 1\ntorque = 2"), "exactly one law, not 2"),
+        (regime_of_left("frequency = 50"), 'unknown key "frequency": a turn at 50 Hz is speed = "3000 rpm"'),
         (regime_of_left("sped = 1"), 'unknown key "sped", did you mean "speed"?'),
         (regime_of_left('speed = "50 Hz"'), "a frequency is not one: write rpm or rad/s"),
         (regime_of_left('torque = "3 N"'), 'unit "N" does not fit, expected a torque (N m)'),

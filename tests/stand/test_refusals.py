@@ -480,7 +480,12 @@ def test_the_moments_that_a_message_names_are_those_of_a_body() -> None:
         ('momentum = "0.4 N m s"', "it is spin_inertia times speed"),
         ('grade = "G 2.5"', "static unbalance is mass times G over speed"),
         ('unbalance = { grade = "G 2.5" }', "static unbalance is mass times G over speed"),
+        ('angular_momentum = "0.4 N m s"', "it is spin_inertia times speed"),
+        ('balance_grade = "G 2.5"', "static unbalance is mass times G over speed"),
         ('working_moment = "30 kg cm"', "twice the static one"),
+        ('workmoment = "30 kg cm"', "twice the static one"),
+        ('mass_moment = "30 kg cm"', "twice the static one"),
+        ('unbalance = { moment = "30 kg cm" }', "twice the static one"),
     ],
 )
 def test_keys_that_people_write_are_answered(key: str, answer: str) -> None:

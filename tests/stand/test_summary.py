@@ -155,7 +155,7 @@ SLIPS = [
     (
         ("12 g mm", "150 g cm"),
         "flywheel w1: a static unbalance of 1500 g mm on 1 kg is G 630 at 3000 rpm, 11.8 times G 40: "
-        "a slip in its unit?",
+        "a slip in its unit, or a working moment, which is twice it?",
     ),
     # 0.1 kg m2 as numbers of kg mm2: sqrt(1.5e5/10) m, where the tip is at 0.5 m
     (

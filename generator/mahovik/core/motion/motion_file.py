@@ -215,7 +215,10 @@ class MotionTable(Table):
     free: Annotated[Mapping[str, Any], validator(_intervals)] = NOTHING
     same: Annotated[tuple[tuple[str, ...], ...], validator(_path_lists)] = ()
 
-    instead: ClassVar[Mapping[str, str]] = {"frequency": "a motion has `period` = 1 / frequency, in seconds"}
+    instead: ClassVar[Mapping[str, str]] = {
+        "frequency": "a motion has `period` = 1 / frequency, in seconds",
+        "amplitude": "a motion has `harmonics`: rows `cos` and `sin` at the order `k`",
+    }
 
 
 _ONLY = {

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, cast
+from typing import Annotated, Any, ClassVar, cast
 
 import numpy as np
 
@@ -252,6 +252,10 @@ class DrivenTable(Table):
     table: Annotated[str, validator(_file, shape="name of a CSV file")] = ""
     phase: Annotated[float | None, _bounded(ANGLE, MAX_PHASE)] = None
     initial_speed: Annotated[float | None, _bounded(SPEED, MAX_SPEED)] = None
+
+    instead: ClassVar[Mapping[str, str]] = {
+        "frequency": 'a turn at 50 Hz is speed = "3000 rpm"; a speed that varies is harmonic = { frequency = ... }'
+    }
 
     def law(self, folder: Path, until: float) -> Law:
         """The law; that of a table in a file of `folder`, over 0..until. Raises TableError."""

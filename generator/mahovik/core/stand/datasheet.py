@@ -52,7 +52,7 @@ class MountingAxes:
 
 
 _GRADE = "static unbalance is mass times G over speed: G 2.5 at 3000 rpm of 2 kg is static = 2 * 2.5e-3 / 314.16 kg m"
-_WORKING = "a catalogue's working moment is twice the static one: unbalance = { static = half of it }"
+_STATIC = "unbalance = { static = ... } has it; a catalogue's working moment is twice the static one"
 
 
 class UnbalanceTable(Table):
@@ -69,7 +69,7 @@ class UnbalanceTable(Table):
     dynamic: Annotated[float, scalar(units.DYNAMIC_UNBALANCE, least=0.0)] = 0.0
     dynamic_at: Annotated[float, scalar(units.ANGLE)] = 0.0
 
-    instead: ClassVar[Mapping[str, str]] = {"grade": _GRADE, "working_moment": _WORKING}
+    instead: ClassVar[Mapping[str, str]] = {"grade": _GRADE} | dict.fromkeys(("moment", "working_moment"), _STATIC)
 
 
 def _spin_angles(raw: Any) -> tuple[float, ...]:
@@ -117,11 +117,9 @@ class FlywheelForm(Table):
         "for a thin disc transverse_inertia = spin_inertia/2",
         "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
         "momentum": "it is spin_inertia times speed: 0.4 N m s at 6000 rpm is spin_inertia = 0.4 / 628.32 kg m^2",
-        "grade": f"{_GRADE}, in unbalance = {{ static = ... }}",
-        "working_moment": _WORKING,
-        "static_moment": "unbalance = { static = ... } has it",
-        "static_unbalance": "unbalance = { static = ... } has it",
         "dynamic_unbalance": "unbalance = { dynamic = ... } has it",
+        **dict.fromkeys(("grade", "balance_grade"), f"{_GRADE}, in unbalance = {{ static = ... }}"),
+        **dict.fromkeys(("static_unbalance", "static_moment", "mass_moment", "working_moment"), _STATIC),
     }
 
     def mounting(self, note: Note, depends: Callable[[], str]) -> MountingAngles | MountingAxes | None:

@@ -33,7 +33,7 @@ from mahovik.core.stand.fields import (
     vector,
 )
 from mahovik.core.stand.hold import find_freedom
-from mahovik.core.stand.laws import arrays, headers, held_laws, hold_table, tables
+from mahovik.core.stand.laws import arrays, carrier_laws, headers, held_laws, hold_table, tables
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.model import Flywheel, Hold, Stand
 from mahovik.core.stand.tables import Blocks, Problems, QuantityValidator, Table, declared_keys, keys_of, read_table
@@ -152,6 +152,9 @@ def ways_of(document: dict[str, Any], path: str) -> list[Way]:
     so that each way is that of a number. Raises UsageError.
     """
     first, *rest = steps_of(path)
+    parts = [part for law in carrier_laws() if law.key == first for part in law.made_of if part in document]
+    if parts and len(rest) > 1:
+        raise UsageError(f"{path}: [[{parts[0]}]] make it: expected a number of one of them")
     starts: dict[str, Way] = {key: () for key, value in document.items() if isinstance(value, dict)}
     for key, items in document.items():
         for i, item in enumerate(items if isinstance(items, list) else ()):
@@ -193,6 +196,9 @@ def _below(place: Any, way: Way, steps: list[str], path: str) -> Iterator[Way]:
             if key == "inertia" and key not in place:
                 raise UsageError(f"{path}: expected the inertia as a matrix or its diagonal, but the file gives none")
             _write_out(place, key, rest)
+            if place.get(key) is None:  # what reads the document says what it should be
+                yield (*way, key)
+                continue
             if key in _SYMMETRIC and len(rest) > 1 and rest[0] != rest[1]:
                 pairs.append([rest[1], rest[0], *rest[2:]])
         for pair in pairs:

@@ -320,7 +320,8 @@ def _unbalances(stand: Stand, speeds: Sequence[float], written: Mapping[str, str
     yield (
         f"flywheel {flywheel.name}{more}: a static unbalance of {words} on {flywheel.mass:.4g} kg is "
         f"{grade(velocities[worst])} at {RPM * abs(speeds[worst]):.5g} rpm, "
-        f"{1e3 * velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: a slip in its unit?"
+        f"{1e3 * velocities[worst] / USUAL_GRADE:.3g} times G {USUAL_GRADE:g}: a slip in its unit, or a "
+        "working moment, which is twice it?"
     )
 
 

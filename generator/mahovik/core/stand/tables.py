@@ -19,7 +19,7 @@ from dataclasses import MISSING, dataclass, field, fields, is_dataclass
 from typing import Any, ClassVar, TypeVar
 
 from mahovik.core.stand.units import Dimension, QuantityError, show
-from mahovik.nearest import suggestion
+from mahovik.nearest import nearest_name, suggestion
 
 T = TypeVar("T")
 Blocks = tuple[tuple[Dimension, Dimension], tuple[Dimension, Dimension]]
@@ -46,7 +46,7 @@ class Data:
 class Table:
     """Base of all tables. `present`: keys that the file has.
 
-    instead  unknown keys that people write, and what to write in their place
+    instead  unknown keys that people write, or are like these, and what to write in their place
     """
 
     instead: ClassVar[Mapping[str, str]] = NOTHING
@@ -147,7 +147,8 @@ def make_table(data: type, base: type[Table], hints: Mapping[str, tuple[Any, Any
     """The tables of a class of data, with these keys more: annotation, and default; MISSING: it must be there."""
     defaults = {key: default for key, (_, default) in hints.items() if default is not MISSING}
     annotations = {key: hint for key, (hint, _) in hints.items()}
-    members = {"__doc__": data.__doc__, "__module__": data.__module__, "__annotations__": annotations}
+    members: dict[str, Any] = {"__doc__": data.__doc__, "__module__": data.__module__, "__annotations__": annotations}
+    members["instead"] = getattr(data, "instead", base.instead)
     return type(f"{data.__name__}Table", (base,), members | defaults)
 
 
@@ -195,9 +196,10 @@ def _table(table: type[T], raw: Any, context: Context, way: Way, problems: list[
             problems.append(((*way, key.key), "", "required, but missing"))
         elif issubclass(table, Data):
             values[key.name] = key.default
-    known, instead = keys_of(table), table.instead if issubclass(table, Table) else NOTHING
+    known, instead = keys_of(table), dict(getattr(table, "instead", {}))
     for unknown in (key for key in raw if key not in known):
-        answer = f": {instead[unknown]}" if unknown in instead else suggestion(str(unknown), known)
+        meant = nearest_name(unknown, [*instead, *known]) or ""
+        answer = f": {instead[meant]}" if meant in instead else suggestion(str(unknown), known)
         problems.append((way, "", f"unknown key {show(unknown)}{answer}"))
     if len(problems) > before:
         return None

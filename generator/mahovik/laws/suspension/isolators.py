@@ -9,10 +9,10 @@ a stand has the same bits on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Annotated, Any, cast
+from typing import Annotated, Any, ClassVar, cast
 
 import numpy as np
 
@@ -85,6 +85,11 @@ class Isolator(Declared):
     ratio: Annotated[float | None, scalar(units.PLAIN, least=0.0), Default(None)] = None
     loss: Annotated[float | None, scalar(units.PLAIN, least=0.0), Default(None)] = None
     angles: Annotated[Angle3, Default(ZERO3)] = ZERO3
+
+    instead: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(("zeta", "damping_ratio"), "`ratio` is that of critical damping"),
+        "Q": "`loss` is 1 / Q",
+    }
 
     @property
     def damping_ratio(self) -> float | None:

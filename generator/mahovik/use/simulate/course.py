@@ -19,7 +19,7 @@ from mahovik.core.emit.templates import folders
 from mahovik.core.motion.laws import RunUp, TorqueLaw, TorqueSpeed
 from mahovik.core.motion.regime import Regime
 from mahovik.core.stand.model import Stand
-from mahovik.core.stand.motor import UNLIMITED, Curve, Motor
+from mahovik.core.stand.motor import UNLIMITED, Curve, Motor, slip
 from mahovik.core.toolchain.compiled import Array, Block
 from mahovik.core.toolchain.library import FLAGS, load_compiled
 from mahovik.errors import StateError, UsageError
@@ -406,10 +406,14 @@ def parts_of(case: Case, block: Block) -> int:
     parts = max(1, math.ceil(case.dt * fastest / TORQUE_STEP))
     if parts > MOST_PARTS:
         worst = int(np.argmax(falls * np.diag(mobility)))
+        law, motor = case.regime.flywheels[worst].law, case.stand.flywheels[worst].motor
+        milder = "a wider `band`" if isinstance(law, RunUp) else "a `torque_speed` that is less steep"
+        rubs = motor is not None and 2.0 * slip(motor) > falls[worst]
+        mend = "a larger `coulomb_speed` of its motor" if rubs else milder
         raise UsageError(
             f"{case.regime.name}: flywheel {case.regime.flywheels[worst].name}: its torque falls by up to "
-            f"{falls[worst]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected a wider `band` "
-            f"(or `coulomb_speed` of its motor), dt={case.dt * MOST_PARTS / parts:.2g}, or backend=scipy"
+            f"{falls[worst]:.3g} N m per rad/s, too steep for steps of {case.dt:.3g} s; expected {mend}, "
+            f"dt={case.dt * MOST_PARTS / parts:.2g}, or backend=scipy"
         )
     return parts
 

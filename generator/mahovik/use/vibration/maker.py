@@ -77,13 +77,15 @@ def read_harmonics(path: Path) -> Harmonics:
             raise columns.refuse(i, f"order {order[i]:g}, expected a number above 0")
         if (amplitude[i] < 0.0).any() or tolerance[i] < 0.0:
             raise columns.refuse(i, "an amplitude or tolerance below 0")
-        if order[i] in order[:i]:
-            raise columns.refuse(i, f"order {order[i]:g} appears twice")
     sense = columns.texts.get("sense", [""] * columns.rows)
     sense = [word or ("forward" if h == 1.0 else "unknown") for word, h in zip(sense, order, strict=True)]
-    for i, word in enumerate(sense):
+    lines = list(zip(order.tolist(), sense, strict=True))
+    for i, (h, word) in enumerate(lines):
         if word not in SENSES:
             raise columns.refuse(i, f'sense "{word}", expected one of {", ".join(SENSES)}')
+        above = [other for same, other in lines[:i] if same == h]
+        if word in above or (above and "unknown" in (word, *above)):
+            raise columns.refuse(i, f"order {h:g} appears twice, expected it once, or forward and backward")
     return Harmonics(order, amplitude, tolerance, tuple(sense))
 
 
