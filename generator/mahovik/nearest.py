@@ -32,12 +32,12 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return max(known, key=lambda candidate: _likeness(name, candidate))
 
 
-def nearest_name(name: object, known: Iterable[str]) -> str | None:
+def nearest_name(name: object, known: Iterable[str], alike: float = ALIKE) -> str | None:
     """The known name that may be meant; None if none is similar."""
     names = list(known)
     if isinstance(name, str) and name and names:
         best = nearest(name, names)
-        if _likeness(name, best) >= ALIKE:
+        if _likeness(name, best) >= alike:
             return best
     return None
 

@@ -116,8 +116,11 @@ class FlywheelForm(Table):
         "shape": "a flywheel has numbers in the place of a shape, spin_inertia and transverse_inertia; "
         "for a thin disc transverse_inertia = spin_inertia/2",
         "added_mass": "that of a flywheel would turn with it; give it to the carrier or an instrument",
-        "momentum": "it is spin_inertia times speed: 0.4 N m s at 6000 rpm is spin_inertia = 0.4 / 628.32 kg m^2",
         "dynamic_unbalance": "unbalance = { dynamic = ... } has it",
+        **dict.fromkeys(
+            ("momentum", "angular_momentum"),
+            "it is spin_inertia times speed: 0.4 N m s at 6000 rpm is spin_inertia = 0.4 / 628.32 kg m^2",
+        ),
         **dict.fromkeys(("grade", "balance_grade"), f"{_GRADE}, in unbalance = {{ static = ... }}"),
         **dict.fromkeys(("static_unbalance", "static_moment", "mass_moment", "working_moment"), _STATIC),
     }

@@ -31,6 +31,10 @@ Context = Mapping[str, Any]
 NOTHING: Mapping[str, Any] = types.MappingProxyType({})
 
 
+ALIKE = 0.8
+"""Minimum similarity (0 to 1) of an unknown key to one that has an answer."""
+
+
 class TableError(QuantityError):
     """Keys of a table do not go together; `key`: the one that is to be mended."""
 
@@ -198,8 +202,8 @@ def _table(table: type[T], raw: Any, context: Context, way: Way, problems: list[
             values[key.name] = key.default
     known, instead = keys_of(table), dict(getattr(table, "instead", {}))
     for unknown in (key for key in raw if key not in known):
-        meant = nearest_name(unknown, [*instead, *known]) or ""
-        answer = f": {instead[meant]}" if meant in instead else suggestion(str(unknown), known)
+        meant = nearest_name(unknown, instead, ALIKE)
+        answer = suggestion(str(unknown), known) if meant is None else f": {instead[meant]}"
         problems.append((way, "", f"unknown key {show(unknown)}{answer}"))
     if len(problems) > before:
         return None
