@@ -102,6 +102,18 @@ def test_a_closed_set_of_twists_is_told_from_others(text: str, closed: bool) -> 
     assert ("not a closed set" in summarize(loads(with_hold(text))).hold) is not closed
 
 
+@pytest.mark.parametrize(
+    ("text", "missing"),
+    [
+        ('freedoms = ["y", "yaw"]', "expected also x:"),
+        ('freedoms = ["roll", "pitch"]', "expected also yaw:"),
+        ('freedoms = ["x", "roll", "pitch"]', "expected also y, z, yaw:"),
+    ],
+)
+def test_freedoms_that_are_missing_from_a_closed_set_are_named(text: str, missing: str) -> None:
+    assert missing in words(hold_of(text))
+
+
 def test_the_condition_of_a_basis_is_that_of_its_rows_not_of_a_far_centre_of_mass() -> None:
     """Two rows at the angle whose tangent is 1/x, where masses and inertias are units: condition (c + 1)/(1 - c)."""
     for x in (1e-2, 0.5):

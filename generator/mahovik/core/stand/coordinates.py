@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mahovik.core.stand.fields import name_problem
-from mahovik.core.stand.hold import FREEDOMS, freedom_names, freedom_words, is_closed
+from mahovik.core.stand.hold import FREEDOMS, closing_words, freedom_names, freedom_words, is_closed
 from mahovik.core.stand.masses import cross, placement, turn
 from mahovik.core.stand.model import COMPONENTS, Hold, Instrument, Point, Sequence, Stand, Task, TaskRow
 from mahovik.core.stand.tables import Problems
@@ -87,7 +87,7 @@ def coordinates_of(stand: Stand) -> Coordinates:
         raise StandError([f'{stand.name}: hold: {reason}; expected a freedom, such as freedoms = ["yaw"]'])
     if not is_closed(hold):
         reason = "freedoms that are not a closed set, as of a knife edge, have no coordinates of a motion to be planned"
-        raise StandError([f"{stand.name}: hold: {reason}; expected a closed set, of which `mahovik check` tells"])
+        raise StandError([f"{stand.name}: hold: {reason}; {closing_words(hold)}"])
     dimensions = {"slide": LENGTH, "turn": ANGLE, "twist": PLAIN}
     kinds = tuple(dimensions[freedom.kind] for freedom in hold.freedoms)
     return Coordinates(tuple(freedom_names(hold)), kinds, True, _order(hold, stand.angles), tuple(freedom_words(hold)))

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import combinations
 from operator import mul
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -302,6 +303,16 @@ def is_closed(hold: Hold) -> bool:
     return True
 
 
+def closing_words(hold: Hold) -> str:
+    """What makes a set of freedoms closed, "expected also x": the fewest freedoms along and about the axes of E1."""
+    for count in range(1, len(FREEDOMS)):
+        for names in combinations(FREEDOMS, count):
+            more = [FREEDOMS[name] for name in names if FREEDOMS[name] not in hold.freedoms]
+            if len(more) == count and is_closed(replace(hold, freedoms=(*hold.freedoms, *more))):
+                return f"expected also {', '.join(names)}"
+    return "expected a closed set"
+
+
 def has_coordinates(hold: Hold) -> bool:
     """Whether poses have coordinates of the freedoms: a closed set of named freedoms, or one turn or slide alone."""
     named = len(hold.freedoms) == 1 or all(freedom in _NAMES for freedom in hold.freedoms)
@@ -341,7 +352,7 @@ def words(hold: Hold) -> str:
         return "clamped: it does not move, and the reaction is what is asked for"
     count = len(hold.freedoms)
     if not is_closed(hold):
-        closed = "not a closed set: poses have more coordinates than there are freedoms, and none belong to these alone"
+        closed = f"not a closed set, {closing_words(hold)}: poses have more coordinates than there are freedoms"
     elif has_coordinates(hold):
         closed = "a closed set: poses have as many coordinates"
     else:

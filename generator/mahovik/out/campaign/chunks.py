@@ -19,6 +19,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from mahovik.errors import CheckError, MahovikError, UsageError, library
@@ -118,6 +119,9 @@ def merge(campaign: Campaign, folder: Path, path: Path) -> None:
                 file.write_table(table.replace_schema_metadata(metadata))
 
 
+START = 10.0
+"""s that worker processes take to start and to import what they need, on a slow machine."""
+
 REACH = 8
 """s in which a scheduler must answer."""
 
@@ -127,10 +131,17 @@ def compute(
 ) -> Iterator[tuple[int, str]]:  # fmt: skip
     """Compute chunks in any order; yield each with "", or why it is given up.
 
-    One worker is this process. Raises UsageError: a file cannot be written; CheckError: the scheduler is gone.
+    One worker is this process. Without a number of them it computes a first chunk, and all if the others take no longer
+    than workers take to start. Raises UsageError: a file cannot be written; CheckError: the scheduler is gone.
     """
     if workers is None:
         workers = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        if scheduler is None and numbers:
+            begin = monotonic()
+            write_chunk(campaign, folder, numbers[0])
+            yield numbers[0], ""
+            numbers = numbers[1:]
+            workers = workers if (monotonic() - begin) * len(numbers) > START else 1
     if scheduler is None and min(workers, len(numbers)) <= 1:
         for number in numbers:
             write_chunk(campaign, folder, number)

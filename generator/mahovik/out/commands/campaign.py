@@ -36,7 +36,7 @@ def campaign(
         file: the campaign file.
         output: keep the rows in this folder.
         scheduler: use the workers of this scheduler of dask, tcp://10.0.0.1:8786, which see the same files.
-        workers: processes on this machine; default one for each core.
+        workers: processes on this machine; default one for each core, and this one alone where that is sooner.
         chunk: compute this chunk alone, from 0, in this process: for job arrays.
         merge: write all rows into one Parquet file.
         report: write a page with quantiles, histograms and what they depend on.

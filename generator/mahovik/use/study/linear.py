@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mahovik.core.stand.hold import freedom_names, is_closed, twists
+from mahovik.core.stand.hold import closing_words, freedom_names, is_closed, twists
 from mahovik.core.stand.masses import pose, transfer
 from mahovik.core.stand.model import Hold, Stand, State
 from mahovik.errors import CheckError, StateError, UsageError
@@ -232,7 +232,7 @@ def _check_hold(stand: Stand, locked: bool) -> None:
     if hold is None:
         return
     if not is_closed(hold):
-        raise CheckError(f"{start}the freedoms of [hold] are not a closed set, so that they are no coordinates")
+        raise CheckError(f"{start}the freedoms of [hold] are not a closed set; {closing_words(hold)}")
     if not hold.freedoms and (locked or not stand.flywheels):
         reason = "there is no flywheel; give freedoms"
         if stand.flywheels:

@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from mahovik.core.stand.hold import freedom_words, is_closed, twists
+from mahovik.core.stand.hold import closing_words, freedom_words, is_closed, twists
 from mahovik.core.stand.laws import carrier_laws
 from mahovik.core.stand.model import Quaternion, Stand, State, Vec3, Vec6
 from mahovik.errors import CheckError, StateError
@@ -101,7 +101,7 @@ def rest(stand: Stand, phi: Sequence[float] | None = None) -> Rest:
         state = replace(state, phi=tuple(float(x) for x in phi))
     if stand.hold is not None and not is_closed(stand.hold):
         reason = "the freedoms of [hold] are not a closed set, so that its poses have more coordinates than these"
-        raise CheckError(f"{stand.name}: no rest pose: {reason}; expected a closed set, as `mahovik check` says")
+        raise CheckError(f"{stand.name}: no rest pose: {reason}; {closing_words(stand.hold)}")
     if stand.hold is not None and not stand.hold.freedoms:
         return Rest(with_least_turn(state), (0.0,) * 6, (), False)
     try:
