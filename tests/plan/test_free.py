@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -221,3 +222,16 @@ def test_a_motion_beyond_the_bounds_says_how_near_the_search_came_and_what_lacks
     assert "widen their bounds" in words
     assert any(line.startswith("the nearest stand: ") for line in plan.messages)
     assert 0.0 < plan["effort"]["best_residual"] < 1.0  # also of starts that are given up
+
+
+def test_the_stand_that_results_is_the_file_with_other_numbers(tmp_path: Path) -> None:
+    """Comments, units and form stay; what is written is the very stand that the programme is for."""
+    text = SHAKER.read_text(encoding="utf-8").replace("[0, 0.08, 0]", '["0 mm", "80 mm", 0] # of the left')
+    (tmp_path / "old.toml").write_text(text, encoding="utf-8")
+    free = {"*t.position": ["-80 mm", "80 mm"], "*t.unbalance.static": [0, "3 kg mm"]}
+    motion = UP | {"free": free, "same": [["*t.unbalance.static"]]}
+    new = tmp_path / "new.toml"
+    plan = mahovik.plan(tmp_path / "old.toml", motion=motion, free=list(free), stand_=new)
+    assert mahovik.verify(new, programme=plan, motion=motion).ok
+    written = new.read_text(encoding="utf-8")
+    assert text.splitlines()[0] in written and ' mm", 0.0' in written and "# of the left" in written

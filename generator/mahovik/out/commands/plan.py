@@ -96,7 +96,9 @@ def plan(
         if programme is not None and name == "output":
             write(path, json.dumps(programme, indent=1) + "\n")
         elif programme is not None:
-            made.save(path)
+            from mahovik.out.identify.free import stand_text
+
+            write(path, stand_text(stand, machine, made, [change[0] for change in changes]))
     return _result(made, required, result, programme, changes)
 
 

@@ -19,6 +19,7 @@ from mahovik.core.stand.fields import Text
 from mahovik.core.stand.files import TABLE, document_of, text_of
 from mahovik.core.stand.masses import inertia_about_origin
 from mahovik.core.stand.numbers import StandNumber, StandNumbers, exact, ways_of
+from mahovik.core.stand.stand_file import dumps
 from mahovik.core.stand.tables import NOTHING, Problems, Table, TableError
 from mahovik.core.stand.units import TIME, Dimension, QuantityError, factor, number
 from mahovik.errors import DataError, UsageError
@@ -182,7 +183,7 @@ _NUMBER = re.compile(r"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*")
 
 
 def with_numbers(text: str, new: Stand, numbers: Sequence[StandNumber]) -> str:
-    """The text of a stand file in which these numbers are those of `new`, 15 digits, in the units of the file.
+    """The text of a stand file in which these numbers are those of `new`, in the units of the file.
 
     A flywheel that its file gives by centre of mass and inertia takes another unbalance as these, in SI.
     """
@@ -200,6 +201,15 @@ def with_numbers(text: str, new: Stand, numbers: Sequence[StandNumber]) -> str:
     return tomlkit.dumps(document)
 
 
+def stand_text(source: Any, stand: Stand, new: Stand, paths: Sequence[str]) -> str:
+    """The text of the stand's file with the numbers of `new` under paths; of a stand without file one in SI."""
+    if not isinstance(source, str | Path):
+        return dumps(new)
+    numbers = StandNumbers(stand, stand.to_dict())
+    text = Path(source).read_text(encoding="utf-8-sig")
+    return with_numbers(text, new, [number for path in paths for number in numbers.find(path)])
+
+
 def _put(place: Any, key: Any, value: Any, rest: list[Any], dimension: Dimension, unit: str | None = None) -> None:
     """Set in `place[key]`, whose numbers have a unit or their own, what is at the steps `rest` in `value`, SI."""
     old = place[key] if not isinstance(place, dict) or key in place else None
@@ -208,8 +218,13 @@ def _put(place: Any, key: Any, value: Any, rest: list[Any], dimension: Dimension
         _put(old, "value", value, rest, dimension, str(old["unit"]))
     elif not rest and old is not None and not isinstance(old, list):
         suffix = _NUMBER.sub("", str(old), count=1) if isinstance(old, str) else ""
+        if not (suffix or unit):
+            place[key] = float(value)
+            return
         shown = float(value) / (float(factor(suffix, dimension)) if suffix else scale)
-        place[key] = f"{shown:.15g} {suffix}" if suffix else float(f"{shown:.15g}") if unit else float(value)
+        digits = [f"{shown:.{count}g}" for count in (15, 16, 17)]  # the fewest that are read as the same number
+        one = next((x for x in digits if number(f"{x} {suffix or unit}", dimension) == float(value)), digits[-1])
+        place[key] = f"{one} {suffix}" if suffix else float(one)
     elif isinstance(old, dict) or (isinstance(old, list) and _shape(old) == _shape(value)):
         _put(old, rest[0], value[rest[0]], rest[1:], dimension, unit)
     elif isinstance(old, list) and len(rest) == 2 and _is_diagonal(value):

@@ -371,7 +371,11 @@ def _start(free: FreeProblem, seed: int, k: int) -> tuple[Array, FlywheelMotion]
 def _planned(
     problem: FreeProblem, motion: RequiredMotion, y: Array, options: PlanOptions, on_progress: OnProgress
 ) -> FreePlan:
-    """The plan of the stand with y; without a programme where its file is refused."""
+    """The plan of the stand with y, of few digits; without a programme where its file is refused."""
+    low, high = problem.box
+    y = np.array(
+        [float(f"{x:.12g}") if abs(x) > 1e-12 * width else 0.0 for x, width in zip(y, high - low, strict=True)]
+    )
     document = problem.document(y)
     try:
         stand = read(document, problem.stand.name)
