@@ -119,14 +119,13 @@ def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Res
     w, error, residual = (
         np.concatenate([getattr(wheel, key) for wheel in wheels]) for key in ("w", "error", "residual")
     )
-    half = HALF_WIDTH * error
     columns = [
         column("flywheel", "", [wheel.name for wheel in wheels for _ in wheel.positions]),
         column("plane", "m", [x for wheel in wheels for x in wheel.positions]),
         column("correction", "kg m", np.abs(w)),
         column("at", "rad", np.angle(w) % (2.0 * math.pi)),
-        column("interval", "kg m", half),
-        column("interval_at", "rad", np.arctan2(half, np.abs(w))),
+        column("interval", "kg m", HALF_WIDTH * error),
+        column("interval_at", "rad", np.arctan2(HALF_WIDTH * error, np.abs(w))),
     ]
     columns += _split(places, w.tolist())
     change = [(wheel.name, kind, *sizes[:2]) for wheel in wheels for kind, sizes in wheel.vibration.items()]

@@ -81,6 +81,7 @@ def plan(
         UsageError: a path leads to no number; the method does not apply to the stand.
     """
     from mahovik.out.api.stands import Stand
+    from mahovik.out.identify.free import stand_text
     from mahovik.use.plan.outcome import PlanOptions
 
     keys = [key for text in ([free] if isinstance(free, str) else free) for key in text.split(",")]
@@ -96,8 +97,6 @@ def plan(
         if programme is not None and name == "output":
             write(path, json.dumps(programme, indent=1) + "\n")
         elif programme is not None:
-            from mahovik.out.identify.free import stand_text
-
             write(path, stand_text(stand, machine, made, [change[0] for change in changes]))
     return _result(made, required, result, programme, changes)
 

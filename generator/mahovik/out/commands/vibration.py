@@ -207,10 +207,9 @@ def _improve(
     whole_number("seed", seed, 0)
     freedom = Freedom.of(stand, vibration.speeds[0], wanted, read_limits(limit), avoided_bands(vibration, avoid))
     better = improve_vibration(vibration, freedom, band, seed=seed, go_on=go_on)
-    sizes = [
-        quantity_text(size, vibration.seen.measure.unit) if size else "0" for size in (better.before, better.after)
-    ]
-    gain = f"{better.gain}: RMS {sizes[0]} before, {sizes[1]} after, of the whole equations"
+    unit = vibration.seen.measure.unit
+    before, after = (quantity_text(size, unit) if size else "0" for size in (better.before, better.after))
+    gain = f"{better.gain}: RMS {before} before, {after} after, of the whole equations"
     return better._asdict(), [gain, *better.remarks(vibration, band)]
 
 
