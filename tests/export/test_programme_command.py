@@ -60,6 +60,10 @@ def test_a_project_under_another_name_plays_the_programme_and_is_checked(saved: 
     said = refused(*play, "--check", status=1)
     assert said == f"error: {source}: is not what the generator makes of the stand file\n"
     assert f"{source}: was changed by hand" in refused(*play)
+    said = refused("generate", STAND, "-o", str(folder), "--check", status=1)
+    assert said == f"error: {source}: is not what vib_programme.json lists\n"
+    judged = run("verify", STAND, str(folder), "--states", "2")
+    assert judged.exit_code == 1 and "vib_programme = as written" in judged.stdout
 
 
 @pytest.mark.parametrize("name", ["forward", "left", "2nd"])

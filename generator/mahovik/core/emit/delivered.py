@@ -80,6 +80,27 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
     raise UsageError(f"{path}: is not a manifest of mahovik: choose another folder, {_NOTHING}")
 
 
+def files_beside(folder: Path, stand: Stand) -> dict[str, list[str]]:
+    """Files of programmes, servos and loops beside the C of a stand that are not as their manifest lists them.
+
+    By the name of the programme, servo or loop, such as `bench8_programme`. Line endings do not count.
+    """
+    result = {}
+    for path in sorted(folder.glob(f"{stand.name}_*.json")):
+        try:
+            document = json.loads(path.read_bytes())
+            if str(document["generator"]).startswith("mahovik ") and document["stand"] == stand.name:
+                changed = [name for name, listed in document["files"].items() if not _has_hash(folder / name, listed)]
+                result[path.stem] = changed
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            continue
+    return result
+
+
+def _has_hash(path: Path, listed: str) -> bool:
+    return path.is_file() and listed in (_hash(path), digest(path.read_bytes().replace(b"\r\n", b"\n")))
+
+
 def delivered_options(folder: Path) -> Options | None:
     """Options of the C in a folder, by its manifest; None where there is none. Raises UsageError."""
     manifest = read_manifest(folder)
@@ -249,27 +270,26 @@ def _commit(package: Path) -> str | None:
     return done.stdout.strip() or None
 
 
-def differences(
-    folder: Path,
-    stand: Stand,
-    files: Mapping[str, str],
-) -> list[str]:
+def differences(folder: Path, stand: Stand, files: Mapping[str, str], beside: Mapping[str, str]) -> list[str]:
     """Differences of the folder from what `deliver` would leave, a line each; none if it is as the stand file gives it.
 
-    A folder of the other element type differs in every file: one line reports that.
+    `files`: those of the C, none where it is not written; `beside`: those of programmes and servos. A folder of the
+    other element type differs in every file: one line reports that.
     """
-    header, real = read_header(folder, stand.name), json.loads(files[NAME])["real"]
-    if header is not None and header.real not in (None, real):
+    header = read_header(folder, stand.name)
+    if files and header is not None and header.real not in (None, real := json.loads(files[NAME])["real"]):
         there = header.real
         return [f"{folder}: its C is {there}, expected {real}: real={there} is right, or generate it again"]
     result = []
-    for name, text in files.items():
+    for name, text in {**files, **beside}.items():
         path = folder / name
         if not path.is_file():
             result.append(f"{path}: is missing")
         elif path.read_bytes() != text.encode("utf-8"):
             other = "does not list these files" if name == NAME else "is not what the generator makes of the stand file"
             result.append(f"{path}: {other}")
-    if is_cost_page(folder, stand) and not _is_measured_on(folder, files[f"{stand.name}.c"]):
+    for manifest, changed in files_beside(folder, stand).items():
+        result += [f"{folder / name}: is not what {manifest}.json lists" for name in changed if name not in beside]
+    if files and is_cost_page(folder, stand) and not _is_measured_on(folder, files[f"{stand.name}.c"]):
         result.append(f"{folder / COST_PAGE}: was measured on other C")
     return result

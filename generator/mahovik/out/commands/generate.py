@@ -304,12 +304,7 @@ def _check_folder(folder: Path, stand: Stand, contents: Contents) -> None:
     from mahovik.core.emit.delivered import differences
 
     files = {name: text for name, text in contents.files.items() if name not in contents.replaceable}
-    lines = differences(folder, stand, files) if files else []
-    for name, text in {**contents.programme, **contents.servo}.items():
-        path = folder / name
-        if not path.is_file() or path.read_bytes() != text.encode():
-            what = "not what the generator makes of the stand file" if path.is_file() else "missing"
-            lines.append(f"{path}: is {what}")
+    lines = differences(folder, stand, files, {**contents.programme, **contents.servo})
     if lines:
         raise CheckError("\n".join(lines))
 

@@ -17,7 +17,7 @@ import numpy as np
 from mahovik import __version__
 from mahovik.contract.limits import DOUBLE, Limits
 from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.delivered import declared_functions, read_manifest
+from mahovik.core.emit.delivered import declared_functions, files_beside, read_manifest
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
 from mahovik.core.emit.manifest import digest, spans
@@ -34,6 +34,8 @@ NEAR_SINGULAR = {"double": 1e-6, "float": 1e-3}
 """Default of `near_singular` by the contract."""
 
 BATCH = "batch C = as generated"
+
+JUDGED_APART = "what it does is judged by `verify` with programme and motion, or with servo"
 
 SHOWN = 6
 """Names that a line lists; the rest are counted."""
@@ -104,6 +106,16 @@ def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | Non
         words = "missing" if text is None else "not what this version generates"
         row.demand(text == expected[name], "", f"{name} is {words}: generate the batch C again")
     return row
+
+
+def check_beside(stand: Stand, folder: Path) -> list[Check]:
+    """Rows on programmes, servos and loops in a folder: their files are as written; judging them needs their motion."""
+    rows = []
+    for name, changed in files_beside(folder, stand).items():
+        row = Check("", f"{name} = as written", words="" if changed else JUDGED_APART)
+        row.demand(not changed, "", f"{_list(changed)}: not what {name}.json lists: generate it again")
+        rows.append(row)
+    return rows
 
 
 def is_as_generated(files: Mapping[str, str], folder: Path) -> bool:

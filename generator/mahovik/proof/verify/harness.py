@@ -19,7 +19,7 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows, ordinary, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
-from mahovik.proof.verify.files import check_batch, check_file, check_options, check_text, is_as_generated
+from mahovik.proof.verify.files import check_batch, check_beside, check_file, check_options, check_text, is_as_generated
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Backend, Request
@@ -115,7 +115,7 @@ def verify_c(
         rows.append(check_options(options, document, limits, backend.layout.precision.largest))
     if against is not None:
         rows.append(check_text(stand, backend.generated, against))
-        rows += filter(None, [check_batch(stand, backend.generated, against)])
+        rows += [*filter(None, [check_batch(stand, backend.generated, against)]), *check_beside(stand, against)]
     judged = "generated C" if against is None else f"C in {against}"
     judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
     return report(stand, judged, seed, len(states), limits.value, rows)
