@@ -81,7 +81,9 @@ def test_an_unknown_function_is_refused() -> None:
     message = refused("generate", str(path("sat4")), "--only", "forward,torqe")
     assert '--only torqe: the C of sat4 has no such function, did you mean "torque"?' in message
     for names in ("list,forward", "all,forward", "", "forward,"):
-        assert refused("generate", str(path("sat4")), "--only", names).startswith(("error: --only ", "error: --only: is empty"))
+        assert refused("generate", str(path("sat4")), "--only", names).startswith(
+            ("error: --only ", "error: --only: is empty")
+        )
     for only in ("", ["all", "forward"]):
         with pytest.raises(UsageError, match=r"^(--)?only "):
             mahovik.generate(mahovik.example("demo3"), only=only)

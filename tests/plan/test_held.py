@@ -79,6 +79,9 @@ def test_a_motor_that_is_too_weak_is_named_in_a_line() -> None:
         "w1: peak torque in the run-up 9e+09 N m"
     )
     assert motor_warnings(stand, {**report, "rundown": {"reason": "none found"}}) == ()
+    fast = with_motor(PENDULUM, f"{{ torque = {1.1 * torque}, speed = {1.000001 * speed} }}")  # nothing left at speed
+    (line,) = (line for line in planned(fast, required, verify=False).warnings if line.startswith("w1: "))
+    assert line.startswith("w1: its motor, weaker at speed, lacks ")
 
 
 @pytest.mark.parametrize(

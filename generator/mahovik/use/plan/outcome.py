@@ -19,6 +19,7 @@ from mahovik.core.motion.functions import Angles, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
 from mahovik.core.stand.model import Stand
+from mahovik.core.stand.motor import available_torque, required_torque
 from mahovik.errors import whole_number
 from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.se3 import Array
@@ -215,6 +216,19 @@ def peaks(angles: Angles, tau: Array) -> dict[str, Any]:
     }
 
 
+def motor_shortage(stand: Stand, phi_dot: Array, tau: Array) -> dict[str, list[float]]:
+    """How much torque motors lack at most along a motion (M, N), with their friction; nothing where none is limited."""
+    motors = [flywheel.motor for flywheel in stand.flywheels]
+    if not any(motor is not None and motor.limit for motor in motors):
+        return {}
+    lacking = []
+    for s, motor in enumerate(motors):
+        needed = tau[:, s] if motor is None else required_torque(motor, tau[:, s], phi_dot[:, s])
+        most = np.inf if motor is None else available_torque(motor, needed, phi_dot[:, s])
+        lacking.append(max(0.0, float(np.max(np.abs(needed) - most))))
+    return {"motor_shortage": lacking}
+
+
 def regularity(mechanics: Mechanics, phi: Array, *, periodic: bool) -> dict[str, Any]:
     """How regular (12) is at angles (M, N), for a report.
 
@@ -232,28 +246,40 @@ def regularity(mechanics: Mechanics, phi: Array, *, periodic: bool) -> dict[str,
     return {"least_singular_value": float(sigma.min()) if sigma.size else 0.0, "det_I_sign_changes": changes}
 
 
-def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:
-    """One line for each peak torque (N m) or peak speed (rad/s) of a report that is above that of the motor.
+SAME = 1e-6
+"""A speed or torque is no more than another if it is so by this part: periods are written with some digits."""
 
-    Peaks are compared with the motor's numbers, as they are in the file: its torque at speed is less, and its friction
-    comes on top. A flywheel without a motor, or whose motor has no limit, has no line.
+
+def motor_warnings(stand: Stand, report: Mapping[str, Any]) -> tuple[str, ...]:
+    """One line for each peak torque (N m) or speed (rad/s) of a report above the motor's, or torque lacking at a speed.
+
+    Peaks are compared with the motor's numbers, as they are in the file. A flywheel without a motor, or whose motor has
+    no limit, has no line.
     """
-    result = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], ""))
+    result = list(_exceeding(stand, report["peak_torque"], report["peak_speed"], report.get("motor_shortage"), ""))
     for key, name in TABLES.items():
         if peak := report.get(key, {}).get("peak"):
-            result += _exceeding(stand, peak["torque"], peak["speed"], f" in the {name}")
+            result += _exceeding(stand, peak["torque"], peak["speed"], peak.get("motor_shortage"), f" in the {name}")
     return tuple(result)
 
 
-def _exceeding(stand: Stand, torques: Sequence[float], speeds: Sequence[float], where: str) -> Iterator[str]:
-    for flywheel, torque, speed in zip(stand.flywheels, torques, speeds, strict=True):
+def _exceeding(
+    stand: Stand, torques: Sequence[float], speeds: Sequence[float], lacking: Sequence[float] | None, where: str
+) -> Iterator[str]:
+    rows = zip(stand.flywheels, torques, speeds, lacking or [0.0] * len(torques), strict=True)
+    for flywheel, torque, speed, short in rows:
         motor = flywheel.motor
         if motor is None:
             continue
         asked = (("torque", "N m", torque, motor.peak), ("speed", "rad/s", speed, motor.no_load))
-        for kind, unit, value, most in asked:
-            if most is not None and value > most:
-                yield (
-                    f"{flywheel.name}: peak {kind}{where} {value:.4g} {unit} is above its motor's {most:.4g} {unit}, "
-                    f"which the search does not heed: add {kind} to the bounds of the motion, or ask for less"
-                )
+        over = [(kind, unit, value, most) for kind, unit, value, most in asked if most and value > most * (1 + SAME)]
+        if not over and short > SAME * torque:
+            yield (
+                f"{flywheel.name}: its motor, weaker at speed, lacks {short:.4g} N m{where}, which the search does not "
+                "heed: add torque or speed to the bounds of the motion, or ask for less"
+            )
+        for kind, unit, value, most in over:
+            yield (
+                f"{flywheel.name}: peak {kind}{where} {value:.4g} {unit} is above its motor's {most:.4g} {unit}, "
+                f"which the search does not heed: add {kind} to the bounds of the motion, or ask for less"
+            )

@@ -27,6 +27,7 @@ from mahovik.use.plan.outcome import (
     defer_interrupt,
     drop_refused_tables,
     failed_items,
+    motor_shortage,
     motor_warnings,
     peaks,
     regularity,
@@ -167,5 +168,6 @@ def figures(problem: Problem, motion: FlywheelMotion, space: SplineSpace | None 
         grid = problem.grid_of(space, np.linspace(0.0, space.span, TIMES))
     angles = motion.at(grid.basis)
     tau = torques(prescribe(problem.mechanics, grid.course, motion.bias), *angles)
-    result = {**peaks(angles, tau), **regularity(problem.mechanics, angles.phi, periodic=space is None)}
+    result = {**peaks(angles, tau), **motor_shortage(problem.stand, angles.phi_dot, tau)}
+    result |= regularity(problem.mechanics, angles.phi, periodic=space is None)
     return result if space is None else {**result, "end_speed": angles.phi_dot[-1]}

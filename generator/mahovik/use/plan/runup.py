@@ -36,7 +36,7 @@ from mahovik.use.numeric.mechanics import Mechanics
 from mahovik.use.numeric.residual import Drive, Linear, drive
 from mahovik.use.numeric.se3 import Array
 from mahovik.use.plan.objective import RHO, UNITS, ExceededBound
-from mahovik.use.plan.outcome import Budget
+from mahovik.use.plan.outcome import Budget, motor_shortage
 from mahovik.use.plan.step import Model, Range, Rules, descend, size
 
 SPLINES = 6
@@ -542,6 +542,7 @@ def runup_figures(solution: RunUpSolution, motion: RequiredMotion, stand: Stand)
             kind: {"largest": float(values["deviation"][i, k]), "t": float(t[i])}
             for k, (kind, i) in enumerate(zip(("linear", "angular"), at, strict=True))
         },
-        "peak": {key: np.abs(values[key]).max(axis=0).tolist() for key in ("speed", "acceleration", "torque")},
+        "peak": {key: np.abs(values[key]).max(axis=0).tolist() for key in ("speed", "acceleration", "torque")}
+        | motor_shortage(stand, values["speed"], values["torque"]),
         "exceeded": exceeded,
     }
