@@ -265,7 +265,7 @@ def _require_stable(K: Rows, x: Sequence[float], gravity: Sequence[float], stand
         G[:, 3 + i] = _weight(stand, turned)
     springs, weight = (S.T @ A @ S for A in (np.array(K) @ B, G))
     size = np.sqrt(np.diag(S.T @ np.array(K) @ S))
-    size[size == 0.0] = 1.0
+    size[size**2 <= SOFT * max(size) ** 2] = 1.0  # what is soft but for rounding is not scaled
     values, vectors = np.linalg.eig((springs - weight) / np.outer(size, size))  # not symmetric: it has no potential
     least = int(np.argmin(np.where(values.imag == 0.0, values.real, np.inf)))
     if values[least].imag == 0.0 and values[least].real < -LEFT:
