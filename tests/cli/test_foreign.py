@@ -69,7 +69,8 @@ def test_the_table_of_generated_c_as_junit_and_its_worst_states() -> None:
 
 @pytest.mark.parametrize(("stand", "left_out"), [(DEMO3, {"reaction"}), (PENDULUM, set())])
 def test_the_reference_itself_passes_as_a_program(stand: str, left_out: set[str]) -> None:
-    judged = rows("judge", stand, "--states", "3", "--with", EVAL, status=0)
+    judged = rows("judge", stand, "--states", "3", "--with", EVAL, "--junit", "report.xml", status=0)
+    assert ET.parse("report.xml").getroot().get("failures") == "0"
     assert {row["judged"] for row in judged} == set(WANTS) - left_out
     assert {row["value"] for row in judged} == {0.0}
 

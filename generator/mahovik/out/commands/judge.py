@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from mahovik.contract.functions import ALL_WANTS
 from mahovik.errors import CheckError, UsageError, above_zero, whole_number
@@ -15,6 +15,7 @@ from mahovik.out.arguments import FilePath, Names, Progressing, Seconds, command
 from mahovik.out.commands.verify import report_result
 from mahovik.out.notices import Progress, notify, warn
 from mahovik.out.result import Result
+from mahovik.writing import probe
 
 if TYPE_CHECKING:
     from mahovik.core.stand.model import Stand as CoreStand
@@ -51,6 +52,7 @@ def judge(
     seed: int = 1,
     tolerance: float = 1e-12,
     timeout: Seconds = "5 min",
+    junit: FilePath | None = None,
     progress: Progressing = None,
 ) -> Result:
     """Judge a program, an FMU or a log by the reference, and find its fault.
@@ -74,6 +76,7 @@ def judge(
         seed: seed of the random states.
         tolerance: accepted difference, relative to the natural scale.
         timeout: limit of the time of the program, s or with a unit.
+        junit: write the table as JUnit XML too.
 
     Raises:
         UsageError: options that contradict one another, a program that cannot be started.
@@ -86,6 +89,8 @@ def judge(
     for name, value in (("tolerance", tolerance), ("timeout", longest)):
         above_zero(name, value)
     whole_number("states", states)
+    if junit is not None:
+        probe(Path(junit))
     if unknown := [word for word in wants if word not in ALL_WANTS]:
         raise UsageError(f'want: unknown "{unknown[0]}"{suggestion(unknown[0], ALL_WANTS)}')
     judged = sum(subject is not None for subject in (with_, log, fmu))
@@ -94,7 +99,7 @@ def judge(
     with TemporaryDirectory(prefix="mahovik-") as unpacked:
         notify(progress, Progress(f"judge {next(x for x in (with_, log, fmu) if x is not None)}"))
         if log is not None:
-            return _explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, progress)
+            return _explained(machine, _judge_log(machine, Path(log), wants, tolerance), explain, seed, junit, progress)
         if fmu is not None and map is not None:
             from mahovik.proof.verify.fmu import fmu_program
 
@@ -106,7 +111,7 @@ def judge(
             program = program_of(str(with_), str(stand), attitude)
             program = replace(program, actuators=_takes_actuators(machine, program, longest))
         judged_program = _judge_program(machine, program, wants, seed, states, longest, tolerance)
-        return _explained(machine, judged_program, explain, seed, progress)
+        return _explained(machine, judged_program, explain, seed, junit, progress)
 
 
 def _judge_program(
@@ -168,9 +173,11 @@ def _judge_log(stand: CoreStand, path: Path, wants: tuple[str, ...], tolerance: 
     return Judged(report, lambda _: lambda request: by_id.get(request.id, {}), tolerance, log.states)
 
 
-def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progress: Progressing) -> Result:
+def _explained(
+    stand: CoreStand, judged: Judged, explain: bool, seed: int, junit: FilePath | None, progress: Progressing
+) -> Result:
     """The verdict; with its diagnosis in JSON and in sentences, where one is asked for and possible."""
-    report = judged.report
+    report, more, words = judged.report, dict[str, Any](), tuple[str, ...]()
     if explain and not report.error:
         from mahovik.out.api.stands import Stand
         from mahovik.proof.diagnose.diagnosis import as_object, diagnose_fault, sentences
@@ -181,6 +188,5 @@ def _explained(stand: CoreStand, judged: Judged, explain: bool, seed: int, progr
         except CheckError as error:
             report = replace(report, error=str(error))
         else:
-            more, words = {"diagnosis": as_object(diagnosis)}, sentences(diagnosis)
-            return report_result(report, more=more, words=words, everything=True)
-    return report_result(report, everything=True)
+            more, words = {"diagnosis": as_object(diagnosis)}, tuple(sentences(diagnosis))
+    return report_result(report, more=more, words=words, everything=True, junit=junit)
