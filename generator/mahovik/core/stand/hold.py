@@ -158,8 +158,10 @@ def kinds(hold: Hold) -> tuple[str, ...]:
     return tuple(_NAMES.get(freedom, freedom.kind) for freedom in hold.freedoms)
 
 
-def twists(hold: Hold) -> Array:
-    """S (6 x m): the twists of O1 in E1 at u = 1; m/s and rad/s for one of u."""
+def twists(hold: Hold | None) -> Array:
+    """S (6 x m): the twists of O1 in E1 at u = 1; m/s and rad/s for one of u. Without hold S = E, 6 x 6."""
+    if hold is None:
+        return np.eye(6)
     return np.array(twist_columns(hold), dtype=np.float64).reshape(-1, 6).T
 
 
@@ -188,11 +190,14 @@ def _cross(a: Sequence[Any], b: Sequence[Any]) -> list[Any]:
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-def wrenches(hold: Hold) -> Array:
+def wrenches(hold: Hold | None) -> Array:
     """W (6 x m), S^T W = E: wrench at O1 in E1 of a force 1 along each freedom, which has no power in the others.
 
-    A force through the pivot of what slides, a moment of what turns, S (S^T S)^-1 of a basis. By it u = W^T V.
+    A force through the pivot of what slides, a moment of what turns, S (S^T S)^-1 of a basis, E without hold. By it
+    u = W^T V.
     """
+    if hold is None:
+        return np.eye(6)
     return np.array(wrench_columns(hold), dtype=np.float64).reshape(-1, 6).T
 
 

@@ -252,7 +252,7 @@ def _require_stable(K: Rows, x: Sequence[float], gravity: Sequence[float], stand
     A small twist of the carrier changes x by B twist, and the wrench of the weight in E1 axes by G twist, as gravity
     turns there: the springs hold where K B - G has no negative eigenvalue along the freedoms.
     """
-    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    S = twists(stand.hold)
     if not S.any() or any(law.carries_weight for law in stand.laws):  # clamped; legs hold too, and are not known here
         return
     shift, turn = np.array(x[:3]), np.array(x[3:])

@@ -307,7 +307,7 @@ class AtRest:
             raise CheckError(f"{error}; give an initial state by `start`") from None
         self._least = 2.0 * accuracy(stand, self.nominal)[:, None]
         self._column = _column(stand, self.nominal)[:, None]
-        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        S = twists(stand.hold)
         self._made = compile_library(stand)
         block = Block(stand, self._made, 2 * S.shape[1])
         block.x[:] = self._column

@@ -161,7 +161,7 @@ class Predictor:
         self._rows = np.array([_row(label, names) for label in channels], dtype=int)
         held = np.any(self._rows >= READINGS * len(names))
         self._needs = {"readings", "reaction"} if held else {"readings"}
-        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        S = twists(stand.hold)
         turns = np.any(S[3:] != 0.0, axis=0)
         sizes = (POSE, RATES) if stand.hold is None else [np.where(turns, size[3], size[0]) for size in (POSE, RATES)]
         self.start_scale: Array = np.concatenate(sizes)

@@ -80,7 +80,7 @@ def lightness(stand: Stand) -> float:
     """
     drawn = np.random.default_rng(SEED).uniform(-np.pi, np.pi, (PHASES, len(stand.flywheels)))
     bodies, largest = bodies_of(stand), 1.0
-    S = np.eye(6) if stand.hold is None else twists(stand.hold)
+    S = twists(stand.hold)
     for phi in drawn:
         placed = bodies.at_phases(phi.tolist(), [0.0] * len(phi))
         I, J = S.T @ coupling(placed.flywheels), spin_inertia(placed.flywheels)

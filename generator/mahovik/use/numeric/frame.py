@@ -74,9 +74,8 @@ class Frame:
     @staticmethod
     def at_pose(stand: Stand, C: Array, O1: Array | Vec3) -> Frame:
         """The coordinates about a pose C (3, 3), O1 (3; m), which a hold allows. StandError as `of`, but if clamped."""
-        S, order = np.eye(6), ORDER
+        S, order = freedom_twists(stand.hold), ORDER
         if stand.hold is not None:
-            S = freedom_twists(stand.hold)
             order = coordinates_of(stand).order if S.shape[1] else ()
         return Frame(stand, S, S, order, C, np.array(O1), np.zeros(S.shape[1]))
 

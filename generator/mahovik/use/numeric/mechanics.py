@@ -211,7 +211,7 @@ class Mechanics:
         laws = law_arrays(stand)
         tables = Tables.of(stand, laws)
         I = with_torque(np.transpose(tables.coupling, (0, 2, 1))[:, :, None, :], tables)
-        S = np.eye(6) if stand.hold is None else freedom_twists(stand.hold)
+        S = freedom_twists(stand.hold)
         return Mechanics(stand, Base.of(stand, laws), tables, I, slope(I), S)
 
     @cached_property

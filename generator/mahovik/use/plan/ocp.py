@@ -23,6 +23,7 @@ import numpy as np
 from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
+from mahovik.core.stand.hold import twists
 from mahovik.core.stand.model import Stand, Vec6, rest_state
 from mahovik.errors import UsageError
 from mahovik.use.numeric.se3 import Array
@@ -254,7 +255,7 @@ def plan_ocp(
     (`objective_at_nodes`), of the result (`objective`). Raises UsageError where (13) has no solution in general.
     """
     options = options or PlanOptions()
-    rows = 6 if stand.hold is None else len(stand.hold.freedoms)
+    rows = twists(stand.hold).shape[1]
     if rows > len(stand.flywheels):
         words = f"the stand has {len(stand.flywheels)} flywheels; (13) needs at least {rows}"
         raise UsageError(f"method ocp: {words}; use fourier")

@@ -177,7 +177,7 @@ class LinearModel:
     @property
     def freedoms(self) -> int:
         """Number of freedoms of the carrier: 6 of a free one, m of a held one; as many states are displacements."""
-        return 6 if self.stand.hold is None else len(self.stand.hold.freedoms)
+        return int(twists(self.stand.hold).shape[1])
 
     @property
     def steady(self) -> bool:
@@ -271,7 +271,7 @@ class _Equations:
         phi, phi_dot, phi_ddot = (np.array([x], dtype=np.float64) for x in (state.phi, state.phi_dot, state.phi_ddot))
         still = _twists(stand, state)
         push, push_by_phi, about = _run_time(mechanics, state)
-        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        S = twists(stand.hold)
         with np.errstate(all="ignore"):  # an overflow is not finite, and is reported below
             held = linear(prescribed_at(mechanics, still), phi, phi_dot, phi_ddot)
             driven = drive(mechanics, phi, phi_dot, phi_ddot)

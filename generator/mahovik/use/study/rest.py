@@ -142,7 +142,7 @@ class _Search:
         self.state = state
         self.stops = any(law.has_kinks for law in stand.laws)
         self.home = state
-        S = np.eye(6) if stand.hold is None else twists(stand.hold)
+        S = twists(stand.hold)
         root = np.linalg.cholesky(S.T @ pieces(stand, state).K @ S)  # G; K depends only on the phases
         self.scale = np.linalg.inv(root) @ S.T
         self.steps = [column * (_DIFFERENCE / np.abs(column).max()) for column in self.scale]

@@ -86,7 +86,7 @@ class Freedom:
         Raises UsageError: no speeds are free, or none hold the momentum; CheckError: it needs more than the limits.
         """
         N = len(stand.flywheels)
-        turns = np.eye(3) if stand.hold is None else twists(stand.hold)[3:].T
+        turns = twists(stand.hold)[3:].T
         size = np.linalg.norm(turns, axis=1)
         shared = turns[size > 0.0] / size[size > 0.0, None]  # along them wheels and carrier share momentum
         bodies = pieces(stand, rest_state(stand)).flywheels

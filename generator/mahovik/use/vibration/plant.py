@@ -213,7 +213,7 @@ class Plant:
     def of(scene: Scene) -> Plant:
         """The plant of a stand about its rest. Raises StateError."""
         stand, tables = scene.stand, scene.chart.mechanics.tables
-        N, W = len(stand.flywheels), np.eye(6) if stand.hold is None else wrenches(stand.hold)
+        N, W = len(stand.flywheels), wrenches(stand.hold)
         carrier, free, mobility = mean_slopes(scene, np.vstack([np.zeros(N), np.eye(N)]))
         turned, weight = slope(tables.coupling), tables.weight @ (scene.chart.frame.C.T @ np.array(stand.gravity))
         turning, hanging = -(turned[1] - 1j * turned[2]), weight[1] - 1j * weight[2]
