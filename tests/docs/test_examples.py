@@ -27,8 +27,8 @@ NOT_RUN = {
 }
 """Blocks that no test runs, by page and how they begin; and why."""
 
-QUICK = {"docs/commands.md", "docs/stand-file.md"}
-"""Pages whose commands take less than three seconds in all; the others are run by `make nightly`."""
+QUICK = {"README.md", "docs/commands.md", "docs/howto/own-stand.md", "docs/stand-file.md", "docs/tutorial.md"}
+"""Pages that most readers begin with, a minute of processor in all; the others are run by `make nightly`."""
 
 TOOLS = {
     "gcc ": [("gcc", "gcc")],
