@@ -82,6 +82,8 @@ def test_a_grade_gives_the_permissible_unbalance_in_any_direction(tmp_path: Path
     part = values(tmp_path, f"[vary]\n{graded.replace(' }', ', share = { uniform = [0, 1] } }')}")
     most = drawn["rw1.unbalance.static"][0]
     assert stats.kstest(part["rw1.unbalance.static"], stats.uniform(0, most).cdf).pvalue > 0.01
+    third = graded.replace("unbalance", "unbalance.static").replace(" }", ", share = 0.3 }")
+    assert values(tmp_path, f"[vary]\n{third}")["rw1.unbalance.static"][0] == pytest.approx(0.3 * most, rel=1e-12)
     # the chart of the standard reads 8 um for G 2.5 at 3000 rpm
     assert permissible_unbalance(grade_of("G 2.5"), 100 * math.pi, 1.0) == pytest.approx(7.96e-6, rel=1e-3)
 

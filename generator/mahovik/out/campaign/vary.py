@@ -330,9 +330,11 @@ def _graded(pattern: str, raw: Mapping[str, Any], numbers: StandNumbers) -> Iter
     share, low, high = 1.0, 0.0, math.inf
     if "share" in raw:
         of = StandNumber("share", "", "share", PLAIN, 1.0, least=0.0)
-        share = _read("share", lambda value: _distribution(value, of), raw["share"])
-        low, high = _read("share", lambda value: _ends(share, value, of), raw["share"])
-    statics, angles = numbers.find(f"{pattern}.static"), numbers.find(f"{pattern}.static_at")
+        left = raw["share"] if isinstance(raw["share"], Mapping) else {"normal": [raw["share"], 0.0]}
+        share = _read("share", lambda value: _distribution(value, of), left)
+        low, high = _read("share", lambda value: _ends(share, value, of), left)
+    wheels = pattern.removesuffix(".static")
+    statics, angles = numbers.find(f"{wheels}.static"), numbers.find(f"{wheels}.static_at")
     for static, angle in zip(statics, angles, strict=True):
         most = permissible_unbalance(grade, speed, numbers.mass(static.body))
         factor = None if isinstance(share, float) else static.path
