@@ -15,6 +15,7 @@ import pytest
 import sympy as sp
 
 from docs.pages import PAGES, ROOT, Block, anchors, blocks, links, prose, rows
+from mahovik.contract.limits import JOINT, TABLE
 from mahovik.core.derive import flywheel
 from mahovik.core.emit.delivery import added_files
 from mahovik.core.emit.generate import generate, generate_all
@@ -39,7 +40,7 @@ from mahovik.out.campaign.file import load_campaign
 from mahovik.out.campaign.quantities import SIGNALS, STATISTICS
 from mahovik.out.campaign.runs import KINDS as RUNS
 from mahovik.out.campaign.vary import DESIGNS, KINDS
-from mahovik.proof.verify.programme.verification import JOINT, TABLE, tolerance_for
+from mahovik.proof.verify.programme.verification import tolerance_for
 from mahovik.stands import path
 from report.chromium import Opened, launched
 

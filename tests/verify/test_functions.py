@@ -155,6 +155,28 @@ def test_no_state_is_left_out_where_rounding_would_decide_a_refusal() -> None:
     assert (refusal.verdict, refusal.skipped) == ("ok", 0)
 
 
+SMALL = [
+    ("prepare", "check_inertia", r"-J\[5\] - ", "-J[5] + ", "impossible bodies"),
+    ("inverse", "excessive", r"> options->most\[s\]", "> 1.0001 * options->most[s]", "EXCESSIVE at its bound"),
+    (
+        "inverse",
+        "inverse",
+        r"out->rank = rank;",
+        "out->rank = rank;\nif (rank < 3) { out->phi_ddot[1] *= 2.0; }",
+        "of deficient rank",
+    ),
+]
+"""Function, text that is changed, by what, and the row that shows it: faults that ordinary answers do not have."""
+
+
+@pytest.mark.parametrize(("function", "place", "pattern", "wrong", "row"), SMALL, ids=[row for *_, row in SMALL])
+def test_a_fault_at_a_bound_is_noticed(
+    function: str, place: str, pattern: str, wrong: str, row: str, tmp_path: Path
+) -> None:
+    case = case_of("demo3", planted("demo3", tmp_path, place, pattern, wrong))
+    assert row in {check.quantity for check in checks_of(case, function) if check.failed}
+
+
 CHECKS = [
     ("step", r"!\(dt > 0\.0\)", "!(dt >= 0.0)"),
     ("check_body", r"status != DEMO3_OK", "status == DEMO3_NOT_FINITE"),

@@ -57,6 +57,23 @@ FLOAT = Limits(
 
 LIMITS = {"double": DOUBLE, "float": FLOAT}
 
+SERVO_PERIOD, SERVO_MATRIX = 1e-9, 1e-8
+"""Of servos, relative: what depends on the period, as samples and periods in it are whole numbers below 2^31; the
+matrix of a trim, by its largest number: both sides solve the linear equations of a period."""
+
+SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
+"""Of a programme, shares. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may
+balance: a constant residual, of one amplitude's share, moves a floating carrier (2 pi)^2 / 2 amplitudes in a period."""
+
+TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
+"""Of phi', phi'' in the table of a programme, share of their peaks: each row against its prediction by its neighbours;
+where two courses meet, share of peaks, rad for phi; a value over its bound: rounding of the program that kept it is no
+excess."""
+
+BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
+"""Of a slew: at its start (m, rad, s); from the demanded attitude or line of sight at the end, arcsec; from the
+shortest turn, share of it, and of what rests at the end from rest, share of its peak."""
+
 PERTURBATION: Mapping[str, float] = {"double": 2.0**-36, "float": 2.0**-18}
 """Relative change of every number of stand and state by which scales are measured.
 

@@ -176,6 +176,7 @@ class Result(Mapping[str, Any]):
     drawings   panels of its picture: `out.plots.Panel`, or functions of the result and axes of matplotlib;
                none: the columns of numbers over the index, or over `t`
     single     one row, whose arrays come without the axis of rows
+    whole      a long table has all its rows in text
     """
 
     title: str
@@ -189,6 +190,7 @@ class Result(Mapping[str, Any]):
     details: Sequence[str] = ()
     drawings: Sequence[Drawing] = ()
     single: bool = False
+    whole: bool = False
 
     def __post_init__(self) -> None:
         if len({*self}) < len(self):
@@ -425,7 +427,7 @@ class Result(Mapping[str, Any]):
         columns = [part for one in shown for part in one.flat()]
         heads = [key_words(one.head) for one in columns]
         places: list[int | None] = [*range(self.count)]
-        if self.count > SHOWN:
+        if self.count > SHOWN and not self.whole:
             places = [*range(SHOWN - 10), None, *range(self.count - 9, self.count)]
         rows = [["..." if i is None else cell_text(one.values[i]) for one in columns] for i in places]
         return heads, rows, [one.values.dtype.kind in "iufc" for one in columns]

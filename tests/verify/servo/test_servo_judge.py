@@ -15,11 +15,12 @@ import mahovik.use.control.trim as design_module
 from cli.run import refused, run
 from export.programmes import motion, spin, stand
 from export.servos import HEAD, TRIM, exported, servo, written
+from mahovik.contract.limits import SERVO_MATRIX
 from mahovik.core.motion.servo import Servo, read_servo
 from mahovik.errors import StateError, ToolchainError, UsageError
 from mahovik.proof.verify.check import Report
 from mahovik.proof.verify.functions.table import verify_servo
-from mahovik.proof.verify.servo.judges import MATRIX, least_cost_matrix, responses, trim_matrix
+from mahovik.proof.verify.servo.judges import least_cost_matrix, responses, trim_matrix
 from mahovik.stands import path
 from mahovik.use.control.trim import design_trim
 from toolchain.quick import quick
@@ -159,13 +160,13 @@ def difference() -> float:
 
 
 def test_the_judge_agrees_with_the_design() -> None:
-    assert difference() < MATRIX
+    assert difference() < SERVO_MATRIX
 
 
 @pytest.mark.parametrize(("constant", "changed"), [("BEYOND", 1), ("SPILL", 31.0), ("REACH", 0.3)])
 def test_every_constant_of_the_design_is_judged(constant: str, changed: float, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(design_module, constant, changed)
-    assert difference() > MATRIX
+    assert difference() > SERVO_MATRIX
 
 
 def test_what_rounding_decides_has_no_answer() -> None:

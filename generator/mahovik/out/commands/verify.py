@@ -330,7 +330,7 @@ def report_result(
     if worst is not None and (lines := worst_lines(report)):
         write(Path(worst), lines)
         messages.append(f"worst states: {worst}")
-    checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")))
+    checks = Result("", columns_of(report.rows, dict.fromkeys(CHECK_COLUMNS, "")), whole=True)
     short, absent = _shortest(report.rows)
     if not everything and absent:
         text = f"not compared, all=True says why: {', '.join(dict.fromkeys(absent))}"
@@ -373,8 +373,9 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
         """The figures that are nearest to their limit are those of the C, or of the second derivation."""
         second = row.second is not None and row.second * row.limit > row.value * row.accepted_of_second
         figures = (row.second, row.accepted_of_second) if second else (row.value, row.limit)
+        quantity = f"{row.quantity} of the second derivation" if second else row.quantity
         verdict = f"{row.verdict} {row.words if row.failed else ''}".strip()
-        return (row.judged, row.states, *figures, shorten(row.quantity, QUANTITY, placeholder=" ..."), verdict)
+        return (row.judged, row.states, *figures, shorten(quantity, QUANTITY, placeholder=" ..."), verdict)
 
     heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
     columns = list(zip(*map(cells, rows), strict=True)) or [()] * len(heads)

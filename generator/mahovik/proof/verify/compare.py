@@ -113,6 +113,10 @@ def ordinary(states: Sequence[tuple[str, State]], most: int) -> list[tuple[str, 
 LARGEST = {precision.name: float(precision.largest) for precision in (DOUBLE, FLOAT)}
 """Largest number of an element type."""
 
+FAR_SIDES = (0.6, 1.6)
+"""Parts of its bound at which a number is that decides a bit and is small in the arithmetic, so that rounding moves it:
+a singular value, an error, a pivot."""
+
 HALF_TURN = 1e-9
 """Distance from half a turn, rad, at which its angle may be of either sign; or what is accepted, where that is more."""
 

@@ -30,6 +30,9 @@ INTERPRETED_EVERY = 8
 FUNCTION_STATES = 12
 """Ordinary states at which functions that answer no want are judged."""
 
+NAMED = 4
+"""Functions of a folder from which on the title counts them."""
+
 Progress = Callable[[int, int], None]
 """States done, states in all."""
 
@@ -117,7 +120,10 @@ def verify_c(
         rows.append(check_text(stand, backend.generated, against))
         rows += [*filter(None, [check_batch(stand, backend.generated, against)]), *check_beside(stand, against)]
     judged = "generated C" if against is None else f"C in {against}"
-    judged += f", only {', '.join(public_names(backend.program))}" if backend.left_out else ""
+    if backend.left_out:
+        public = public_names(backend.program)
+        counted = f"{len(public)} of {len(public) + len(backend.left_out)} functions"
+        judged += f", only {', '.join(public) if len(public) < NAMED else counted}"
     return report(stand, judged, seed, len(states), limits.value, rows)
 
 

@@ -17,6 +17,8 @@ import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
 from mahovik.contract.quantities import limits_of
+from mahovik.contract.status import status_words
+from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
 from mahovik.core.stand.model import Stand, State, Vec3, Vec6, rest_state
 from mahovik.core.stand.numbers import StandNumbers, exact
@@ -39,15 +41,15 @@ from mahovik.proof.reference.motion import coupled
 from mahovik.proof.second import Second
 from mahovik.proof.second.system import Derivatives
 from mahovik.proof.verify.backends import turns
-from mahovik.proof.verify.compare import Case, Rows
+from mahovik.proof.verify.compare import FAR_SIDES, Case, Rows, same_bits
 from mahovik.proof.verify.scales import Equation, Scales, turning
 from mahovik.proof.verify.states import Request
 
 ATTITUDES = 12
 """Attitudes and coordinates tried, some of them after several turns."""
 
-OTHER_STANDS = 3
-"""Stands with other parameters that are tried."""
+OTHER_STANDS, BODIES = 3, 6
+"""Stands with other parameters that are tried, and bodies that are just possible and just not."""
 
 JACOBIAN_STATES, LOCKED_STATES = 4, 1
 """States at which a Jacobian is judged, and with locks: each pattern needs a derivative of its own."""
@@ -241,6 +243,8 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
     asked = ("mounts",) if mounts else ("matrices", "momentum", "forward", "torque", "points")
     known = case.backend.wants_of(case.backend.complete.program)
     check = rows.check("other parameters")
+    if not mounts:
+        _judge_bodies(case, rows)
     for number in range(OTHER_STANDS):
         other = _with_other_parameters(case.stand, case.random(200 + number))
         scales = Scales(other, case.real)
@@ -262,6 +266,43 @@ def judge_other_parameters(case: Case, rows: Rows) -> None:
                 of_want.compare_want(Request(f"{name} of stand {number + 1}", state, (want,)), answer)
         for one in (one for of_want in judged.values() for one in of_want.checks()):
             check.note(one.value, f"{one.state}, {one.quantity}", one.words)
+
+
+def _judge_bodies(case: Case, rows: Rows) -> None:
+    """`prepare` takes bodies and added masses that are possible but for less than the tolerance, and no others.
+
+    The second moments of a body about its centre of mass, int x x^T dm, are least along a random direction: there they
+    are negative by a part of the tolerance. So is the least eigenvalue of an added mass, made one on its diagonal.
+    """
+    layout, tolerance = case.backend.layout, THRESHOLDS[case.real].unphysical
+    default, table = parameters_of(case.stand, layout), case.backend.table()
+    made = case.call("prepare", {"parameters": case.backend.library.default("default_parameters"), "table": table})
+    rows.demand("default table", same_bits(made["table"], table), "default parameters", "not that of the parameters")
+    for number in range(BODIES):
+        rng = case.random(300 + number)
+        mass, c, axes = rng.uniform(1.0, 9.0), rng.normal(size=3), np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        for part in FAR_SIDES:
+            due, size = "NOT_POSITIVE_DEFINITE" if part > 1.0 else "OK", 0.0
+            for _ in range(2):  # the tolerance is that of the largest element
+                S = (axes * [1.0, 2.0, -part * tolerance * size]) @ axes.T + mass * np.outer(c, c)
+                J = np.trace(S) * np.eye(3) - S
+                size = float(np.abs(J).max())
+            numbers = {"mass": mass, "center_of_mass": c, "inertia": J[(0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)]}
+            parameters = {**default, "carrier": default["carrier"] | numbers}
+            if case.count and number % 2:
+                first, *rest = default["flywheel"]
+                parameters = {**default, "flywheel": [{**first, "body": first["body"] | numbers}, *rest]}
+            tried = {"body": parameters}
+            if layout.added_mass:
+                F = rng.normal(size=(6, 5))
+                gram = F @ F.T
+                unit = gram / np.sqrt(np.outer(np.diag(gram), np.diag(gram)))
+                added = (1.0 + part * tolerance) * unit - part * tolerance * np.eye(6)
+                tried["added mass"] = {**default, "added_mass": (added + added.T) / 2.0}
+            for what, values in tried.items():
+                status, _ = case.backend.call("prepare", {"parameters": values, "table": table})
+                name, words = f"{what} {number + 1} at {part:g} of the tolerance", f"{status_words(status)}, due {due}"
+                rows.demand("impossible bodies", status_words(status) == due, name, words)
 
 
 def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:

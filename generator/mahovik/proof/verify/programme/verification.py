@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from mahovik.contract.limits import ALONG, BEGIN, DRIFT, END, EXCEEDED, JOINT, KINKED, RUNUP, SMOOTH, TABLE
 from mahovik.core.motion.functions import Angles, Fourier, Samples
 from mahovik.core.motion.programme import Programme, RunUpTable
 from mahovik.core.motion.required import Bounds, RequiredMotion
@@ -46,15 +47,6 @@ class Tolerance(NamedTuple):
     runup: float
 
 
-SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
-"""Tolerances. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may balance: a
-constant residual, of one amplitude's share, moves a floating carrier (2 pi)^2 / 2 amplitudes in a period."""
-
-TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
-"""Accepted of phi', phi'' in a table, share of their peaks: each row against its prediction by its neighbours; where
-two courses meet, share of peaks, rad for phi; a value over its bound: rounding of the program that kept it is no
-excess."""
-
 FINER, OFFSET, FINER_ANGLES, OF_WAVE = 20, 0.382, 8, 32
 """Points of the grid of the residual for each node of the programme, beginning this share of a step after a node, so
 that no node is a point of it; for angles, which are cheap, so many times as many; rows of the table that a Fourier
@@ -69,10 +61,6 @@ FURTHEST = 100.0
 
 POINTS, ARCSEC = 400, np.pi / 648000.0
 """Times along a slew, and an angle, rad."""
-
-BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
-"""Accepted of a slew: at its start (m, rad, s); from the demanded attitude or line of sight at the end, arcsec; from
-the shortest turn, share of it, and of what rests at the end from rest, share of its peak."""
 
 
 def tolerance_for(stand: Stand, share: float | None) -> Tolerance:

@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from mahovik.contract.limits import LIMITS, Limits
+from mahovik.contract.limits import LIMITS, SERVO_MATRIX, SERVO_PERIOD, Limits
 from mahovik.contract.quantities import BOUNDS
 from mahovik.core.motion.programme import Programme
 from mahovik.core.motion.required import RequiredMotion
@@ -212,17 +212,14 @@ LAWS: dict[str, tuple[Callable[..., Iterator[dict[str, Any]]], Callable[..., dic
 
 # -- tables ------------------------------------------------------------------------------------------------------------
 
-TIME = 1e-9
-"""Accepted relative error of what depends on the period: samples and periods in it are whole numbers below 2^31."""
+OF_PERIOD = {"lead": SERVO_PERIOD, "omega": SERVO_PERIOD, "matrix": SERVO_MATRIX}
+"""Limits of members that depend on the period."""
 
 SETTLING_CONSTANTS = 8.0
 """Time constants of the corrections' smoothing in the settling."""
 
 RESTING = 1e-3
 """Scale of a coordinate that does not move, as a part of the largest coefficient (m or rad)."""
-
-MATRIX = 1e-8
-"""Accepted error of the matrix, by its largest number: both sides solve the linear equations of a period."""
 
 NODES = 4096
 """Times in a period at which the required motion is averaged."""
@@ -235,7 +232,7 @@ def table_checks(case: ServoCase) -> Iterator[Check]:
     library, trim = case.made.library, case.servo.trim
     samples = Fraction(library.constant("SERVO_TICKS"), library.constant("SERVO_PERIODS"))
     span = float(samples) * case.servo.period
-    period = Check("SERVO_TICKS", "SERVO_PERIODS", TIME, words="" if case.motion else NEEDS_MOTION)
+    period = Check("SERVO_TICKS", "SERVO_PERIODS", SERVO_PERIOD, words="" if case.motion else NEEDS_MOTION)
     if case.motion is not None:
         period.compare(span, case.motion.span, case.motion.span)
     yield period
@@ -254,7 +251,7 @@ def _members(case: ServoCase, table: str, expected: dict[str, Any]) -> Iterator[
     """Every member of a table, against the law with a scale; a text says why it is not compared."""
     table_of_c = case.default(table)
     for name in dict.fromkeys((*table_of_c, *expected)):
-        limit = max(LIMITS[case.made.real].law, {"lead": TIME, "omega": TIME, "matrix": MATRIX}.get(name, 0.0))
+        limit = max(LIMITS[case.made.real].law, OF_PERIOD.get(name, 0.0))
         row, value = Check(table, name, limit), expected.get(name)
         if isinstance(value, str):
             row.words = value
