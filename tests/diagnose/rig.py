@@ -103,6 +103,10 @@ class Rig:
                 q = q * [1, -1, -1, -1]
             return of_quaternion(q)
         angles = np.array(state.get("angles", (0.0, 0.0, 0.0)))
+        if self.fault in ("sequence", "reversed"):
+            order = (1, 2, 0) if self.fault == "sequence" else (0, 1, 2)
+            psi, theta, phi = angles if self.fault == "sequence" else angles[::-1]
+            return turn(order[0], psi) @ turn(order[1], theta) @ turn(order[2], phi)
         return ship(*(np.radians(angles) if self.fault == "degrees" else angles))
 
     def wrenches(self, state: Mapping[str, Any], V_dot: Array, rates: Array) -> tuple[Array, Array]:
@@ -149,8 +153,9 @@ class Rig:
         """Wrench on the carrier of suspension, buoyancy, added mass and the caller (6), about O1 in E1."""
         file, fault = self.file, self.fault
         table = file["suspension"]
-        E_eq = ship(*table["angles"])
-        displaced = np.array(state.get("position", np.zeros(3))) - table["position"]
+        E_eq = ship(*np.array(table["angles"]) * (0 if fault == "equilibrium" else 1))
+        position = np.array(state.get("position", np.zeros(3))) * (1e-3 if fault == "mm" else 1)
+        displaced = position - table["position"]
         x = np.concatenate([displaced if fault == "displacement" else R.T @ displaced, rotation_vector(E_eq.T @ R)])
         stiffness, damping = (np.array(table[key], dtype=float) for key in ("stiffness", "damping"))
         damping = np.diag(damping) if damping.ndim == 1 else damping
@@ -164,6 +169,8 @@ class Rig:
         p, h = np.split(added @ V, 2)
         wrench -= added @ V_dot + np.concatenate([np.cross(V[3:], p), np.cross(V[3:], h) + np.cross(V[:3], p)])
         applied = np.array(state.get("wrench", {}).get("carrier", np.zeros(6)))
+        if fault == "no wrench":
+            applied = 0 * applied
         if fault == "wrench":
             applied = np.concatenate([R.T @ applied[:3], R.T @ applied[3:]])
         return np.asarray(wrench + applied)

@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import mahovik
@@ -18,6 +19,7 @@ from diagnose.rig import WANTS, Rig
 from mahovik.core.stand.files import parse_toml
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.stand_file import read
+from mahovik.proof.diagnose.answers import Precision
 from mahovik.proof.diagnose.diagnosis import Diagnoser, Diagnosis, sentences
 from mahovik.proof.diagnose.search import TermSearch
 from mahovik.proof.verify.states import Request
@@ -30,6 +32,11 @@ FAULTS: dict[str, Any] = {
     "scalar first": "quaternion given with the scalar last to what reads it scalar first",
     "conjugate": "quaternion conjugated",
     "degrees": "attitude angles in degrees",
+    "sequence": "attitude angles of the state alone in the aircraft sequence",
+    "reversed": "attitude angles about the axes in reverse order",
+    "mm": "position in mm",
+    "equilibrium": "angles of the suspension ignored",
+    "no wrench": "run-time wrench ignored",
     "gravity": ("all bodies", "weight", -1.0, 1.0),
     "products": "products of inertia of the opposite sign (carrier alone)",
     "about": "inertia taken about the origin though it is about the centre of mass",
@@ -143,6 +150,11 @@ def test_a_wrong_number_is_named_with_its_value(path: str) -> None:
     assert diagnosis.verdict == "named" and cause.number is not None
     assert path in (cause.name, *cause.like)
     assert cause.name != path or cause.number[0] == NUMBERS[path]
+
+
+def test_printed_places_are_read_off_large_numbers_as_well() -> None:
+    printed = Precision.of(np.array([float(f"{x:.12f}") for x in (1234.567890123456, -98765.4321, 0.1234567890123)]))
+    assert (printed.name, printed.decimals) == ("12 decimals", 12)
 
 
 def test_the_right_program_has_no_fault() -> None:

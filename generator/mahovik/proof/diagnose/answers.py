@@ -42,8 +42,8 @@ ACCEPTED = {"double": 1e-11, "float": 1e-4}
 NINE_DIGITS = 5e-9
 """Relative rounding of a number written with nine digits; one of double lies up to 6e-8 from the next of float."""
 
-MOST_DIGITS = 15
-"""Digits up to which a program is taken to round its numbers as it prints them."""
+MOST_DIGITS, MOST_DECIMALS = 15, 13
+"""Digits, and places behind the point, up to which a program is taken to round its numbers as it prints them."""
 
 
 @dataclass(frozen=True)
@@ -72,11 +72,12 @@ class Precision:
         decimals = max((-int(number.exponent) for number in written), default=330)
         name = "float" if is_float else "double"
         accepted = ACCEPTED[name]
-        if digits <= MOST_DIGITS:
-            name = f"{digits} digits" if not is_float else f"float, {digits} digits"
+        if digits <= MOST_DIGITS or decimals <= MOST_DECIMALS:
+            printed = f"{digits} digits" if digits <= MOST_DIGITS else f"{decimals} decimals"
+            name = printed if not is_float else f"float, {printed}"
         if accepted < tolerance:
             name, accepted = f"tolerance {tolerance:.1g}", tolerance
-        return cls(name, accepted, digits, decimals if digits <= MOST_DIGITS else 330)
+        return cls(name, accepted, digits, decimals if min(digits, decimals + 2) <= MOST_DIGITS else 330)
 
     def noise(self, numbers: Array, scale: Array) -> Array:
         """Largest rounding error of numbers with a scale."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import warnings
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -21,9 +22,9 @@ from mahovik.core.stand.numbers import StandNumber, StandNumbers
 from mahovik.core.stand.stand_file import read
 from mahovik.errors import MahovikError, StandError, UsageError
 from mahovik.proof.diagnose.answers import AnswerVector, Model, Reference
-from mahovik.proof.reference.algebra import C1, Array, carrier_rotation, flywheel_mounting
+from mahovik.proof.reference.algebra import C1, Array, attitude, carrier_rotation, flywheel_mounting
 from mahovik.proof.reference.pieces import mount_transfer
-from mahovik.proof.verify.draw import freedom_rates, quaternion_of
+from mahovik.proof.verify.draw import freedom_rates, quaternion_of, with_angles
 from mahovik.proof.verify.states import stand_at
 
 # -- readings ----------------------------------------------------------------------------------------------------------
@@ -63,7 +64,7 @@ class Reading:
             state together
     keys    there; none of a body: the body itself
     change  of the numbers, and where they are
-    bodies  that may have it, all together or `only` one: "", "bodies", "fixed" ones, "flywheels"
+    bodies  that may have it, all together or `only` one: "", "bodies", "fixed" ones, "flywheels", those with "inputs"
     """
 
     name: str
@@ -117,8 +118,12 @@ class Reading:
             stand, s = self.change(None, at)
         elif self.place == "wrench":
             bodies = {body.name: body for body in stand.bodies}
-            P = {k: _tuples(self.change(np.array(x), replace(at, body=bodies[k]))) for k, x in s.wrench.items()}
-            s = replace(s, wrench=MappingProxyType(P))
+            P = {
+                k: _tuples(self.change(np.array(x), replace(at, body=bodies[k])))
+                for k, x in s.wrench.items()
+                if k in names
+            }
+            s = replace(s, wrench=MappingProxyType({**s.wrench, **P}))
         elif self.place == "body":
             stand = with_bodies(stand, lambda k: self._changed_body(k, at) if k.name in names else k)
         for key in keys:
@@ -130,7 +135,7 @@ class Reading:
             elif self.place == "stand":
                 stand = replace(stand, **{key: _tuples(self.change(getattr(stand, key), at))})
             elif self.place == "law":
-                stand = with_bodies(self._with_laws(stand, at), lambda k: self._with_laws(k, at))
+                stand = with_bodies(self._with_laws(stand, at), lambda k: self._with_laws(k, replace(at, body=k)))
         return stand, s
 
     def _changed_body(self, body: Any, at: At) -> Any:
@@ -147,10 +152,11 @@ class Reading:
         return bearer if laws is None else replace(bearer, laws=tuple(self._with_laws(law, at) for law in laws))
 
     def _names(self, stand: Stand) -> list[str]:
-        fixed = (stand.carrier, *stand.instruments)
-        bodies: Sequence[Any] = {"bodies": stand.bodies, "fixed": fixed, "flywheels": stand.flywheels}.get(
-            self.bodies, ()
-        )
+        kinds: Mapping[str, Sequence[Any]] = {
+            "bodies": stand.bodies, "fixed": (stand.carrier, *stand.instruments), "flywheels": stand.flywheels,
+            "inputs": [body for body in stand.bodies if body.wrench_input],
+        }  # fmt: skip
+        bodies = kinds.get(self.bodies, ())
         return [body.name for body in bodies if self.only in ("", body.name)]
 
 
@@ -203,6 +209,55 @@ def buoyancy_in_body_axes(_: None, at: At) -> tuple[Stand, State]:
             applied = np.array(wrenches.get(body.name, np.zeros(6)))
             wrenches[body.name] = _tuples(applied + moment_of(force, law.center))
     return with_bodies(at.stand, without_buoyancy), replace(at.s, wrench=MappingProxyType(wrenches))
+
+
+def body_axes(at: At) -> Array:
+    """Axes (3x3, columns) of the body in E1."""
+    if isinstance(at.body, Flywheel):
+        (phi,) = (x for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k.name == at.body.name)
+        return np.asarray(mount_transfer(at.stand, at.body.mount)[:3, :3] @ flywheel_mounting(at.body) @ C1(phi))
+    return mount_transfer(at.stand, at.body.name)[:3, :3]
+
+
+def without_sense(M: Array, at: At) -> Array:
+    """The matrix (6x6) of V |V| that gives the wrench of a matrix of V V, on carrier and instruments."""
+    if at.body is None or isinstance(at.body, Flywheel):
+        return M
+    V_r = np.array(at.s.V) - rotate(np.array([*(at.stand.stream or (0.0, 0.0, 0.0)), 0.0, 0.0, 0.0]), at.C.T)
+    return np.asarray(M * np.sign(mount_transfer(at.stand, at.body.name).T @ V_r))
+
+
+def angles_of(stand: Stand, s: State, C: Array) -> Any:
+    """Angles (3) of an attitude in the stand's sequence; at its singularity those with phi = 0."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)
+        return with_angles(stand, replace(s, angles=None, quaternion=quaternion_of(C))).angles
+
+
+def by_reversed_angles(_: None, at: At) -> tuple[Stand, State]:
+    """C1 C2 C3 in place of C3 C2 C1, and the like of other sequences."""
+    if at.s.angles is None:
+        return at.stand, at.s
+    backwards = attitude(at.stand.angles, *(-x for x in at.s.angles)).T
+    return at.stand, replace(at.s, angles=angles_of(at.stand, at.s, backwards))
+
+
+def with_suspension(at: At, change: Callable[[Array], Any]) -> tuple[Stand, State]:
+    """The stand with other angles of its suspension."""
+    laws: list[Any] = list(at.stand.laws)
+    turned = [replace(x, angles=_tuples(change(np.array(x.angles)))) if x.key == "suspension" else x for x in laws]
+    return replace(at.stand, laws=tuple(turned)), at.s
+
+
+def in_sequence(at: At, name: Any) -> tuple[Stand, State]:
+    """Angles of the state alone in another sequence; those of suspension and hold keep their rotations."""
+
+    def same(angles: Any) -> Any:
+        return angles_of(replace(at.stand, angles=name), at.s, attitude(at.stand.angles, *angles))
+
+    stand, _ = with_suspension(at, same)
+    hold = at.stand.hold and replace(at.stand.hold, angles=same(at.stand.hold.angles))
+    return replace(stand, angles=name, hold=hold), at.s
 
 
 def unturned_displacement(O1: Array, at: At) -> Array:
@@ -260,9 +315,12 @@ TWIST: Mapping[str, Change] = {
     "omega taken in the axes of E0, v in E1": lambda V, at: rotate(V, at.C.T, [1]),
     "omega in degrees a second": lambda V, at: rotate(V, DEGREE * E, [1]),
     "omega of the opposite sense": lambda V, at: rotate(V, -E, [1]),
+    "v in mm a second": lambda V, at: rotate(V, 1e-3 * E, [0]),
     "v taken at the carrier's centre of mass": lambda V, at: V - transport(at, at.stand.carrier.center_of_mass),
 }
 WRENCH: Mapping[str, Change] = {
+    "run-time wrench ignored": lambda P, at: 0.0 * P,
+    "run-time wrench taken in the axes of E1": lambda P, at: rotate(P, body_axes(at).T),
     "force of a run-time wrench acting at the centre of mass": lambda P, at: moment_of(P, at.body.center_of_mass),
     "run-time wrench of a flywheel not turning with it": lambda P, at: next(
         (rotate(P, C1(x).T) for k, x in zip(at.stand.flywheels, at.s.phi, strict=True) if k is at.body), P),
@@ -284,6 +342,11 @@ VECTORS: Mapping[str, Change] = {
     "turned by C in place of its transpose": lambda g, at: at.C @ at.C @ (g or (0.0, 0.0, 0.0)),
 }
 """Wrong readings of gravity and stream, vectors in E0, by their words."""
+OF_SUSPENSION: Mapping[str, Change] = {
+    "in degrees": lambda a, at: DEGREE * a,
+    "ignored": lambda a, at: 0.0 * a,
+    "taken from E1 to E0": lambda a, at: angles_of(at.stand, at.s, attitude(at.stand.angles, *a).T),
+}  # fmt: skip
 PARTS = {"": "bodies", " of flywheels": "flywheels", " of carrier and instruments": "fixed"}
 """Bodies that share a convention, in words."""
 PLACES = {"centre of mass": "center_of_mass", "position of a body": "position"}
@@ -330,20 +393,29 @@ READINGS: tuple[Reading, ...] = (
     *(Reading(f"attitude angles {words}", "state", "angles", x) for words, x in ANGLES.items()),
     *(Reading(f"attitude angles in the {name} sequence", "stand", "angles", lambda _, at, name=name: name)  # type: ignore[misc]
       for name in ("ship", "aircraft", "euler")),
+    *(Reading(f"attitude angles of the state alone in the {name} sequence", "all", "",
+              lambda _, at, name=name: in_sequence(at, name))  # type: ignore[misc]
+      for name in ("ship", "aircraft", "euler")),
+    Reading("attitude angles about the axes in reverse order", "all", "", by_reversed_angles),
+    Reading("position in mm", "state", "position", lambda x, at: 1e-3 * x),
     *(Reading(f"{keys.replace(' ', ' and ')} {words}", "state", keys, x)
       for words, x in SIXES.items() for keys in ("V", "V_dot", "V V_dot")),
     *(Reading(words, "state", "V", x) for words, x in TWIST.items()),
     Reading("V_dot read as the acceleration of O1", "state", "V_dot", lambda A, at: A - transport(at, at.s.V[:3])),
-    *(Reading(f"run-time wrenches {words}", "wrench", "", x) for words, x in SIXES.items()),
-    *(Reading(words, "wrench", "", x) for words, x in WRENCH.items()),
+    *(Reading(f"run-time wrenches {words}", "wrench", "", x, "inputs") for words, x in SIXES.items()),
+    *(Reading(words, "wrench", "", x, "inputs") for words, x in WRENCH.items()),
     *(Reading(f"{name} {words}", "state", keys, x, "flywheels")
       for words, x in OF_WHEELS.items() for name, keys in WHEELS.items()),
+    Reading("torque of a flywheel in mN m", "state", "tau", lambda x, at: 1e-3 * x, "flywheels"),
     Reading("phase counted from the third axis", "state", "phi", lambda x, at: x - math.pi / 2, "flywheels"),
     *(Reading(f"{name} is taken as absolute, not relative to its mount", "state", key,
               lambda x, at, rate=rate: relative_to_mounts(x, at, rate), "flywheels")  # type: ignore[misc]
       for name, key, rate in (("speed of a flywheel", "phi_dot", "V"),
                               ("acceleration of a flywheel", "phi_ddot", "V_dot"))),
     *(Reading(f"{key} {words}", "stand", key, x) for key in ("gravity", "stream") for words, x in VECTORS.items()),
+    *(Reading(f"angles of the suspension {words}", "all", "",
+              lambda _, at, change=change: with_suspension(at, lambda a: change(a, at)))  # type: ignore[misc]
+      for words, change in OF_SUSPENSION.items()),
     Reading("displacement of the suspension not turned into the axes of E1", "state", "position",
             unturned_displacement),
     Reading("buoyancy that does not turn into the axes of the body", "all", "", buoyancy_in_body_axes),
@@ -358,6 +430,7 @@ READINGS: tuple[Reading, ...] = (
       for words, x in OF_PLACES.items() for name, key in PLACES.items()),
     *(Reading(words, "body", "", x, "flywheels") for words, x in MOUNTING.items()),
     *(Reading(f"{name} {words}", "law", key, x) for words, x in OF_MATRICES.items() for name, key in MATRICES.items()),
+    Reading("V V in place of V |V| in quadratic damping", "law", "quadratic", without_sense),
     Reading("products of added mass counted twice, in the derivatives and beside them", "all", "", with_products_twice),
     *(Reading(f"{key} answered {words}", "answer", key, x) for key in ("V_dot", "Z", "reaction")
       for words, x in (FIRST, ("in the axes of E0", lambda x, at: rotate(x, at.C)))),
