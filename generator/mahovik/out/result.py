@@ -175,8 +175,7 @@ class Result(Mapping[str, Any]):
     details    entries of `meta` that JSON has and tables for people leave out
     drawings   panels of its picture: `out.plots.Panel`, or functions of the result and axes of matplotlib;
                none: the columns of numbers over the index, or over `t`
-    single     one row, whose arrays come without the axis of rows
-    whole      a long table has all its rows in text
+    single     one row, whose arrays come without the axis of rows; whole: a long table has all its rows in text
     """
 
     title: str

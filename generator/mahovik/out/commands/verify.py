@@ -39,9 +39,6 @@ CHECK_COLUMNS = (
 )  # fmt: skip
 """All there is to say of a check."""
 
-QUANTITY = 40
-"""Most columns of a quantity in it."""
-
 WAYS = ("targets", "cost", "judges", "rigorous")
 """Verifications of the C of their own."""
 
@@ -373,9 +370,9 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
         """The figures that are nearest to their limit are those of the C, or of the second derivation."""
         second = row.second is not None and row.second * row.limit > row.value * row.accepted_of_second
         figures = (row.second, row.accepted_of_second) if second else (row.value, row.limit)
-        quantity = f"{row.quantity} of the second derivation" if second else row.quantity
+        quantity = f"{row.quantity}{' of the second derivation' if second else ''}"
         verdict = f"{row.verdict} {row.words if row.failed else ''}".strip()
-        return (row.judged, row.states, *figures, shorten(quantity, QUANTITY, placeholder=" ..."), verdict)
+        return (row.judged, row.states, *figures, shorten(quantity, 40, placeholder=" ..."), verdict)
 
     heads = (by, "states", "worst", "limit", "nearest to its limit", "verdict")
     columns = list(zip(*map(cells, rows), strict=True)) or [()] * len(heads)
