@@ -330,7 +330,7 @@ def _graded(pattern: str, raw: Mapping[str, Any], numbers: StandNumbers) -> Iter
     share, low, high = 1.0, 0.0, math.inf
     if "share" in raw:
         of = StandNumber("share", "", "share", PLAIN, 1.0, least=0.0)
-        left = raw["share"] if isinstance(raw["share"], Mapping) else {"normal": [raw["share"], 0.0]}
+        left = raw["share"] if isinstance(raw["share"], Mapping) else {"normal": [raw["share"], 0]}
         share = _read("share", lambda value: _distribution(value, of), left)
         low, high = _read("share", lambda value: _ends(share, value, of), left)
     wheels = pattern.removesuffix(".static")
