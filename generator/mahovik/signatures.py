@@ -86,7 +86,7 @@ def alternatives(hint: Any) -> tuple[str, list[Any]]:
 
 def _check(name: str, value: Any, word: str, kinds: Sequence[Any]) -> None:
     """Raise UsageError unless a value is of one of the kinds."""
-    if value == "":
+    if isinstance(value, str) and not value:
         raise UsageError(f"{name}: is empty")
     if any(_is(kind, value) for kind in kinds):
         return
@@ -131,7 +131,7 @@ def _says_more(value: Any, default: Any) -> bool:
     """Whether an argument is neither its default nor empty."""
     if value is None or value is False or (isinstance(value, str | Sequence | Mapping) and not len(value)):
         return False
-    return not (type(value) is type(default) and value == default)
+    return not (isinstance(value, str | Real) and type(value) is type(default) and value == default)
 
 
 def _check_together(
