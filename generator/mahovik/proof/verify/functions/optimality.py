@@ -263,7 +263,7 @@ COPIED = ("mount", "position", "mounting", "mass", "center_of_mass", "inertia", 
 
 def _judge_copies(case: Case, rows: Rows) -> None:
     """Answers where the rank is deficient: all flywheels but too few are copies of these, with their motion."""
-    wheels, some = case.stand.flywheels, case.states[:EDGE_STATES]
+    wheels, some = case.stand.flywheels, case.states[:1]
     rank = min(case.count, case.scales.at(some[0][1]).S.shape[1] if some else 0) - 1
     if rank < 1:
         return
