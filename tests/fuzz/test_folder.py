@@ -45,7 +45,7 @@ def folder(tmp_path: Path) -> Path:
 
 def visit(folder: Path) -> None:
     """Everything that reads a folder before it writes there."""
-    read_or_refuse(lambda: differences(folder, DEMO3, files()))
+    read_or_refuse(lambda: differences(folder, DEMO3, files(), {}))
     read_or_refuse(lambda: deliver(folder, DEMO3, files()))
     for name, text in files().items():
         there = folder / name

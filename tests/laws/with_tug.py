@@ -44,8 +44,9 @@ if __name__ == "__main__":
     assert carrier is not None and not carrier.rate(np.ones((1, 6))).any()  # it reads no speed
     lowered = generated(stand)
     shown = {member.name: member for member in laws(stand, lowered.layout, lowered.values)}
-    assert shown["carrier.tug.force[2]"].value == stand.carrier.law(tug).force[1]  # of an FMU
+    force = vars(stand.carrier.law(tug))["force"]
+    assert shown["carrier.tug.force[2]"].value == force[1]  # of an FMU
     assert shown["carrier.tug.force[2]"].unit.name == "N"
-    backend = InterpreterBackend(generated(stand))
+    backend = InterpreterBackend(lowered)
     checks = judge(stand, backend, draw(stand, 3, 5), ("forward", "torque"), second=Second(stand))
     print(*(check.words for check in checks if check.failed), "judged", sep="\n")
