@@ -217,7 +217,7 @@ def explain(
     size_of_error = np.sqrt(np.mean(error**2, axis=0))
     unit = np.maximum(size_of_error, rounding)
     e, wrong = (error / unit).ravel(), np.tile(size_of_error > BEYOND * rounding, len(error))
-    limit = 4.0 * np.sqrt(float(np.mean((rounding / unit) ** 2)) * e.size)
+    noise = np.tile(rounding / unit, len(error))
     largest = np.max([np.abs(x).max(axis=0) for x in terms.values()], axis=0)
     there = [term for term, x in terms.items() if (np.abs(x).max(axis=0) > ZERO * largest).any()]
     A = np.column_stack([(terms[term] / unit).ravel() for term in there])
@@ -232,8 +232,10 @@ def explain(
     chosen += [divmod(int(k), len(there)) for k in pairs]  # type: ignore[misc]
     for places in map(list, chosen):
         c = np.linalg.lstsq(A[:, places], e, rcond=None)[0]
-        left = e - A[:, places] @ c  # in components that are right it is rounding, as their error is
-        if np.linalg.norm(left) <= limit and np.linalg.norm(left[wrong]) <= 0.01 * np.linalg.norm(e[wrong]):
+        left = e - A[:, places] @ c
+        # apart, or the rounding of right components, whose unit it is, would excuse what is left of the wrong ones
+        rounded = all(np.linalg.norm(left[at]) <= 4.0 * np.linalg.norm(noise[at]) for at in (wrong, ~wrong))
+        if rounded and np.linalg.norm(left[wrong]) <= 0.01 * np.linalg.norm(e[wrong]):
             return {there[j]: float(x / size[j]) for j, x in zip(places, c, strict=True)}
     return {}
 

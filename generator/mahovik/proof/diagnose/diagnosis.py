@@ -412,6 +412,10 @@ def _some(terms: Sequence[str]) -> str:
     return ", ".join(terms[:MOST_TWINS]) + (f" or {more} more" if more > 0 else "")
 
 
+SEEN = 1e-9
+"""Part of an error from which on it is said: rounding is that of the largest terms, which may hide small wrong ones."""
+
+
 def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
     """A line for each wrong term, what their names stand for, and whether they are all of the error."""
     terms = result.terms
@@ -426,6 +430,11 @@ def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
         lines.append(f"  {result.freedoms}")
     them, they_explain = ("it", "it explains") if len(terms) == 1 else ("them", "they explain")
     if not unknown and not result.besides:
+        if result.unexplained > SEEN:
+            return [
+                *lines,
+                f"without {them} {result.unexplained:.0e} of the error is left, perhaps rounding of large terms",
+            ]
         return [*lines, f"without {them} nothing is left of the error beyond rounding"]
     lines.append(f"without {them} the equations of {_join(list(dict.fromkeys(x.want for x in terms)))} are right")
     return [*lines, f"not known: whether {they_explain} all of {'; '.join(unknown)}"] if unknown else lines
