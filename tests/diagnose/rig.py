@@ -140,7 +140,7 @@ class Rig:
                     acceleration = acceleration + np.cross(spin, np.cross(spin, r))
                 turning = alpha + rates[s] * e + (0 if fault in ("omega x u", "still axis") else np.cross(w, spin))
             force = k.mass * (acceleration - g)
-            moment = J @ turning + np.cross(Omega, J @ Omega)
+            moment = J @ turning + (-1 if fault == "gyroscopic" and s >= 0 else 1) * np.cross(Omega, J @ Omega)
             arm = np.cross(r, k.mass * acceleration) + moment
             arm = arm - (0 if fault == "weight" and s >= 0 else np.cross(r, k.mass * g))
             total += np.concatenate([force, np.cross(k.place, force) + arm])

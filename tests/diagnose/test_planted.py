@@ -47,6 +47,7 @@ FAULTS: dict[str, Any] = {
     "added mass": "added mass of the opposite sign",
     "wrench": "run-time wrenches taken in the axes of E0",
     "displacement": "displacement of the suspension not turned into the axes of E1",
+    "gyroscopic": ("flywheels", "Omega x J Omega", -1.0, 1.0),
     "coriolis": ("flywheels", "m phi_dot omega x (e x r)", 1.0, 2.0),
     "omega x u": ("flywheels", "J phi_dot omega x e", 0.0, 1.0),
     "still axis": ("flywheels", "Theta_s (0, omega x e) phi_dot", 0.0, 1.0),

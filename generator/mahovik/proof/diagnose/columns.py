@@ -270,6 +270,7 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "phi_dot omega x J e": speed * np.cross(w, J @ e),
             "phi_dot e x J omega": speed * np.cross(e, J @ w),
             "phi_dot^2 e x J e": speed**2 * np.cross(e, J @ e),
+            "Omega x J Omega": np.cross(w + speed * e, J @ (w + speed * e)),
         }
         wrenches |= {
             DRIVE: f * k.Theta[3, 3] * phi_ddot,  # before its twins in a torque, which would be wrong elsewhere as well
