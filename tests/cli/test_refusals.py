@@ -74,7 +74,7 @@ CASES = [
     ("vibration", "--modes wheel.csv", 'unknown column "order [-]"'),
     ("vibration", "--noise rw1=missing.csv", "missing.csv: cannot be read"),
     ("vibration", "--time 0", "--time 0: expected a time above 0"),
-    ("vibration", "--improve --limit '-3 rpm'", "--limit -3 rpm: out of range"),
+    ("vibration", "--improve --limit '-3 rpm'", "--limit -3 rpm: expected a speed, or a range of them, from zero up"),
     ("vibration", "--improve --avoid 40..30Hz", "--avoid 40..30 Hz: expected two frequencies"),
     ("vibration", "--improve --seed -1", "--seed -1: expected a whole number of at least 0"),
     ("vibration", "--improve --harmonics all=wheel.csv", "--improve: expected one set of speeds, and no makers'"),

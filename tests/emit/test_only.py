@@ -85,7 +85,7 @@ def test_an_unknown_function_is_refused() -> None:
             ("error: --only ", "error: --only: is empty")
         )
     for only in ("", ["all", "forward"]):
-        with pytest.raises(UsageError, match=r"^(--)?only "):
+        with pytest.raises(UsageError, match=r"^(--)?only:? "):
             mahovik.generate(mahovik.example("demo3"), only=only)
     assert "--batch: none of the functions wrap has one, expected one of " in refused(
         "generate", str(path("sat4")), "--only", "wrap", "--batch"

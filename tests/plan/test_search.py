@@ -98,7 +98,7 @@ def test_unbalance_bounds_the_amplitude() -> None:
     reason, words = refused(answer)
     assert reason == "FIRST_MOMENT"
     assert "along z" in words
-    assert "possible with 95 %" in words
+    assert "possible with 95.2 %" in words
 
 
 def test_bounds_bound_the_wrench() -> None:

@@ -150,8 +150,8 @@ def test_a_run_that_leaves_the_profile_says_so() -> None:
     """Depth and profile by name, in the C as in SciPy."""
     stand = loads(FILE.replace("added_mass", "buoyancy = { displaced_mass = 40 }\nadded_mass"))
     still = {"position": [0, 0, 0.1], "V": [0] * 6, "phi": [], "phi_dot": []}
-    for backend in ("c", "scipy"):
-        run = mahovik.simulate(stand, until=1.0, start=still, backend=backend, dt=1e-2, every=1e-2)
+    for backend in ({"backend": "c", "dt": 1e-2}, {"backend": "scipy"}):
+        run = mahovik.simulate(stand, until=1.0, start=still, every=1e-2, **backend)
         assert run["t"][-1] < 0.5
         words = r"depth -[\d.e-]+ m is outside of stream_profile, which is given from 0 m"
         assert re.search(words, str(run["stopped"]))

@@ -195,8 +195,8 @@ def test_a_requirement_has_one_verdict_in_all_branches(
     monkeypatch.setattr(steady_motions, "FEW_TURNS", few_turns)
     for part, verdict in ((1.0 + 1e-5, True), (1.0 - 1e-5, False)):
         limits = [text.replace("VALUE", repr(part * value)) for text, value in zip(sums, values, strict=True)]
-        for asked in (speeds, sweep):
-            result = command(path(stand), speed=asked, steps=3, **at, require=limits)
+        for asked in ({"speed": speeds}, {"speed": sweep, "steps": 3}):
+            result = command(path(stand), **asked, **at, require=limits)
             assert [requirement["met"] for requirement in result["requirements"]] == [verdict] * len(sums)
             assert result.ok is verdict
 

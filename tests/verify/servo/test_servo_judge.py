@@ -145,8 +145,8 @@ def test_the_command_judges_the_folder(tmp_path: Path) -> None:
     bad = run(*command, str(tmp_path), "--json")
     assert bad.exit_code == 1
     assert '"quantity": "wanted"' in bad.output
-    assert "--servo: its C is in a FOLDER, which is missing" in refused(*command)
-    assert "--name: no programme or servos are judged" in refused("verify", str(path("shaker2")), "--name", "lap")
+    assert "--servo: needs FOLDER" in refused(*command)
+    assert "--name: needs *.json or --programme FILE" in refused("verify", str(path("shaker2")), "--name", "lap")
 
 
 def difference() -> float:

@@ -205,7 +205,7 @@ def _speed(where: str, text: float | str) -> float:
     except QuantityError as error:
         raise UsageError(f"{where}{text}: {error}") from None
     if not math.isfinite(speed):
-        raise UsageError(f"{where}{text}: expected a finite speed, as {where}1000 rpm")
+        raise UsageError(f"{where}{text}: expected a finite speed, as {where.removeprefix('speed ')}1000 rpm")
     return speed
 
 
