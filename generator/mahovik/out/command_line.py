@@ -188,7 +188,7 @@ def _run(function: Callable[..., Any], as_json: bool | None = None, save: str | 
         words = [word for word in texts if isinstance(word, str)]
         output_path("-o", save, [*words, *(word.partition("=")[2] for word in words)])
     with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
+        warnings.simplefilter("always", UserWarning)
         try:
             if "progress" in parameters:
                 from mahovik.out.notices import progress
