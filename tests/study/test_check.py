@@ -57,9 +57,13 @@ def test_the_examples_are_fine(name: str) -> None:
     assert shortfalls(stand, speeds(stand)) == []
 
 
-@pytest.mark.parametrize("name", quick(1, ["sat4", "auv6"]))
-def test_rounding_is_what_the_estimate_allows(name: str) -> None:
-    stand = load(path(name))
+HELD = loads(dumps(load(path("auv6"))) + '[hold]\nfreedoms = ["y", "pitch"]\n')
+
+
+@pytest.mark.parametrize(
+    "stand", quick(2, [load(path("sat4")), HELD, load(path("auv6"))]), ids=["sat4", "held", "auv6"]
+)
+def test_rounding_is_what_the_estimate_allows(stand: Stand) -> None:
     c = CBackend(stand, "float")
     scales = Scales(stand, "float")
     for motion in MOTIONS:
@@ -71,9 +75,10 @@ def test_rounding_is_what_the_estimate_allows(name: str) -> None:
                 assert (off <= FACTOR * UNIT * np.array(measured.scales[key])).all(), (want, motion)
 
 
-def test_generate_of_float_says_so_as_check_does(tmp_path: Path) -> None:
+@pytest.mark.parametrize("hold", ["", '[hold]\nfreedoms = ["x", "roll"]\n'], ids=["free", "held"])
+def test_generate_of_float_says_so_as_check_does(hold: str, tmp_path: Path) -> None:
     file = tmp_path / "heavy.toml"
-    file.write_text(dumps(heavy()))
+    file.write_text(dumps(heavy()) + hold)
     warned = [line for line in run("check", str(file)).stdout.splitlines() if line.startswith("warning: float: ")]
     result = run("generate", str(file), "--real", "float", "--only", "forward", "-o", str(tmp_path / "f"))
     unbalance, steps = result.stderr.splitlines()

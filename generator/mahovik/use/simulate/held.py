@@ -185,12 +185,7 @@ class LostIncrement:
 
 
 def lost_increments(stand: Stand, speeds: Sequence[float], dt: float) -> list[LostIncrement]:
-    """Flywheels that lose more than PART of an increment in float steps of `dt` (s) at these speeds (rad/s).
-
-    None of a held carrier, which has no steps yet.
-    """
-    if stand.hold is not None:
-        return []
+    """Flywheels that lose more than PART of an increment in float steps of `dt` (s) at these speeds (rad/s)."""
     result = []
     for flywheel, speed in zip(stand.flywheels, speeds, strict=True):
         J, motor = float(inertia_about_origin(flywheel)[0, 0]), flywheel.motor

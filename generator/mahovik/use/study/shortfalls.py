@@ -25,6 +25,7 @@ from mahovik.core.stand.model import COMPONENTS, Flywheel, Stand, State, Task, T
 from mahovik.proof import reference
 from mahovik.proof.reference import pieces
 from mahovik.proof.reference.algebra import Array, times
+from mahovik.proof.reference.evaluate import held_state
 from mahovik.proof.reference.inverse import CUTS, TaskRows, least_error, scaled_task, shares_of, task_rows
 from mahovik.proof.reference.motion import bias, forward, torque
 from mahovik.proof.reference.pieces import (
@@ -39,6 +40,7 @@ from mahovik.proof.reference.pieces import (
     velocity_matrix,
 )
 from mahovik.proof.verify.scales import Scales
+from mahovik.use.simulate.held import home
 
 WHOLE = Task("", tuple(TaskRow("", component) for component in COMPONENTS))
 """(12) as a whole, a task of all six components of V*."""
@@ -167,14 +169,14 @@ PART = 0.5
 DOUBLE_NOISE = 1e-13
 """Part of the scale: a smaller effect is rounding of the reference, from a flywheel without unbalance."""
 
-FEW, CLEARLY = 2, 100.0
+FEW, CLEARLY = 4, 10.0
 """Neighbours by which scales are first measured, and how far above rounding all effects are then surely resolved."""
 
 PHASES = 2
 """Phases a quarter turn apart, so that no component of a turning vector is missed; half a turn on is the opposite."""
 
 MOTIONS: Mapping[str, Vec6] = {"at rest": (0.0,) * 6, "moving by 1 m/s and 1 rad/s": (1.0,) * 6}
-"""Motions of the carrier, by their words in messages."""
+"""Motions V of the carrier, of a held one u, by their words in messages."""
 
 QUANTITIES = {
     "forward": ("V_dot", "the carrier's acceleration V_dot"),
@@ -222,11 +224,8 @@ def balanced_flywheel(flywheel: Flywheel) -> Flywheel:
 
 
 def shortfalls(stand: Stand, speeds: Sequence[float]) -> list[Unresolved]:
-    """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want.
-
-    None of a held carrier, which has no C in float yet.
-    """
-    if stand.hold is not None or not stand.flywheels or not _unresolved(stand, speeds, FEW, CLEARLY):
+    """Quantities that float does not resolve with flywheels at these speeds (rad/s); one per flywheel and want."""
+    if not stand.flywheels or not _unresolved(stand, speeds, FEW, CLEARLY):
         return []
     return _unresolved(stand, speeds, PERTURBATIONS, 1.0)
 
@@ -278,7 +277,7 @@ def _effects(scales: Scales, state: State, balanced: Stand, balanced_bodies: Bod
 def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     """V_dot of (8) and momentum (Nx6 each) with one flywheel after the other as in `balanced`, the rest as in `at`.
 
-    Flywheels add up in K, K*, J phi' and F. None accelerates, and the carrier is free.
+    Flywheels add up in K, K*, J phi' and F. None accelerates.
     """
     wheels = at.bodies.flywheels
     change = replace(wheels, Theta=balanced.bodies.flywheels.Theta - wheels.Theta)
@@ -287,11 +286,13 @@ def _with_one_balanced(at: Pieces, balanced: Pieces) -> dict[str, Array]:
     F = times(wheels.L, balanced.P_s - at.P_s)
     changed_bias = times(velocity_matrix(K, K_dot, at.V_r), at.V_r) + coupling_bias(change, at.V_r).T * turning
     K_changed, pull = at.K + K, at.F - bias(at) + F - changed_bias
-    unit = 1.0 / np.sqrt(np.abs(np.diagonal(K_changed, axis1=1, axis2=2)))  # K is scaled to a unit diagonal
-    scaled = K_changed * unit[:, :, None] * unit[:, None, :]
-    V_r_dot = unit * np.linalg.solve(scaled, (unit * pull)[..., None])[..., 0]
+    mass = at.S.T @ K_changed @ at.S  # of u_dot, V_dot = S u_dot
+    unit = 1.0 / np.sqrt(np.abs(np.diagonal(mass, axis1=1, axis2=2)))  # it is scaled to a unit diagonal
+    scaled = mass * unit[:, :, None] * unit[:, None, :]
+    asked = unit * ((pull - K_changed @ at.stream_rate()) @ at.S)
+    u_dot = unit * np.linalg.solve(scaled, asked[..., None])[..., 0]
     return {
-        "forward": at.V_dot(V_r_dot),
+        "forward": u_dot @ at.S.T,
         "momentum": momentum(at) + times(K, at.V) + coupling(change).T * turning,
     }
 
@@ -301,7 +302,8 @@ def states(stand: Stand, speeds: Sequence[float], motion: str) -> Iterator[State
     count = len(stand.flywheels)
     for k in range(PHASES):
         phases = tuple(0.3 + 0.1 * s + k * math.pi / 2 for s in range(count))
-        yield replace(rest_state(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
+        state = replace(home(stand), phi=phases, phi_dot=tuple(speeds), V=MOTIONS[motion])
+        yield held_state(stand, replace(state, u=state.V[: len(state.u)]))
 
 
 def shortfalls_line(short: Sequence[Unresolved]) -> str:
