@@ -22,7 +22,7 @@ from mahovik.errors import UsageError
 
 Rules = Mapping[str, Sequence[str]]
 Kinds = Mapping[str, tuple[str, list[Any]]]
-"""By argument the word for its value, "" for none, and the kinds of value that it takes beside None."""
+"""By argument: the name of the value that it expects ("" without one) and the types that are taken beside None."""
 
 HIDDEN = "hidden"
 """Word of an argument that the command line does not have."""

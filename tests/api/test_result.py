@@ -135,7 +135,7 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
 
 
 def test_samples_of_a_motion_are_a_table_with_a_row_a_moment(tmp_path: Path) -> None:
-    """As of one run, behind the number of the sample; each component of a twist has its own unit."""
+    """Columns: the number of the sample, then those of one run; each component of a twist has its own unit."""
     model = mahovik.build(mahovik.example("demo3"))
     tables = model.tables({"carrier.mass": np.array([9.0, 10.0])})
     result = model.simulate(2e-3, regime={"default": {"speed": 100.0}}, dt=1e-3, every=1e-3, tables=tables)

@@ -108,7 +108,7 @@ def test_unbalance_by_closed_form(unbalance: str, more: str, quantity: str, size
 
 
 def test_lengths_are_those_of_the_time_course() -> None:
-    """Of one frequency, and of several over all phases: lengths at many moments and phases come near, none is above."""
+    """No length at many moments and phases exceeds that of the lines, and the longest comes near it."""
     rng = np.random.default_rng(3)
     a = rng.standard_normal((4, 3, 3)) + 1j * rng.standard_normal((4, 3, 3))
     a[0, 1:], a[1, 0], a[1, 2] = 0.0, [1.0, 1j, 0.0], 0.0  # one line; a round and a plain ellipse

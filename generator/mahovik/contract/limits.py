@@ -58,21 +58,22 @@ FLOAT = Limits(
 LIMITS = {"double": DOUBLE, "float": FLOAT}
 
 SERVO_PERIOD, SERVO_MATRIX = 1e-9, 1e-8
-"""Of servos, relative: what depends on the period, as samples and periods in it are whole numbers below 2^31; the
-matrix of a trim, by its largest number: both sides solve the linear equations of a period."""
+"""Largest relative errors of a servo: of what depends on its period, since samples and periods in it are whole numbers
+below 2^31; of the matrix of a trim, by its largest number, since both sides solve the linear equations of a period."""
 
 SMOOTH, KINKED, RUNUP, DRIFT = 1e-6, 1e-5, 1e-5, 20
-"""Of a programme, shares. A stand with V|V| has forces of class C1 only, and over a period a mean that nothing may
-balance: a constant residual, of one amplitude's share, moves a floating carrier (2 pi)^2 / 2 amplitudes in a period."""
+"""Largest residuals of a programme as shares of its peaks: of smooth forces, of forces with V|V| (of class C1 only), of
+a run-up. DRIFT: how often larger the drift of a floating carrier in a period may be than this share of its amplitude,
+as a constant residual of it moves the carrier (2 pi)^2 / 2 amplitudes."""
 
 TABLE, JOINT, EXCEEDED = 0.03, 1e-6, 1 + 1e-9
-"""Of phi', phi'' in the table of a programme, share of their peaks: each row against its prediction by its neighbours;
-where two courses meet, share of peaks, rad for phi; a value over its bound: rounding of the program that kept it is no
-excess."""
+"""Of the table of a programme: largest difference of a row of phi', phi'' from what its neighbours predict, and largest
+jump where two courses meet, as shares of the peaks (of phi in rad). EXCEEDED: how often its bound a value may be, which
+leaves room for the rounding of the program that kept the bound."""
 
 BEGIN, END, ALONG = 1e-9, 1.0, 1e-6
-"""Of a slew: at its start (m, rad, s); from the demanded attitude or line of sight at the end, arcsec; from the
-shortest turn, share of it, and of what rests at the end from rest, share of its peak."""
+"""Largest errors of a slew: at its start (m, rad, s); at its end from the demanded attitude or line of sight (arcsec);
+along it from the shortest turn (share of that) and of the rest at its end (share of the peak)."""
 
 PERTURBATION: Mapping[str, float] = {"double": 2.0**-36, "float": 2.0**-18}
 """Relative change of every number of stand and state by which scales are measured.

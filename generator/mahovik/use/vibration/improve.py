@@ -241,7 +241,7 @@ class Improved(NamedTuple):
         return f"{self.before / self.after:.4g} times quieter"
 
     def remarks(self, start: Vibration, band: Band) -> list[str]:
-        """Which wheels stop, of which the first order leaves the band, and the speeds and phases, in words."""
+        """Sentences: wheels that stop, wheels with order 1 outside of the band, speed and phase of every wheel."""
         inside = [in_band(np.abs(x) / (2.0 * np.pi), band) & (x != 0.0) for x in (start.speeds[0], self.speeds)]
         still = np.flatnonzero((self.speeds == 0.0) & (start.speeds[0] != 0.0))
         gone = np.flatnonzero(inside[0] & ~inside[1] & (self.speeds != 0.0))
