@@ -89,6 +89,15 @@ def test_figures_are_in_a_unit_that_fits(values: list[float], unit: str, head: s
     assert lines[1].strip() == head and [float(line) for line in lines[3:] if line] == pytest.approx(shown)
 
 
+def test_rounding_beside_a_vector_is_shown_as_zero_and_kept_in_json() -> None:
+    """A vector in a table and a list beside it; small vectors and missing parts stay."""
+    rows = [[1.0, 3e-17, 0.5], [2e-17, 1e-20, np.nan]]
+    result = Result("", (column("x", "rad/s2", rows, "abc"),), meta={"rms": [1.0, 1e-19]})
+    cells = [line.split() for line in result.text().splitlines()]
+    assert cells[3:5] == [["1", "0", "0.5"], ["2e-17", "1e-20", "-"]] and ["rms:", "1", "0"] in cells
+    assert json.loads(result.to_json())["x"][0][1] == 3e-17
+
+
 def test_it_is_saved_by_the_end_of_the_name(tmp_path: Path) -> None:
     pandas = pytest.importorskip("pandas")
     result = orders()

@@ -53,6 +53,9 @@ UNITS: dict[str, tuple[tuple[str, float], ...]] = {
 FITS = 0.1, 1e5
 """A unit fits if the largest figure is at least the first, and below the second."""
 
+ROUNDING = 1e-14
+"""Part of the largest part of a vector below which a part is shown as zero."""
+
 CODES = {"bold": "1", "red": "31", "bold red": "1;31", "green": "32", "yellow": "33"}
 """Control characters of styles."""
 
@@ -94,7 +97,7 @@ class Column(NamedTuple):
         sizes, units = (
             self.values.shape[1:],
             self.unit.split(", "),
-        )  # of a twist that of the linear half, then of the other
+        )  # of a twist: of its linear half, of its angular half
         labels = product(*(axis.labels or range(size) for axis, size in zip(self.axes, sizes, strict=True)))
         return [
             Column(
@@ -453,8 +456,8 @@ class Result(Mapping[str, Any]):
                 continue
             one = Column(key, self.units.get(key, ""), np.array(parts, dtype=object))
             if not texts and not any(isinstance(part, bool | int) for part in parts):
-                one = fitted(one._replace(values=np.array(parts, dtype=np.float64)))
-            words = (", " if texts else "  ").join(map(cell_text, one.values))
+                one = fitted(one._replace(values=np.array([parts], dtype=np.float64)))
+            words = (", " if texts else "  ").join(map(cell_text, np.ravel(one.values)))
             yield f"{key_words(key)}: {words} {one.unit}".rstrip()
 
     def _repr_html_(self) -> str:
@@ -555,8 +558,12 @@ def quantity_text(value: float, unit: str) -> str:
 
 
 def fitted(one: Column) -> Column:
-    """A column in the unit for people."""
+    """A column in the unit for people; the part of a vector that is rounding of its largest part is zero."""
     unit = _unit_that_fits(one)
+    if one.values.ndim > 1 and one.values.dtype.kind == "f":
+        size = np.abs(one.values)
+        dust = size < ROUNDING * np.max(size, axis=-1, keepdims=True, initial=0.0, where=np.isfinite(size))
+        one = one._replace(values=np.where(dust, 0.0, one.values))
     return one if unit is None else one._replace(unit=unit[0], values=one.values / unit[1])
 
 

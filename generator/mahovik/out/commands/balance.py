@@ -21,10 +21,7 @@ NOTHING = 1e-12
 """Part of the largest vibration before that is written as zero."""
 
 
-@command(
-    needs={"stand": ("data", "plane"), "influence": ("method",)},
-    excludes={"influence": ("data", "plane")},
-)
+@command(needs={"stand": ("data", "plane"), "influence": ("method",)}, excludes={"influence": ("data", "plane")})
 def balance(
     stand: StandGiven | None = None,
     *,

@@ -34,10 +34,7 @@ COARSEST = 0.01
 """Largest accepted difference of derived accelerations."""
 
 
-@command(
-    needs={"fmu": ("map",), "map": ("fmu",), "with_": ("attitude",)},
-    excludes={"log": ("states", "timeout")},
-)
+@command(needs={"fmu": ("map",), "map": ("fmu",), "with_": ("attitude",)}, excludes={"log": ("states", "timeout")})
 def judge(
     stand: StandPath,
     *,
