@@ -219,13 +219,11 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
     axes, swept = seen.axes, vibration.plan.sweep is not None
     sums = {name: values[:, : len(axes)] for name, values in vibration.sums(band)._asdict().items()}
     lengths = vibration.lengths(band)._asdict()
-    words = f" in {band[0]:g}..{band[1]:g} Hz" if band else ""
+    words = f"{seen.frame} in {band[0]:g}..{band[1]:g} Hz" if band else seen.frame
     about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
-    units = dict.fromkeys(("rms", "peak", "worst", "length", "before", "after"), unit) | {
-        "speeds": "rad/s",
-        "phases": "rad",
-    }
+    units = dict.fromkeys(("rms", "peak", "worst", "length", "before", "after"), unit)
+    units |= {"speeds": "rad/s", "phases": "rad"}
     title, columns, index = f"{stand.name}: {seen.quantity} of {seen.name}{words}", _orders(vibration, band), ""
     if not swept:
         of_length = {name: values[0] for name, values in lengths.items()}

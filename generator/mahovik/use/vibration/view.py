@@ -129,6 +129,7 @@ class View:
     rows      (3, 6): the quantity's integral of order `power`, to first order in the carrier's pose (x, r) about rest
     values    the quantity itself (M, 3)
     parts     points, and for each (3, 6): that integral from displacement and turning of the point in its axes
+    frame     what its columns are along, in words
     """
 
     name: str
@@ -138,6 +139,7 @@ class View:
     rows: Array
     values: Callable[[FullMotion], Array]
     parts: tuple[tuple[Place, Array], ...] = ()
+    frame: str = ""
 
     @staticmethod
     def of(place: Place, quantity: str) -> View:
@@ -154,7 +156,7 @@ class View:
             return point_motion(place, motion.y, motion.V_dot)[measure.power]
 
         parts = ((place, part),)
-        return View(place.name, AXES, quantity, measure, _rows(parts), values, parts)
+        return View(place.name, AXES, quantity, measure, _rows(parts), values, parts, " along its axes")
 
     @staticmethod
     def sight(name: str, parts: tuple[tuple[Place, Array], ...]) -> View:
@@ -229,6 +231,11 @@ class LoadView:
     def measure(self) -> Quantity:
         """Unit and kind of the quantity."""
         return LOADS[self.quantity]
+
+    @property
+    def frame(self) -> str:
+        """What it acts on, and what its columns are along."""
+        return " on the carrier, in E1 about O1" if self.wheel is None else " from its mount, along the mount's axes"
 
     @property
     def rows(self) -> slice:
