@@ -140,13 +140,15 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
     verdict, words = row("excess = DEMO3_EXCESSIVE -> excess = DEMO3_OK")
     assert verdict == "not compared"
     assert words.startswith(by_hand)
-    assert words.endswith("wrote it: excessive (internal, of inverse)")
+    assert "wrote it: excessive (internal, of inverse); demo3.c, line " in words
+    assert words.endswith(": found `excess = DEMO3_OK;`, expected `excess = DEMO3_EXCESSIVE;`")
     assert row("0.0 ->  0.0 ")[1].count(" and ") >= 1  # more than are listed are counted
     other = files["demo3.c"].replace("motion of", "motion, of")
     listed = json.loads(manifest(DEMO, "double", files | {"demo3.c": other})) | {"generator": "mahovik 0.0.1"}
     words = row(**{"demo3.c": other, "manifest.json": json.dumps(listed)})[1]
     assert words == "of mahovik 0.0.1: demo3.c outside of functions"
     words = row(**{"demo3.h": files["demo3.h"].replace("DEMO3_LARGEST            1", "DEMO3_LARGEST            2")})[1]
-    assert "within (internal, of forward, " in words and words.endswith("demo3.h outside of functions")
+    assert "within (internal, of forward, " in words and "; demo3.h outside of functions; demo3.h, line " in words
+    assert row(**{"demo3.h": files["demo3.h"] + "\n"})[1].endswith("found ``, expected `end of the file`")
     (tmp_path / "manifest.json").unlink()
     assert "manifest.json is missing" in check_text(DEMO, made, tmp_path).words

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,8 @@ NEAR_SINGULAR = {"double": 1e-6, "float": 1e-3}
 BATCH = "batch C = as generated"
 
 JUDGED_APART = "what it does is judged by `verify` with programme and motion, or with servo"
+
+BY_HAND = "edited by hand"
 
 SHOWN = 6
 """Names that a line lists; the rest are counted."""
@@ -83,13 +86,23 @@ def check_text(stand: Stand, generated: Generated, folder: Path) -> Check:
     recorded = (folder / f"{VERIFICATION}{stand.name}_recorder.c").is_file()
     expected = {**generated.files, **(recorder_files(stand, generated) if recorded else {})}
     there = {name: text for name in expected if (text := _text(folder / name)) is not None}
-    edited = {name for name, text in there.items() if text != expected[name]}
+    edited = [name for name, text in there.items() if text != expected[name]]
     if edited:
         row.verdict = "not compared"
-        row.words = (
-            f"{_author(folder, edited)}: {_places(stand.name, declared_functions(folder, stand.name), expected, there)}"
+        places = _places(stand.name, declared_functions(folder, stand.name), expected, there)
+        author = _author(folder, edited)
+        first = (
+            f"; {edited[0]}, {_first_difference(there[edited[0]], expected[edited[0]])}" if BY_HAND in author else ""
         )
+        row.words = f"{author}: {places}{first}"
     return row
+
+
+def _first_difference(text: str, expected: str) -> str:
+    """The first line of a text that differs from what is expected, in words."""
+    pairs = zip_longest(text.split("\n"), expected.split("\n"), fillvalue="end of the file")
+    number, found, wanted = next((k, a.strip(), b.strip()) for k, (a, b) in enumerate(pairs, 1) if a != b)
+    return f"line {number}: found `{found}`, expected `{wanted}`"
 
 
 def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | None:
@@ -134,11 +147,11 @@ def _author(folder: Path, edited: Iterable[str]) -> str:
     except UsageError:
         manifest = None
     if manifest is None:
-        return f"of another version or edited by hand, {MANIFEST} is missing"
+        return f"of another version or {BY_HAND}, {MANIFEST} is missing"
     for name in edited:
         content = (folder / name).read_bytes()
         if manifest["files"].get(name) not in (digest(content), digest(content.replace(b"\r\n", b"\n"))):
-            return f"edited by hand after {manifest['generator']} wrote it"
+            return f"{BY_HAND} after {manifest['generator']} wrote it"
     build = "another build of " if manifest["generator"] == f"mahovik {__version__}" else ""
     return f"of {build}{manifest['generator']}"
 
