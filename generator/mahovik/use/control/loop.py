@@ -680,9 +680,9 @@ class Errors:
         result = [
             f"error of the carrier {100 * self.share:.3g} % of its amplitude (rms {100 * self.share_rms:.3g} %), "
             f"{about}; {of}",
-            f"flywheels: at most {1e3 * self.apart[furthest]:.3g} mrad from the programme ({names[furthest]}); torque "
-            f"at most {torques[strongest]:.4g} N m ({names[strongest]}), cut in {record.limited} of {len(record.t)} "
-            "samples",
+            f"flywheels: at most {1e3 * self.apart[furthest]:.3g} mrad from the programme ({names[furthest]}); "
+            f"motor and friction at most {torques[strongest]:.4g} N m ({names[strongest]}), "
+            f"cut in {record.limited} of {len(record.t)} samples",
         ]
         if self.slew is not None:
             angle, rate = (math.degrees(self.slew[key]) * 3600 for key in ("angle", "rate"))
