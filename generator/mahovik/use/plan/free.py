@@ -57,6 +57,8 @@ SEARCH_STEPS = 2000
 """Steps of the planner for one stand, where it searches the flywheels' motion itself."""
 DRAWN = 64
 """Starts drawn for one that is refined: the nearest to (12) at constant speed."""
+AT_END, SHOWN = 1e-6, 6
+"""Part of its interval within which a number is at an end of it; numbers that a warning names."""
 KNEE = 0.97
 """Part of a bound of the motion file that the least squares keep to."""
 _NO_LIMIT = 10**9
@@ -384,8 +386,13 @@ def _planned(
     plan = plan_motion(stand, motion, options, on_progress)
     if not plan.programmes:
         return FreePlan(plan)
-    pairs = zip(problem.unknowns, np.clip(y, *problem.box).tolist(), strict=True)
+    pairs = [*zip(problem.unknowns, np.clip(y, *problem.box).tolist(), strict=True)]
     changes = [(x.path, x.dimension.si, x.value, after) for unknown, after in pairs for x in unknown.numbers]
+    ends = [one for one, after in pairs if min(after - one.low, one.high - after) <= AT_END * (one.high - one.low)]
+    if ends:
+        names = ", ".join(one.numbers[0].path for one in ends[:SHOWN]) + (" and more" if len(ends) > SHOWN else "")
+        words = f"at an end of the interval in which they were free to move: {names}"
+        plan = replace(plan, warnings=(*plan.warnings, words))
     return FreePlan(plan, document, tuple(changes))
 
 
