@@ -334,6 +334,8 @@ def _graded(pattern: str, raw: Mapping[str, Any], numbers: StandNumbers) -> Iter
         share = _read("share", lambda value: _distribution(value, of), left)
         low, high = _read("share", lambda value: _ends(share, value, of), left)
     wheels = pattern.removesuffix(".static")
+    if not wheels.endswith(".unbalance"):
+        raise QuantityError("grade: limits the static unbalance, expected it of FLYWHEEL.unbalance")
     statics, angles = numbers.find(f"{wheels}.static"), numbers.find(f"{wheels}.static_at")
     for static, angle in zip(statics, angles, strict=True):
         most = permissible_unbalance(grade, speed, numbers.mass(static.body))
