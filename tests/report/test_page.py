@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from html import unescape
 from pathlib import Path
 
+import matplotlib
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from cli.run import run
 from mahovik import stands
@@ -15,7 +19,7 @@ from mahovik.core.stand import load
 from mahovik.out.api.stands import Stand
 from mahovik.out.commands.check import check
 from mahovik.out.commands.report import limits_part, modes_part, report, requirements_part, vibration_part
-from mahovik.out.plots import BINS, Line, Panel, column_panels, draw, envelope
+from mahovik.out.plots import BINS, Line, Panel, column_panels, draw, envelope, make_figure
 from mahovik.out.report.page import Part, page, picture
 from mahovik.out.result import Result, column
 from report.chromium import Opened, launched
@@ -41,9 +45,17 @@ def test_text_is_escaped_and_nothing_is_loaded() -> None:
     assert not re.search(r"(https?:|file:|@import|//[a-z])", addresses)
 
 
-def test_a_picture_is_the_same_text_again() -> None:
+def test_a_picture_has_the_texts_of_matplotlib_and_is_the_same_again() -> None:
+    """Ticks of steps of 0.005 and names with many digits; places in the drawing have two."""
     x = np.linspace(0.0, 1.0, 7)
-    assert picture([Panel("y", (Line("a", x, x),))]) == picture([Panel("y", (Line("a", x, x),))])
+    panels = [Panel("y 0.12345", (Line("1.00001", x, 0.025 * x), Line("x < 0.125", x, 0.01 * x)))]
+    with matplotlib.rc_context({"svg.fonttype": "none"}):
+        figure, _ = make_figure(Figure, "", panels)
+        figure.draw_without_rendering()
+    drawn = str(picture(panels))
+    texts = set(map(unescape, re.findall(r"<text[^>]*>([^<]*)</text>", drawn)))
+    assert {"0.005", "0.020", "1.00001"} < texts < {text.get_text() for text in figure.findobj(Text)}
+    assert not re.search(r"\d\.\d{3}", re.sub(r">[^<]*<|label=\S+ \S+", "><", drawn)) and drawn == picture(panels)
 
 
 def test_vibration_and_requirements_at_points() -> None:

@@ -88,7 +88,8 @@ def inline(drawn: Any, label: str) -> Markup:
         drawn.savefig(stream, format="svg", transparent=True, metadata={"Date": None, "Creator": None})
     svg = stream.getvalue()
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg[svg.index("<svg") :], flags=re.DOTALL)
-    svg = re.sub(r"(\d\.\d\d)\d+", r"\1", svg)  # a hundredth of a point is enough
+    # a hundredth of a point is enough; texts between the tags stay as they are
+    svg = re.sub("<[^>]+>", lambda tag: re.sub(r"(\d\.\d\d)\d+", r"\1", tag[0]), svg)
     svg = svg.replace('<g id="', '<g data-id="')  # groups that nothing refers to
     salt = hashlib.sha256(svg.encode()).hexdigest()[:8]  # no other picture of the page has these names
     svg = re.sub(r'( id="|"#|url\(#)', rf"\g<1>{salt}", svg)
