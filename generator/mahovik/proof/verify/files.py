@@ -101,8 +101,8 @@ def check_text(stand: Stand, generated: Generated, folder: Path) -> Check:
 def _first_difference(text: str, expected: str) -> str:
     """The first line of a text that differs from what is expected, in words."""
     pairs = zip_longest(text.split("\n"), expected.split("\n"), fillvalue="end of the file")
-    number, found, wanted = next((k, a.strip(), b.strip()) for k, (a, b) in enumerate(pairs, 1) if a != b)
-    return f"line {number}: found `{found}`, expected `{wanted}`"
+    number, actual, wanted = next((k, a.strip(), b.strip()) for k, (a, b) in enumerate(pairs, 1) if a != b)
+    return f"line {number}: found `{actual}`, expected `{wanted}`"
 
 
 def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | None:
