@@ -229,6 +229,10 @@ def test_requirements_on_a_force() -> None:
     assert result["requirements"][0]["value"] == pytest.approx(72e-6 * w**2 / math.sqrt(2), rel=1e-9)
     assert result["requirements"][0]["met"] and result["units"]["rms"] == "N"
     assert run(*asked, "--require", "worst 7 N").exit_code == 1
+    words = command(
+        stand, speed="wheel=0..3000rpm", at="hold.reaction", steps=4, require=["rms 6000 mN 0..1e3Hz"]
+    ).text()
+    assert "met: rms 6000 mN 0..1e3Hz: 5025 mN on " in words and " at 3000 rpm, 0.837 times the limit" in words
     assert "expected a force" in refused(*asked, "--require", "rms 1 arcsec")
 
 

@@ -308,17 +308,22 @@ WORDS = {
     "N m": "a moment",
 }
 
-_TEXT = re.compile(r"\s*(\w+)\s+([-+\d.eE]+\s*[^\d\s.eE+-].*?)(?:\s+([\d.eE+-]+)\s*\.\.\s*([\d.eE+-]+)\s*Hz)?\s*")
+_TEXT = re.compile(r"\s*(\w+)\s+([-+\d.eE]+)\s*([^\d\s.eE+-].*?)(?:\s+([\d.eE+-]+)\s*\.\.\s*([\d.eE+-]+)\s*Hz)?\s*")
 
 
 @dataclass(frozen=True)
 class Requirement:
-    """A limit (SI) of a sum, rms, peak or worst, on every axis and at every speed; band in Hz, None: all."""
+    """A limit (SI) of a sum, rms, peak or worst, on every axis and at every speed.
+
+    band  Hz; None: all
+    unit  that of the text, and its size in SI
+    """
 
     text: str
     sum: str
     limit: float
     band: tuple[float, float] | None = None
+    unit: tuple[str, float] = ("", 1.0)
 
 
 def read_requirements(texts: Sequence[str], name: str, unit: str) -> tuple[Requirement, ...]:
@@ -334,13 +339,13 @@ def _read(text: str, dimension: Dimension) -> Requirement:
         raise UsageError(
             f'require {text}: expected rms, peak or worst and a limit with a unit, as "rms 0.1 arcsec 10..200Hz"'
         )
-    if ".." in parts[2]:
+    if ".." in parts[3]:
         raise UsageError(f'require {text}: expected a band with its unit at the end, as "10..200Hz"')
     try:
-        limit = number(parts[2], dimension)
-        band = (float(parts[3]), float(parts[4])) if parts[3] else None
+        limit = number(f"{parts[2]} {parts[3]}", dimension)
+        band = (float(parts[4]), float(parts[5])) if parts[4] else None
     except (QuantityError, ValueError) as error:
         raise UsageError(f"require {text}: {error}") from None
     if not (limit > 0.0 and (band is None or 0.0 <= band[0] < band[1] < np.inf)):
         raise UsageError(f"require {text}: expected a limit above 0, and the lower frequency first")
-    return Requirement(" ".join(text.split()), parts[1].lower(), limit, band)
+    return Requirement(" ".join(text.split()), parts[1].lower(), limit, band, (parts[3], limit / float(parts[2])))

@@ -275,11 +275,16 @@ class Vibration:
 
     def verdict_words(self, verdict: Verdict) -> str:
         """A requirement and how far it is met, in words."""
-        said = f"{'met' if verdict.met else 'FAILED'}: {verdict.requirement.text}"
+        wanted, axes = verdict.requirement, self.seen.axes
+        said = f"{'met' if verdict.met else 'FAILED'}: {wanted.text}"
         where = f" at {self.rpm(verdict.step)}" if self.plan.sweep is not None else ""
         if not np.isfinite(verdict.value):
             return f"{said}: there is no steady motion{where}"
-        return f"{said}: {100.0 * verdict.value / verdict.requirement.limit:.4g} % of it{where}"
+        unit, size = wanted.unit
+        largest = f"{verdict.value / size:.4g} {unit} on {axes[min(verdict.axis, len(axes) - 1)]}{where}"
+        tolerant = " with the makers' tolerances" if any(name.tolerance for name in self.lines.names) else ""
+        share = float(f"{verdict.value / wanted.limit:.3g}")
+        return f"{said}: {largest}{tolerant}, {share:g} times the limit"
 
     def remarks(self) -> list[str]:
         """Sentences on accuracy, problems, stability, and what is held."""
