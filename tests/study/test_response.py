@@ -17,7 +17,7 @@ from mahovik.stands import path
 from mahovik.use.simulate.case import Case
 from mahovik.use.simulate.run import simulate
 from mahovik.use.study.linear import linear_model
-from mahovik.use.vibration.lines import rms
+from mahovik.use.vibration.lines import LineName, Lines
 from mahovik.use.vibration.plant import Scene
 from mahovik.use.vibration.speeds import common_period, read_speeds
 from mahovik.use.vibration.steady import Steady, steady
@@ -172,11 +172,11 @@ def test_a_heavy_unbalance_is_unstable() -> None:
 
 
 def test_rms_of_a_band() -> None:
-    amplitudes = np.array([[9.0, 0, 0], [3.0, 0, 0], [4.0j, 1.0, 0]])
-    frequencies = np.array([0.0, 10.0, 20.0])
-    assert np.allclose(rms(amplitudes, frequencies), [5 / math.sqrt(2), 1 / math.sqrt(2), 0])
-    assert np.allclose(rms(amplitudes, frequencies, (5.0, 15.0)), [3 / math.sqrt(2), 0, 0])
-    assert np.allclose(rms(amplitudes, frequencies, (20.0, 30.0))[0], 4 / math.sqrt(2))
+    amplitudes = np.array([[[3.0, 0, 0], [4.0j, 1.0, 0]]])
+    lines = Lines((LineName("w", 1.0), LineName("w", 2.0)), np.array([[10.0, 20.0]]), amplitudes)
+    assert np.allclose(lines.sums().rms, [5 / math.sqrt(2), 1 / math.sqrt(2), 0])
+    assert np.allclose(lines.sums(band=(5.0, 15.0)).rms, [3 / math.sqrt(2), 0, 0])
+    assert np.allclose(lines.sums(band=(20.0, 30.0)).rms[0, 0], 4 / math.sqrt(2))
 
 
 POSE_AND_V = (

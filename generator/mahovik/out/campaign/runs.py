@@ -41,7 +41,7 @@ from mahovik.use.simulate.case import HINT, START_KEYS, Case, read_start
 from mahovik.use.simulate.course import FUNCTIONS, Moments, motion, parts_of, stand_for, why_refused
 from mahovik.use.simulate.held import allowed_start
 from mahovik.use.study.rest import accuracy, rest
-from mahovik.use.vibration.lines import rms
+from mahovik.use.vibration.lines import LineName, Lines
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import steady
 from mahovik.use.vibration.view import REACTION, find_view
@@ -430,12 +430,11 @@ def _steady(stand: Stand, over: SpeedsTable, quantities: Sequence[Quantity]) -> 
         motion, numbers = steady(variant, plan.speeds(0.0), phases), {}
         for q in quantities:
             view = find_view(variant, REACTION if q.at == HOLD else q.at, q.what)
-            chosen = [AXES.index(q.axis)] if q.axis else [0, 1, 2]
-            if q.statistic == "peak":
-                numbers[q.name] = np.linalg.norm(view.full(motion.full())[:, chosen], axis=1).max()
-            else:
-                frequency, a = motion.harmonics(view)
-                numbers[q.name] = np.linalg.norm(rms(a[:, chosen], frequency, q.band))
+            frequency, a = motion.harmonics(view)
+            moving, seen = frequency > 0.0, np.array([q.axis in ("", axis) for axis in AXES])
+            names = (LineName("", 1.0),) * int(moving.sum())
+            lines = Lines(names, frequency[None, moving], np.where(seen, a, 0.0)[None, moving])
+            numbers[q.name] = getattr(lines.lengths(np.zeros((1, 3)), q.band), q.statistic)[0]
         return {name: float(number) for name, number in numbers.items()}
 
     return numbers_of

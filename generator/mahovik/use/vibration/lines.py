@@ -72,12 +72,6 @@ def read_frequency(name: str, text: str) -> float:
         raise UsageError(f'{name} {text}: expected a frequency with its unit, as "35Hz"') from None
 
 
-def rms(amplitudes: Complex, frequencies: Array, band: tuple[float, float] | None = None) -> Array:
-    """Root of the mean square (3) of harmonics (H + 1, 3) above zero, or of those in a band (Hz)."""
-    kept = in_band(frequencies, band or (0.0, np.inf)) & (frequencies > 0.0)
-    return np.asarray(np.sqrt((np.abs(amplitudes[kept]) ** 2).sum(axis=0) / 2.0))
-
-
 SAME = 1e-9
 """Relative difference of frequencies below which two lines are one: a beat lasts years."""
 
