@@ -15,7 +15,7 @@ from mahovik.core.lower.values import Values
 from mahovik.core.program.function import Program
 from mahovik.core.stand import load
 from mahovik.core.stand.hold import FREEDOMS
-from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, Law, Stand
+from mahovik.core.stand.model import Body, Carrier, Freedom, Hold, Instrument, Law, Stand, StreamProfile
 from mahovik.core.stand.random import BARE, EVERYTHING, Features, random_stand
 from mahovik.laws.buoyancy.law import Buoyancy
 from mahovik.laws.damping.law import Damping
@@ -43,12 +43,14 @@ GENERAL = {
 
 AIR = replace(EVERYTHING, fluid=False, stream=False, tasks=0)
 STREAM = replace(AIR, stream=True)
+TWO_STATIONS = StreamProfile((0.0, 0.0, -1.0), (-10.0, 10.0), ((0.5, 0.0, 0.0), (0.1, 0.2, 0.0)))
 _HOME = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
 
 HELD = {
     "held3": (3, AIR, Hold((FREEDOMS["yaw"], FREEDOMS["z"]), (0.1, 0.2, 0.3), *_HOME)),
     "hinge5": (5, AIR, Hold((Freedom("turn", (1.0, -2.0, 0.5)),), (0.1, 0.2, 0.3), *_HOME)),
     "clamped4": (4, STREAM, Hold((), (0.0, 0.0, 0.0), *_HOME)),
+    "channel1": (1, replace(BARE, stream=True), Hold((FREEDOMS["pitch"],), *_HOME, _HOME[0])),
     "joint4": (4, STREAM, Hold(tuple(FREEDOMS[n] for n in ("roll", "pitch", "yaw")), (0.1, 0.2, 0.3), *_HOME)),
     "edge2": (
         2,
@@ -56,7 +58,7 @@ HELD = {
         Hold((Freedom("twist", twist=(1.0, 0.2, 0.0, 0.0, 0.0, 0.3)), FREEDOMS["yaw"]), *_HOME, _HOME[0]),
     ),
 }
-"""Random general stands whose carrier is held: name to flywheels, features and hold."""
+"""Random general stands whose carrier is held: name to flywheels, features and hold; a stream has TWO_STATIONS."""
 
 NAMES = (*examples.names(), *GENERAL)
 
@@ -67,7 +69,7 @@ def stand(name: str) -> Stand:
     if name in HELD:
         flywheels, features, hold = HELD[name]
         example = random_stand(np.random.default_rng(3), flywheels, features, name)
-        return replace(example, hold=hold)
+        return replace(example, hold=hold, profile=TWO_STATIONS if features.stream else None)
     if name in GENERAL:
         flywheels, features = GENERAL[name]
         return random_stand(np.random.default_rng(list(name.encode())), flywheels, features, name)

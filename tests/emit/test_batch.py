@@ -16,7 +16,13 @@ KINDS = ("bench8", "everything6", "everything0", "wet7", *HELD)
 LENGTHS = (1, 8, 9, 41)
 
 
-@pytest.fixture(params=["demo3", *(pytest.param(name, marks=pytest.mark.slow) for name in KINDS)], scope="module")
+QUICK = ("demo3", "channel1")
+
+
+@pytest.fixture(
+    params=[pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in (*KINDS, "demo3")],
+    scope="module",
+)
 def built(request: pytest.FixtureRequest) -> Batched:
     require("gcc", "gcc")
     return Batched(request.param)

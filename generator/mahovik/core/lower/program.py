@@ -202,11 +202,10 @@ def _add_prepare(lib: Library) -> None:
 
 
 def _add_wrenches(lib: Library) -> None:
-    """The laws of (7) that the stand has."""
-    layout = lib.layout
-    if not layout.wrenches:
+    """The stream and the laws of (7) that the stand has."""
+    stream.add_functions(lib)
+    if not lib.layout.wrenches:
         return
     wrenches.add_laws(lib)
     wrenches.add_check_actuators(lib)
-    stream.add_functions(lib)
     wrenches.add_external(lib)

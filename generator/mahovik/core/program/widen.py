@@ -415,13 +415,14 @@ def _on_ints(condition: Expr) -> bool:
 
 
 def _only_refuse(body: Statements) -> bool:
-    """Do statements write nothing but `refused`?"""
+    """Do statements write nothing but `refused` and variables of their own?"""
+    local = {id(s.variable) for s in statements(body) if isinstance(s, Declare)}
     for s in statements(body):
         match s:
             case Do(call):
                 fine = [a.name for a in call.signature.arguments if a.direction != "in"] == [REFUSED]
             case Set(place):
-                fine = place.root.name == REFUSED
+                fine = place.root.name == REFUSED or id(place.root) in local
             case _:
                 fine = isinstance(s, Let | Declare | Note | When)
         if not fine:
