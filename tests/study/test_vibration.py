@@ -401,6 +401,8 @@ def test_a_harmonic_against_the_wheel_meets_the_other_whirl(sense: str, size: fl
     )  # fmt: skip
     half, one = (result["amplitude"][result["order"] == order].sum(axis=0) for order in (0.5, 1.0))
     assert half == pytest.approx([size, size, 0.0], rel=2e-4)
+    sources = result["source"][result["order"] == 0.5].tolist()
+    assert len({*sources}) == len(sources) and ("maker radial moment backward" in sources) == ("backward" in sense)
     W, natural = 200.0 * np.pi, 2.0 * np.pi * 90.0
     through = natural**2 + 0.04j * natural * W
     forward = 1e-9 * W**2 * abs(through / (through - W**2 + 1.8 * W * W))

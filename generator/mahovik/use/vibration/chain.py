@@ -206,10 +206,10 @@ class Chain:
         larger = np.where(np.isnan(forward) | (np.abs(backward) <= np.abs(forward)), forward, backward)
         answer = np.where(sense == "forward", forward, np.where(sense == "backward", backward, larger))
         a = np.moveaxis(answer * size[:, :, None, :], 3, 2).reshape(len(speeds), -1, 3)
-        parts = [list(PARTS)[i] for i in there]
+        parts, sides = [list(PARTS)[i] for i in there], [" backward" * (word == "backward") for word in table.sense]
         names = [
-            LineName(self.names[s], float(order), MAKER, part, float(tolerance))
-            for order, tolerance in zip(table.order, table.tolerance, strict=True)
+            LineName(self.names[s], float(order), MAKER, part + side * part.startswith("radial"), float(tolerance))
+            for order, side, tolerance in zip(table.order, sides, table.tolerance, strict=True)
             for part in parts
         ]
         kept = (table.amplitude[:, there] > 0.0).ravel()

@@ -90,7 +90,8 @@ class LineName(NamedTuple):
     wheel      name of the flywheel; of several their names, as "rw1, rw2", or the combination, as "rw1 - 2 rw2"
     order      frequency over the flywheel's speed; of a combination the sum of its whole numbers
     source     UNBALANCE or COMBINATION: from (8); MAKER: from a table of harmonics, of unknown phase
-    part       what of the table: radial force, axial force, radial moment, axial moment; else empty
+    part       what of the table: radial force, axial force, radial moment, axial moment, of one that turns against the
+               wheel with "backward"; else empty
     tolerance  of the amplitude, relative: of a table
     """
 
