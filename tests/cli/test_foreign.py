@@ -116,8 +116,14 @@ def test_a_skeleton_answers_at_once(file: str) -> None:
 
 
 ECHO = "import sys, json\nfor l in sys.stdin:\n    d = json.loads(l)\n    "
+BY_QUATERNION = program(ECHO + 'print(json.dumps({"id": d["id"], "V_dot": d["quaternion"]}))')
 REFUSING = program(ECHO + 'print(json.dumps({"id": d["id"], "error": "no"}))')
 EMPTY = program(ECHO + 'print(json.dumps({"id": d["id"]}))')
+
+
+def test_a_program_that_reads_one_form_of_attitudes_is_told_the_option() -> None:
+    result = run("judge", DEMO3, "--states", "9", "--with", BY_QUATERNION, "--want", "forward")
+    assert "KeyError: 'quaternion'; some states have angles, others a quaternion: --attitude" in result.stdout
 
 
 def test_a_want_that_is_demanded_must_be_offered() -> None:

@@ -22,6 +22,9 @@ Array = NDArray[np.float64]
 ARMATURE = 5e-6
 """Inertia of a motor's armature, kg m2."""
 
+DRAG = 1e-16
+"""Moment over the cube of a speed, N m s3: seen at large speeds alone."""
+
 
 def turn(axis: int, angle: float) -> Array:
     """Rotation about an axis, rad."""
@@ -142,6 +145,10 @@ class Rig:
             force = k.mass * (acceleration - g)
             moment = J @ turning + (-1 if fault == "gyroscopic" and s >= 0 else 1) * np.cross(Omega, J @ Omega)
             arm = np.cross(r, k.mass * acceleration) + moment
+            if fault in ("spin", "spin and drag") and s >= 0:
+                arm = arm - 2 * np.cross(w, (J + k.mass * (r @ r * np.eye(3) - np.outer(r, r))) @ spin)
+            if fault == "spin and drag" and s >= 0:
+                arm = arm + DRAG * speed[s] ** 3 * e
             arm = arm - (0 if fault == "weight" and s >= 0 else np.cross(r, k.mass * g))
             total += np.concatenate([force, np.cross(k.place, force) + arm])
             if s >= 0:

@@ -6,6 +6,7 @@ import copy
 import json
 import sys
 import tomllib
+import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -48,6 +49,7 @@ FAULTS: dict[str, Any] = {
     "wrench": "run-time wrenches taken in the axes of E0",
     "displacement": "displacement of the suspension not turned into the axes of E1",
     "gyroscopic": ("flywheels", "Omega x J Omega", -1.0, 1.0),
+    "spin": ("flywheels", "phi_dot omega x J_O e", -1.0, 1.0),
     "coriolis": ("flywheels", "m phi_dot omega x (e x r)", 1.0, 2.0),
     "omega x u": ("flywheels", "J phi_dot omega x e", 0.0, 1.0),
     "still axis": ("flywheels", "Theta_s (0, omega x e) phi_dot", 0.0, 1.0),
@@ -79,7 +81,7 @@ NUMBERS: dict[str, float] = {
 }
 """Numbers of the file that the program has otherwise."""
 
-QUICK = ("scalar last", "buoyancy", "carrier.mass", "suspension.damping[5][5]")
+QUICK = ("scalar last", "spin", "buoyancy", "carrier.mass", "suspension.damping[5][5]")
 
 
 @cache
@@ -144,6 +146,13 @@ def test_a_fault_in_the_code_is_named(fault: str) -> None:
         assert part.factor == pytest.approx(factor, abs=1e-6) and part.expected == wanted
 
 
+def test_what_a_term_leaves_at_large_speeds_is_said() -> None:
+    diagnosis = diagnosis_of(Rig(tomllib.loads(TEXT), "spin and drag"))
+    words = " ".join(sentences(diagnosis))
+    assert diagnosis.verdict == "approximate" and 0.0 < diagnosis.unexplained < 1e-3
+    assert "phi_dot omega x J_O e has the wrong sign" in words and "nothing is left" not in words
+
+
 @pytest.mark.parametrize("path", marked(NUMBERS))
 def test_a_wrong_number_is_named_with_its_value(path: str) -> None:
     diagnosis = diagnosis_of(Rig(with_number(path, NUMBERS[path])))
@@ -163,13 +172,17 @@ def test_the_right_program_has_no_fault() -> None:
 
 
 def test_the_command_names_a_number(tmp_path: Path) -> None:
-    """The program is a process that speaks JSON; the number is right to the digits that it prints."""
+    """The program is a process that speaks JSON; the number is right to the digits that it prints; JUnit has it too."""
     wrong = tmp_path / "wrong.toml"
     wrong.write_text(TEXT.replace("mass = 2.0\n", "mass = 2.01\n"), encoding="utf-8")
     file = tmp_path / "rig.toml"
     file.write_text(TEXT, encoding="utf-8")
-    result = mahovik.judge(file, with_=f"{sys.executable} {FOLDER / 'rig.py'} {wrong}", explain=True, states=20)
+    command, junit = f"{sys.executable} {FOLDER / 'rig.py'} {wrong}", tmp_path / "junit.xml"
+    result = mahovik.judge(file, with_=command, explain=True, states=20, junit=junit)
     assert "carrier.mass: 2.01 kg explains the error to rounding (double); the file has 2" in result.messages
+    suite = ET.fromstring(junit.read_text(encoding="utf-8"))
+    assert suite.get("name") == "mahovik judge rig"
+    assert all((case.text or "").startswith("carrier.mass: 2.01 kg explains") for case in suite.iter("failure"))
     diagnosis = result["diagnosis"]
     assert diagnosis["found"] == [
         {"number": "carrier.mass", "value": 2.01, "expected": 2.0, "unit": "kg", "share": 1.0}

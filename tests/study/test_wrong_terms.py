@@ -268,7 +268,7 @@ def test_a_diagnosis_by_terms_as_data() -> None:
     diagnosis = UNKNOWN.with_terms(search_terms("pendulum", wrong_arm("pendulum")))
     data = as_object(diagnosis)
     assert (data["verdict"], data["found"][0]["term"], data["found"][0]["component"]) == ("named", "g_x", "M")
-    assert data["unexplained"] < 1e-9
+    assert data["unexplained"] == 0.0
 
 
 VEHICLES = Path(__file__).parents[2] / "docs" / "vehicles"

@@ -186,4 +186,4 @@ def _explained(
             report = replace(report, error=str(error))
         else:
             more, words = {"diagnosis": as_object(diagnosis)}, tuple(sentences(diagnosis))
-    return report_result(report, more=more, words=words, everything=True, junit=junit)
+    return report_result(report, more=more, words=words, everything=True, junit=junit, command="judge")

@@ -306,7 +306,7 @@ def _cost(stand: Stand, folder: Path | None, targets: str | None, real: str | No
 
 def report_result(
     report: Report, *, by: str = "", more: Mapping[str, Any] | None = None, words: Sequence[str] = (),
-    everything: bool = False, junit: Any = None, worst: Any = None,
+    everything: bool = False, junit: Any = None, worst: Any = None, command: str = "verify",
 ) -> Result:  # fmt: skip
     """The result of a report: a line for each function, and `rows` with every check.
 
@@ -319,7 +319,7 @@ def report_result(
     named = {row.judged for row in report.rows if row.judged}
     by = by or ("want" if named <= {*ALL_WANTS} else "function" if all(map(is_public, named)) else "judge")
     if junit is not None:
-        write(Path(junit), as_junit(report))
+        write(Path(junit), as_junit(report, command, words))
     messages = [f"error: {report.error}"] if report.error else []
     if report.left_out:
         messages.append(f"the stand without: {', '.join(report.left_out)}")

@@ -299,9 +299,11 @@ QUATERNION: Mapping[str, Change] = {
     "given with the scalar last to what reads it scalar first": lambda q, at: np.roll(q, -1),
     "conjugated": lambda q, at: q * [1, -1, -1, -1],
     "read with the scalar last, and conjugated": lambda q, at: np.roll(q, 1) * [1, -1, -1, -1],
+    "ignored": lambda q, at: np.eye(4)[0],
 }
 ANGLES: Mapping[str, Change] = {
     "in degrees": lambda a, at: DEGREE * a, "in reverse order": lambda a, at: a[::-1], SIGN[0]: SIGN[1],
+    "ignored": lambda a, at: 0.0 * a,
 }  # fmt: skip
 SIXES: Mapping[str, Change] = {
     FIRST[0]: FIRST[1],

@@ -168,12 +168,20 @@ DRIVE = "J11 phi_ddot of the drive alone"
 BEYOND = 10.0
 """A component is wrong whose error is more than its rounding times this."""
 
-ZERO = 1e-9
-"""Part of the largest term of a component below which another is rounding."""
+ZERO, SIMPLE = 1e-9, 1e-6
+"""Part of the largest term of a component below which another is rounding; rounding of twice a simple factor."""
+
+LIKELY = 16
+"""Terms, and pairs of them, that are tried: those that explain most."""
+
+FLYWHEELS, ALL = "flywheels", "all bodies"
+"""Names of sums of terms over bodies."""
 
 Term = tuple[str, str, float]
-"""Bodies that have it; the term on the left-hand side, with e the spin axis and r from the origin of the body to its
-mass centre; its factor in the right equations."""
+"""Bodies that have it; the term on the left-hand side, see TERMS_OF_BODIES; its factor in the right equations."""
+
+TERMS_OF_BODIES = "J is about the body's mass centre, J_O about its origin; r is from there to that, e the spin axis"
+"""What stands in terms of bodies."""
 
 
 def body_terms(states: Sequence[State], at: Sequence[Pieces], equations: str, rows: Array) -> dict[Term, Array]:
@@ -198,53 +206,84 @@ def body_terms(states: Sequence[State], at: Sequence[Pieces], equations: str, ro
                 single.setdefault((k.body.name, name, factor), np.zeros((len(at), row.size)))[i] = row
     wheels = {body.name for body in at[0].bodies.flywheels.bodies}
     sums: dict[Term, Array] = {}
-    for together, names in (("flywheels", wheels), ("all bodies", set(at[0].terms))):
+    for together, names in ((FLYWHEELS, wheels), (ALL, set(at[0].terms))):
         for _, name, factor in dict.fromkeys((together, *key[1:]) for key in single):
             parts = [x for (body, *term), x in single.items() if term == [name, factor] and body in names]
             bodies = {body for body, *term in single if term == [name, factor]}
-            if len(parts) > 1 and not (together == "all bodies" and bodies <= wheels):
+            if len(parts) > 1 and not (together == ALL and bodies <= wheels):
                 sums[together, name, factor] = np.sum(parts, axis=0)
     return single | sums
 
 
-def explain(
-    error: Array, terms: Mapping[Term, Array], rounding: Array, first: Sequence[Term] = ()
-) -> dict[Term, float]:
-    """One term, or two, with the errors of their factors, that leave no more than `rounding` of an error (n, c).
+@dataclass(frozen=True)
+class Explanation:
+    """A few terms that explain an error.
 
-    `first`: terms that come before others that explain it as well. Empty if none does.
+    factors  errors of their factors
+    left     part of the error that they leave, 0 to 1; 0 where this is rounding
     """
-    size_of_error = np.sqrt(np.mean(error**2, axis=0))
-    unit = np.maximum(size_of_error, rounding)
-    e, wrong = (error / unit).ravel(), np.tile(size_of_error > BEYOND * rounding, len(error))
-    noise = np.tile(rounding / unit, len(error))
+
+    factors: Mapping[Term, float]
+    left: float
+
+
+def is_wrong(error: Array, checked: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Mask of the components (c) in which an error over rounding (n, c) is more: at most rows, or at a checked one."""
+    return np.asarray(
+        (np.sqrt(np.mean(error[~checked] ** 2, axis=0)) > BEYOND) | (np.abs(error[checked]) > 1.0).any(axis=0)
+    )
+
+
+def _is_simple(factor: float) -> bool:
+    """Whether a program may have this factor by a mistake: -1, 0, 1/2, ..."""
+    return abs(2.0 * factor - round(2.0 * factor)) <= SIMPLE
+
+
+def explain(
+    error: Array, terms: Mapping[Term, Array], noise: Array, checked: NDArray[np.bool_], first: Sequence[Term] = ()
+) -> Explanation | None:
+    """The fewest terms that explain an error (n, c): one, two, or one in each body; None where none do.
+
+    noise    rounding (n, c) of a right program; checked: rows (n) of which no number may be off by more
+    first    terms that come before others that explain it as well; so do those with a simple factor
+    """
     largest = np.max([np.abs(x).max(axis=0) for x in terms.values()], axis=0)
     there = [term for term, x in terms.items() if (np.abs(x).max(axis=0) > ZERO * largest).any()]
-    A = np.column_stack([(terms[term] / unit).ravel() for term in there])
-    size = np.linalg.norm(A, axis=0)
+    e, A = (error / noise).ravel(), np.column_stack([(terms[term] / noise).ravel() for term in there])
+    size, wrong = np.linalg.norm(A, axis=0), is_wrong(error / noise, checked)
     A = A / size
-    b, explained = A.T @ e, pairs_explain(A, e)
+    likely = np.argsort(-np.abs(A.T @ e), kind="stable")[:LIKELY].tolist()
     # of pairs that explain alike, single bodies come before sums of bodies
-    pairs = np.argsort(-np.round(explained / max(float(e @ e), 1e-300), 9), axis=None, kind="stable")[:4]
+    explained = np.round(pairs_explain(A, e) / max(float(e @ e), 1e-300), 9)
+    pairs = np.argsort(-explained, axis=None, kind="stable")[:LIKELY].tolist()
     known = [there.index(term) for term in first if term in there]
-    chosen = [(int(j),) for j in (*known, *np.argsort(-np.abs(b), kind="stable")[:4])]
-    chosen += [(i, j) for i in known for j in known if i < j]  # type: ignore[misc]
-    chosen += [divmod(int(k), len(there)) for k in pairs]  # type: ignore[misc]
-    for places in map(list, chosen):
+    of_wheels = [there[j][1:] for j in likely if there[j][0] == FLYWHEELS and (ALL, *there[j][1:]) not in terms]
+    of_each = [[i for i, (body, *term) in enumerate(there) if body != FLYWHEELS and term == [*x]] for x in of_wheels]
+    chosen = [*([j] for j in (*known, *likely)), *([i, j] for i in known for j in known if i < j)]
+    chosen += [*(list(divmod(k, len(there))) for k in pairs), *of_each]
+    ranks, explanations = list[tuple[Any, ...]](), list[Explanation]()
+    for places in chosen:
         c = np.linalg.lstsq(A[:, places], e, rcond=None)[0]
-        left = e - A[:, places] @ c
-        # apart, or the rounding of right components, whose unit it is, would excuse what is left of the wrong ones
-        rounded = all(np.linalg.norm(left[at]) <= 4.0 * np.linalg.norm(noise[at]) for at in (wrong, ~wrong))
-        if rounded and np.linalg.norm(left[wrong]) <= 0.01 * np.linalg.norm(e[wrong]):
-            return {there[j]: float(x / size[j]) for j, x in zip(places, c, strict=True)}
-    return {}
+        left = (e - A[:, places] @ c).reshape(error.shape)
+        # apart, or the rounding of right components would excuse what is left of the wrong ones
+        rest = [float(np.sqrt(np.mean(left[np.ix_(~checked, at)] ** 2))) for at in (wrong, ~wrong) if at.any()]
+        share = float(np.linalg.norm(left[:, wrong]) / np.linalg.norm((error / noise)[:, wrong]))
+        if max(rest) > 4.0 or share > 0.01:
+            continue
+        factors = {there[j]: float(x / size[j]) for j, x in zip(places, c, strict=True)}
+        beyond = bool((np.abs(left[checked]) > 1.0).any())
+        intricate = sum(not _is_simple(term[2] + x) for term, x in factors.items())
+        ranks.append((beyond, len(places), not {*places} <= {*known}, intricate, len(ranks)))
+        explanations.append(Explanation(factors, share if beyond else 0.0))
+    return explanations[ranks.index(min(ranks))] if ranks else None
 
 
 def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator[tuple[str, float, Array]]:
     """Terms of one body, their factors: wrenches (6) of the left-hand side in its frame about its origin."""
     C, m, r = k.L[:3, :3], k.Theta[0, 0], vector(k.body.center_of_mass)
     O = axial(k.L[3:, :3] @ C.T)
-    J = k.Theta[3:, 3:] - m * (r @ r * np.eye(3) - np.outer(r, r))
+    J_O = k.Theta[3:, 3:]
+    inertias = {"J": J_O - m * (r @ r * np.eye(3) - np.outer(r, r)), "J_O": J_O}
     v, w, a, alpha, O = (C.T @ x for x in (at.V[:3], at.V[3:], V_dot[:3], V_dot[3:], O))
     forces: dict[str, Array] = {
         "m v_dot": a,
@@ -254,7 +293,8 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
         "m omega x (omega x O)": np.cross(w, np.cross(w, O)),
         "m omega x (omega x r)": np.cross(w, np.cross(w, r)),
     }
-    moments: dict[str, Array] = {"J omega_dot": J @ alpha, "omega x J omega": np.cross(w, J @ w)}
+    moments = {f"{J} omega_dot": x @ alpha for J, x in inertias.items()}
+    moments |= {f"omega x {J} omega": np.cross(w, x @ w) for J, x in inertias.items()}
     wrenches: dict[str, Array] = {}
     V = k.L.T @ at.V
     if isinstance(k.body, Flywheel):
@@ -264,14 +304,15 @@ def _terms(k: PlacedBody, at: Pieces, V_dot: Array, phi_ddot: float) -> Iterator
             "m phi_dot omega x (e x r)": speed * np.cross(w, np.cross(e, r)),
             "m phi_dot^2 e x (e x r)": speed**2 * np.cross(e, np.cross(e, r)),
         }
-        moments |= {
-            "J e phi_ddot": phi_ddot * J @ e,
-            "J phi_dot omega x e": speed * J @ np.cross(w, e),
-            "phi_dot omega x J e": speed * np.cross(w, J @ e),
-            "phi_dot e x J omega": speed * np.cross(e, J @ w),
-            "phi_dot^2 e x J e": speed**2 * np.cross(e, J @ e),
-            "Omega x J Omega": np.cross(w + speed * e, J @ (w + speed * e)),
-        }
+        for J, x in inertias.items():
+            moments |= {
+                f"{J} e phi_ddot": phi_ddot * x @ e,
+                f"{J} phi_dot omega x e": speed * x @ np.cross(w, e),
+                f"phi_dot omega x {J} e": speed * np.cross(w, x @ e),
+                f"phi_dot e x {J} omega": speed * np.cross(e, x @ w),
+                f"phi_dot^2 e x {J} e": speed**2 * np.cross(e, x @ e),
+                f"Omega x {J} Omega": np.cross(w + speed * e, x @ (w + speed * e)),
+            }
         wrenches |= {
             DRIVE: f * k.Theta[3, 3] * phi_ddot,  # before its twins in a torque, which would be wrong elsewhere as well
             "Phi Ls Theta_s f phi_dot": Phi(V) @ turn * speed,

@@ -26,7 +26,7 @@ from mahovik.proof.diagnose.answers import (
     spread_rows,
 )
 from mahovik.proof.diagnose.causes import FACTORS, NumberSearch, Reading, SolvedNumbers, answered_by_factor, readings_of
-from mahovik.proof.diagnose.columns import count_products
+from mahovik.proof.diagnose.columns import TERMS_OF_BODIES, count_products
 from mahovik.proof.diagnose.search import WANTS, TermSearch, TermSearchResult, WrongTerm
 from mahovik.proof.reference.algebra import Array, carrier_rotation, wrench_to_parent
 from mahovik.proof.verify.check import Report
@@ -106,13 +106,15 @@ class Diagnosis:
         In place of two numbers terms are named only where they are fewer; one in two wants is one term.
         """
         different = {(term.component, term.term) for term in terms.terms}
-        if self.verdict == "named" and not (terms.whole and len(different) < len(self.causes)):
+        fewer = terms.whole and not terms.unexplained and len(different) < len(self.causes)
+        if self.verdict == "named" and not fewer:
             return self
         if not terms.whole:
             unsure = replace(self, verdict="unnamed", causes=(), unexplained=1.0) if terms.doubtful else self
             return replace(unsure, terms=terms)
         after = replace(self, verdict="named", causes=(), terms=terms, unexplained=terms.unexplained)
-        return replace(after, verdict="approximate") if terms.besides or after.not_looked_at else after
+        approximate = terms.besides or after.not_looked_at or terms.unexplained
+        return replace(after, verdict="approximate") if approximate else after
 
 
 class Diagnoser:
@@ -323,7 +325,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
     """Lines with the cause of the error, or what comes nearest; before, numbers that the program leaves out."""
     lines = [f"numbers are missing in {_join(diagnosis.missing)}: they are left out"] if diagnosis.missing else []
     result, precision = diagnosis.terms, diagnosis.precision
-    rounding = "" if precision is None else f"rounding ({precision.name})"
+    rounding = "rounding" if precision is None else f"rounding ({precision.name})"
     if not diagnosis.wrong:
         if diagnosis.verdict == "none" and precision is None:
             lines.append("no fault: nothing differs by more than is accepted")
@@ -333,7 +335,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         else:
             lines.append("no diagnosis: the program answered nothing that can be compared")
     elif diagnosis.by_terms and result is not None:
-        lines += _term_lines(result, diagnosis.not_looked_at)
+        lines += _term_lines(result, diagnosis.not_looked_at, rounding)
         lines += [f"the error of {want} is not a few terms: nothing of it is named" for want in result.besides]
     elif diagnosis.verdict == "named":
         lines += _cause_lines(diagnosis.causes, f"explains the error to {rounding}")
@@ -342,7 +344,9 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         lines += [f"  {x.want}, {x.component}: {x.term} or, as well, {_some(x.twins)}" for x in result.doubtful]
         lines.append("nothing is named: more kinds of motion are needed, in one log, independent of one another")
     else:
-        left = f"{max(diagnosis.unexplained, 0.001):.1%} of the error is left"
+        left = _remainder_words(diagnosis.unexplained)
+        if diagnosis.hindrance:
+            lines.append(f"wrong terms are not looked for: {diagnosis.hindrance}")
         if diagnosis.verdict == "approximate":
             lines += [f"approximately, {left}:", *_cause_lines(diagnosis.causes, "")]
         else:
@@ -350,9 +354,7 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
             lines.append("no wrong reading and no one or two numbers of the stand file explain it"
                          + (f"; nearest: {near}, {left}" if near else ""))  # fmt: skip
         if result is not None:
-            lines.append(f"nor do a few wrong terms in {_join(result.wants)}")
-        if diagnosis.hindrance:
-            lines.append(f"wrong terms are not looked for: {diagnosis.hindrance}")
+            lines.append(f"a few wrong terms in {_join(result.wants)} do not explain it either")
     failed = "; ".join(diagnosis.failed)
     return [*lines, f"not compared there, but FAILED above: {failed}"] if failed else lines
 
@@ -412,30 +414,34 @@ def _some(terms: Sequence[str]) -> str:
     return ", ".join(terms[:MOST_TWINS]) + (f" or {more} more" if more > 0 else "")
 
 
-SEEN = 1e-9
-"""Part of an error from which on it is said: rounding is that of the largest terms, which may hide small wrong ones."""
+def _remainder_words(unexplained: float) -> str:
+    return f"{f'{unexplained:.1%}' if unexplained >= 1e-3 else f'{unexplained:.0e}'} of the error is left"
 
 
-def _term_lines(result: TermSearchResult, unknown: Sequence[str]) -> list[str]:
+def _term_lines(result: TermSearchResult, unknown: Sequence[str], rounding: str) -> list[str]:
     """A line for each wrong term, what their names stand for, and whether they are all of the error."""
     terms = result.terms
     lines = ["wrong term found:" if len(terms) == 1 else f"{len(terms)} wrong terms found:"]
+    if result.unexplained:
+        lines[0] = f"approximately, {lines[0]}"
     for term in terms:
         part = f"{term.share:.0%}" if term.share >= 0.01 else "less than 1 %"
         lines.append(f"  {term.want}, {term.component}: {_term_words(term)}; {part} of the error")
     if not all(term.of_body for term in terms):
         side = f"the right-hand side of K V* = ..., of force and moment about {result.about} in E1"
         lines.append(f"  factors are those on {side}; letters of SNAME")
+    if any(term.of_body for term in terms):
+        lines.append(f"  {TERMS_OF_BODIES}")
     if result.freedoms:
         lines.append(f"  {result.freedoms}")
     them, they_explain = ("it", "it explains") if len(terms) == 1 else ("them", "they explain")
     if not unknown and not result.besides:
-        if result.unexplained > SEEN:
-            return [
-                *lines,
-                f"without {them} {result.unexplained:.0e} of the error is left, perhaps rounding of large terms",
-            ]
-        return [*lines, f"without {them} nothing is left of the error beyond rounding"]
+        left = (
+            _remainder_words(result.unexplained)
+            if result.unexplained
+            else f"nothing is left of the error beyond {rounding}"
+        )
+        return [*lines, f"without {them} {left}"]
     lines.append(f"without {them} the equations of {_join(list(dict.fromkeys(x.want for x in terms)))} are right")
     return [*lines, f"not known: whether {they_explain} all of {'; '.join(unknown)}"] if unknown else lines
 

@@ -19,7 +19,15 @@ from mahovik.core.stand.random import along_freedoms
 from mahovik.core.stand.stand_file import document_of, read
 from mahovik.errors import CheckError, UsageError
 from mahovik.proof import reference
-from mahovik.proof.diagnose.answers import Answers, Precision, numbers_at
+from mahovik.proof.diagnose.answers import (
+    ACCEPTED,
+    LEAST,
+    Answers,
+    Precision,
+    numbers_at,
+    separating_states,
+    spread_rows,
+)
 from mahovik.proof.diagnose.columns import (
     BEYOND,
     ROWS,
@@ -29,6 +37,7 @@ from mahovik.proof.diagnose.columns import (
     explain,
     frame_in_words,
     frame_of,
+    is_wrong,
     law_columns,
     laws_at,
     products,
@@ -39,6 +48,7 @@ from mahovik.proof.reference.motion import bias, mounts, reaction, torque
 from mahovik.proof.reference.pieces import LawTerm, momentum
 from mahovik.proof.verify.draw import with_drawn_actuators
 from mahovik.proof.verify.foreign import Program
+from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Request, stand_at
 
 ANSWERS: Mapping[str, tuple[str, ...]] = {
@@ -87,8 +97,9 @@ ALIKE, SAME, THERE = 1e-3, 1e-6, 1e-9
 LIKELY = -1.0, 0.0
 """Factors of a part of a coefficient that name it: the wrong sign, and none."""
 
-ROUNDING, PART = 1e-11, 0.03
-"""Error over the size of the terms that a right program may have: in double; part of what is accepted of answers."""
+PART, CHECKED = 0.03, 16
+"""Error over the size of the terms that a right program may have: a part of what is accepted of its answers. Rows of a
+log at which what is left of the error is checked."""
 
 PLAIN = "weight", "buoyancy", "run-time"
 PLAIN_ON_CARRIER = "linear damping", "quadratic damping", "damping terms", "products in derivatives"
@@ -158,7 +169,9 @@ class TermSearchResult:
 class _Equations:
     """Some equations at n states of a program's motion.
 
-    side   of RIGHT; frame: names of equations and speeds; answered (n, ...): what the program has there
+    side     of RIGHT; frame: names of equations and speeds
+    error    (n, c) of what the program has there; noise: what of it a right program may have
+    checked  the states (n) of the check: no number may be off by more there
     """
 
     want: str
@@ -166,7 +179,25 @@ class _Equations:
     frame: Frame
     states: Sequence[State]
     at: Sequence[Pieces]
-    answered: Array
+    error: Array
+    noise: Array
+    checked: Mask
+
+    @property
+    def relative(self) -> Array:
+        """The error over its noise (n, c)."""
+        return self.error / self.noise
+
+    def at_rows(self, rows: Sequence[int]) -> _Equations:
+        """These equations at some of the states."""
+        arrays = {key: getattr(self, key)[rows] for key in ("error", "noise", "checked")}
+        return replace(self, states=[self.states[i] for i in rows], at=[self.at[i] for i in rows], **arrays)
+
+    def remainder(self, explained: Array) -> float:
+        """Part of the error that what explains it (n, c) leaves, 0 to 1; 0 where that is rounding."""
+        rest = self.relative - explained / self.noise
+        beyond = (np.abs(rest[self.checked]) > 1.0).any()
+        return float(np.linalg.norm(rest) / np.linalg.norm(self.relative)) if beyond else 0.0
 
 
 class TermSearch:
@@ -188,14 +219,19 @@ class TermSearch:
         are known to differ, as want: quantity; none: any may.
         """
         rng = np.random.default_rng(seed)
-        self._stand, self._rounding, self._wrong = stand, ROUNDING, {tuple(label.split(": ")) for label in wrong}
-        if precision is not None:
-            self._rounding = max(ROUNDING, PART * precision.accepted, 2.0 * 10.0 ** (1 - precision.digits))
+        self._stand, self._wrong = stand, {tuple(label.split(": ")) for label in wrong}
+        self._precision = precision or Precision("double", ACCEPTED["double"], 17, 330)
+        self._printed, self._scales = 2.0 * 10.0 ** (1 - self._precision.digits), Scales(stand)
+        self._rounding = max(ACCEPTED["double"], PART * self._precision.accepted, self._printed)
         self._drawn = [_state(stand, rng) for _ in range(math.ceil(MORE * count_products(stand)) + SPARE)]
         if program is not None and program.actuators:
             self._drawn = [with_drawn_actuators(stand, state, rng) for state in self._drawn]
         asked = self._drawn if program is None else [program.state(stand, state) for state in self._drawn]
-        named = [(f"term {i}", state) for i, state in enumerate(asked)] if states is None else states
+        if states is None:
+            fitted, checks = [(f"term {i}", x) for i, x in enumerate(asked)], separating_states(stand, seed, program)
+        else:
+            fitted, checks = [*states], spread_rows(states, CHECKED)
+        named, self._fitted = [*fitted, *checks], len(fitted)
         self._states = [state for _, state in named]
         differing = {want for want, _ in self._wrong}
         is_told = {"forward", "torque"} <= set(wants) and "coupled" not in differing  # it says nothing new then
@@ -256,18 +292,38 @@ class TermSearch:
         answered = beside and any("reaction" in answers(request) for request in self._requests[want])
         return (*names, "reaction") if answered else names
 
-    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array]]:
-        """Rows of the states with finite answers, and these (n, ...) by quantity. Raises CheckError: too few."""
-        names = self._names(want, answers)
-        numbers_of = {i: self._whole(want, request, answers) for i, request in enumerate(self._requests[want])}
-        rows = {i: numbers for i, numbers in numbers_of.items() if numbers}
-        least = count_products(self._stand) if want != "mounts" else 1
-        if len(rows) < least:
+    def _answered(self, want: str, answers: Answers) -> tuple[list[int], dict[str, Array], dict[str, Array]]:
+        """Rows of the states with finite answers; by quantity these (n, ...), and their rounding at the checks.
+
+        Raises CheckError: there are none.
+        """
+        names, rows, noise = self._names(want, answers), dict[int, list[Array]](), dict[int, list[Array]]()
+        for i, request in enumerate(self._requests[want]):
+            measured = self._scales.want(request.state, want) if i >= self._fitted else None
+            numbers = self._whole(want, request, answers)
+            if numbers and (measured or i < self._fitted):
+                scales = [np.ravel(measured.scales[name]) if measured else np.zeros(1) for name in names]
+                rows[i] = numbers
+                noise[i] = [self._noise(x, scale) for x, scale in zip(numbers, scales, strict=True)]
+        self._check_count(want, sum(i < self._fitted for i in rows), 1)
+        values, rounding = (
+            {name: np.array(x) for name, x in zip(names, zip(*of.values(), strict=True), strict=True)}
+            for of in (rows, noise)
+        )
+        return list(rows), values, rounding
+
+    def _noise(self, numbers: Array, scale: Array) -> Array:
+        """Rounding of answered numbers with a scale, which are larger where they are wrong."""
+        scale = np.maximum(scale, np.abs(numbers))
+        return self._precision.noise(numbers, scale) + self._printed * scale
+
+    def _check_count(self, want: str, count: int, least: int) -> None:
+        """Raise CheckError where so many states with an answer to a want are too few."""
+        if count < least:
             raise CheckError(
-                f"{want}: {len(rows)} of {len(self._states)} states have an answer; expected at least {least}, as many "
-                "as there are products whose factors are looked for"
+                f"{want}: {count} of {self._fitted} states have an answer; expected at least "
+                f"{count_products(self._stand)}, as many as there are products whose factors are looked for"
             )
-        return list(rows), {name: np.array(x) for name, x in zip(names, zip(*rows.values(), strict=True), strict=True)}
 
     def _whole(self, want: str, request: Request, answers: Answers) -> list[Array]:
         """Numbers of the quantities of a want in the answer to a request; none unless they are all there."""
@@ -283,7 +339,8 @@ class TermSearch:
 
         Beside a wrong acceleration the equation of a right one, or of a right reaction, has no error of its own.
         """
-        rows, values = self._answered(want, answers)
+        rows, values, noise = self._answered(want, answers)
+        checked = np.array(rows) >= self._fitted
         at, states = [self._pieces[i] for i in rows], [self._states[i] for i in rows]
         motion = {key: values[key] for key in ("V_dot", "phi_ddot") if key in values}
         if "u_dot" in values:
@@ -291,25 +348,38 @@ class TermSearch:
         for key, numbers in motion.items():
             rows_of: Any = [{key: tuple(x)} for x in numbers.tolist()]
             states = [replace(s, **x) for s, x in zip(states, rows_of, strict=True)]
+        moved = {name: x for name, x in noise.items() if name in ("V_dot", "u_dot", "phi_ddot")}
+
+        def equations(side: str, kind: str, answered: Array, noise: Mapping[str, Array]) -> _Equations:
+            frame = self._frame(side, kind)
+            sides = np.array([RIGHT[side](p, s) for p, s in zip(at, states, strict=True)])
+            size = np.abs(sides)
+            if side == "wrench":
+                size = np.array([_magnitudes(p, s) for p, s in zip(at, states, strict=True)])
+            rounding = self._rounding * np.sqrt(np.mean((size[~checked] @ np.abs(frame.rows)) ** 2, axis=0))
+            off = np.tile(np.maximum(rounding, 1e-3 * rounding.max(initial=LEAST)), (len(at), 1))
+            for i in np.flatnonzero(checked):
+                slopes = {name: _slope(at[i], side, name, frame) for name in noise}
+                off[i] = np.maximum(sum(np.abs(frame.rows.T @ slopes[name]) @ x[i] for name, x in noise.items()), LEAST)
+            return _Equations(want, side, frame, states, at, (answered - sides) @ frame.rows, off, checked)
+
         side, last = SIDES.get(want, ""), values[ANSWERS[want][-1]] if want in SIDES else None
         if last is not None:
-            last = -last if want == "reaction" else last
-            yield _Equations(want, side, self._frame(side, "all"), states, at, last)
+            yield equations(side, "all", -last if want == "reaction" else last, noise)
             return
         none = np.zeros((len(rows), 6))
         blocked = -values["reaction"] if "reaction" in values else none
-        equations = {
-            "V_dot": ("wrench", "free", none),
-            "u_dot": ("wrench", "free", none),
-            "phi_ddot": ("torque", "free", np.array([s.tau for s in states])),
-            "reaction": ("wrench", "blocked", blocked),
+        kinds = {
+            "V_dot": ("wrench", "free", none, moved),
+            "u_dot": ("wrench", "free", none, moved),
+            "phi_ddot": ("torque", "free", np.array([s.tau for s in states]), moved),
+            "reaction": ("wrench", "blocked", blocked, noise),
         }
         wrong = {name for of, name in self._wrong if of == want} or {*values}
         for name in values:
-            side, kind, answered = equations[name]
-            frame = self._frame(side, kind)
-            if frame.components and (name in wrong or not wrong & motion.keys() | {"u_dot"} & wrong):
-                yield _Equations(want, side, frame, states, at, answered)
+            looked_at = name in wrong or not wrong & {*motion, "u_dot"}
+            if looked_at and self._frame(*kinds[name][:2]).components:
+                yield equations(*kinds[name])
 
     def _frame(self, side: str, equations: str) -> Frame:
         """Names of equations and speeds of a side; of the wrench on the carrier those that are free, blocked or all."""
@@ -330,51 +400,52 @@ class TermSearch:
 
     def _terms(self, of: _Equations, before: Sequence[WrongTerm]) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong terms of all components, and the fit of each wrong one; of whole bodies where these are fewer."""
-        rows = of.frame.rows
-        sides = np.array([RIGHT[of.side](p, s) for p, s in zip(of.at, of.states, strict=True)])
-        error = (of.answered - sides) @ rows
-        size = np.abs(sides)
-        if of.side == "wrench":
-            size = np.array([_magnitudes(p, s) for p, s in zip(of.at, of.states, strict=True)])
-        rounding = self._rounding * np.sqrt(np.mean((size @ np.abs(rows)) ** 2, axis=0))
-        whole = float(np.sqrt(np.mean(rounding**2)))
-        wrong = np.flatnonzero(np.sqrt(np.mean(error**2, axis=0)) > BEYOND * whole)
-        by_body = self._body_terms(of, error[:ROWS], rounding, before)
-        if of.side == "mounts" or (by_body and len(by_body) < len(wrong)):
-            return by_body, [Fit({}, 0.0, True)] if by_body or not len(wrong) else [Fit({}, 1.0)]
-        terms, fits = self._product_terms(of, error, wrong.tolist(), whole) if len(wrong) else ([], [])
-        if by_body and (len(by_body) < len(terms) or not all(fit.exact for fit in fits)):
-            return by_body, [Fit({}, 0.0, True)]
+        by_body, wrong = self._body_terms(of, before), is_wrong(of.relative, of.checked)
+        fit = by_body[1]
+        if of.side == "mounts" or not wrong.any() or (fit.exact and not fit.left and len(by_body[0]) < wrong.sum()):
+            return by_body[0], [fit]
+        fitted = int((~of.checked).sum())
+        if not fit.exact:
+            self._check_count(of.want, fitted, count_products(self._stand))
+        elif fitted < count_products(self._stand):
+            return by_body[0], [fit]
+        terms, fits = self._product_terms(of)
+        left = max(fit.left for fit in fits)
+        if fit.exact and (not all(x.exact for x in fits) or (fit.left > 0, len(by_body[0])) < (left > 0, len(terms))):
+            return by_body[0], [fit]
         return terms, fits
 
-    def _body_terms(
-        self, of: _Equations, error: Array, rounding: Array, before: Sequence[WrongTerm]
-    ) -> list[WrongTerm]:
-        """One wrong term, or two, of whole bodies that explain all components; none where they do not.
+    def _body_terms(self, of: _Equations, before: Sequence[WrongTerm]) -> tuple[list[WrongTerm], Fit]:
+        """Few wrong terms of whole bodies that explain all components, and what they leave.
 
         `before`: those of other wants, which come before terms of the same effect.
         """
-        within = (np.sqrt(np.mean(error**2, axis=0)) <= BEYOND * rounding).all()
-        if within or of.side == "momentum" or not self._stand.flywheels:
-            return []
-        columns = body_terms(of.states[:ROWS], of.at[:ROWS], of.side, of.frame.rows)
+        wrong = is_wrong(of.relative, of.checked).any()
+        if not wrong or of.side == "momentum" or not self._stand.flywheels:
+            return [], Fit({}, float(wrong), exact=not wrong)
+        of = of.at_rows([*np.flatnonzero(~of.checked)[:ROWS], *np.flatnonzero(of.checked)])
+        columns = body_terms(of.states, of.at, of.side, of.frame.rows)
         known = {(term.component, term.term) for term in before}
-        first = [term for term in columns if term[:2] in known]
-        factors = explain(error, columns, np.maximum(rounding, 1e-3 * rounding.max()), first)
-        sizes = {term: float(np.sum((c * columns[term]) ** 2)) for term, c in factors.items()}
+        explained = explain(of.error, columns, of.noise, of.checked, [term for term in columns if term[:2] in known])
+        if explained is None:
+            return [], Fit({}, 1.0)
+        sizes = {term: float(np.sum((c * columns[term]) ** 2)) for term, c in explained.factors.items()}
         return [
             WrongTerm(of.want, body, name, round(expected + c, 9) + 0.0, expected, of_body=True,
                       share=sizes[body, name, expected] / sum(sizes.values()))
-            for (body, name, expected), c in factors.items()
-        ]  # fmt: skip
+            for (body, name, expected), c in explained.factors.items()
+        ], Fit({}, explained.left, exact=True)  # fmt: skip
 
-    def _product_terms(
-        self, of: _Equations, error: Array, wrong: Sequence[int], rounding: float
-    ) -> tuple[list[WrongTerm], list[Fit]]:
+    def _product_terms(self, of: _Equations) -> tuple[list[WrongTerm], list[Fit]]:
         """Wrong products of the components that are wrong, and the fit of each."""
+        fitted = ~of.checked
+        error, rounding = of.error[fitted], float(np.sqrt(np.mean(of.noise[fitted] ** 2)))
+        wrong = np.flatnonzero(np.sqrt(np.mean(error**2, axis=0)) > BEYOND * rounding).tolist()
+        explained = np.zeros_like(of.error)
         table = products(of.frame, of.states, of.at, of.side == "momentum")
         laws = laws_at(self._stand, of.states, of.at) if of.side == "wrench" else []
-        columns, key, m = Columns(table.values, table.accelerate), (of.side, *of.frame.components), len(table.names)
+        columns, m = Columns(table.values[fitted], table.accelerate), len(table.names)
+        key = (of.side, *of.frame.components)
         if key not in self._right:
             self._right[key] = self._factors(of, self._stand)
         right = self._right[key]
@@ -387,8 +458,8 @@ class TermSearch:
             while not (fit.exact and len(fit.coefficients) <= FEW):
                 if (finer := next(columns_of_laws, None)) is None:
                     break
-                kept = columns.independent(np.column_stack([x.wrench for x in finer]))
-                wide = np.column_stack([table.values, *(finer[j].wrench for j in kept)])
+                kept = columns.independent(np.column_stack([x.wrench[fitted] for x in finer]))
+                wide = np.column_stack([table.values[fitted], *(finer[j].wrench[fitted] for j in kept)])
                 more = np.full(len(kept), False)
                 widened = Columns(wide, np.append(table.accelerate, more))
                 other = widened.fit(error[:, i], rounding, np.append(there, ~more))
@@ -398,10 +469,17 @@ class TermSearch:
             left = np.abs([right[k, i] + fit.coefficients.get(k, 0.0) for k in mass])
             if mass and (left <= SAME * np.abs(right[mass, i])).all():
                 fit = Fit({}, 1.0)  # "all of it is missing" is true of every wrong equation, but a program has its mass
+            values_of = {k: of_laws[k - m].wrench if k >= m else table.values[:, k] for k in fit.coefficients}
+            if fit.exact and values_of:  # to all digits, by all states
+                A = np.column_stack([*values_of.values()]) / of.noise[:, [i]]
+                size = np.linalg.norm(A, axis=0)
+                factors = np.linalg.lstsq(A / size, of.relative[:, i], rcond=None)[0] / size
+                fit = replace(fit, coefficients=dict(zip(values_of, factors.tolist(), strict=True)))
             fits.append(fit if fit.coefficients else replace(fit, left=1.0))
             names = (*table.names, *(x.term for x in of_laws))
             for k, c in fit.coefficients.items():
-                values = of_laws[k - m].wrench if k >= m else table.values[:, k]
+                values = values_of[k]
+                explained[:, i] += c * values
                 factor, expected, path = c, None, ""
                 if k >= m:
                     expected, path = of_laws[k - m].value, of_laws[k - m].coefficient
@@ -415,6 +493,7 @@ class TermSearch:
                 term = WrongTerm(of.want, of.frame.components[i], names[k], factor, expected, path, twins=twins)
                 terms.append((float(np.sum((c * values) ** 2)), term))
         whole = sum(size for size, _ in terms) or 1.0
+        fits = [replace(fit, left=of.remainder(explained)) if fit.exact else fit for fit in fits] or [Fit({}, 1.0)]
         return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
 
     def _factors(self, of: _Equations, stand: Stand) -> Array:
@@ -453,6 +532,15 @@ class TermSearch:
             if any(abs(error - (likely - 1.0) * part) <= SAME * abs(error) for likely in LIKELY):
                 result = part + error, part, number.path
         return result
+
+
+def _slope(at: Pieces, side: str, name: str, frame: Frame) -> Array:
+    """Derivative of a side by a quantity that a program answers, but for the sign; one by that of the side itself."""
+    slopes = {
+        "wrench": {"V_dot": at.K, "u_dot": at.K @ at.S, "phi_ddot": at.I},
+        "torque": {"V_dot": at.I.T, "u_dot": at.I.T @ at.S, "phi_ddot": at.Theta_ff},
+    }
+    return slopes.get(side, {}).get(name, np.eye(len(frame.rows)))
 
 
 def _is_same(one: WrongTerm, other: WrongTerm) -> bool:

@@ -269,9 +269,9 @@ def summary(report: Report) -> dict[str, Any]:
     return {key: getattr(report, key) for key in keys} | about
 
 
-def as_junit(report: Report) -> str:
-    """The table as JUnit XML: one test case for each row."""
-    suite = ET.Element("testsuite", name=f"mahovik verify {report.stand}")
+def as_junit(report: Report, command: str = "verify", sentences: Sequence[str] = ()) -> str:
+    """The table of a command as JUnit XML: one test case for each row; `sentences` go to each that failed."""
+    suite = ET.Element("testsuite", name=f"mahovik {command} {report.stand}")
     skipped = 0
     for row in report.rows:
         name = f"{row.judged}: {row.quantity}" if row.judged else row.quantity
@@ -283,7 +283,7 @@ def as_junit(report: Report) -> str:
             ET.SubElement(case, "system-out").text = _printable(words)
         if row.failed:
             failure = ET.SubElement(case, "failure", message=_printable("; ".join(filter(None, (words, row.words)))))
-            failure.text = _printable(state_line(row.request) if row.request else row.words)
+            failure.text = _printable("\n".join([*sentences, state_line(row.request) if row.request else row.words]))
         elif row.verdict != "ok":
             skipped += 1
             ET.SubElement(case, "skipped", message=_printable(f"{row.verdict} {row.words}".strip()))

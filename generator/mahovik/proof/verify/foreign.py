@@ -15,7 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from time import monotonic
-from typing import IO, Any, Literal
+from typing import IO, Any, Literal, get_args
 
 import numpy as np
 
@@ -271,7 +271,13 @@ def answers_of_program(program: Program, requests: Sequence[Request], timeout: f
 
     Raises CheckError where it dies, hangs, drops lines or prints anything else; UsageError where it cannot be started.
     """
-    return read_results(run_program(program.words, [state_line(request) for request in requests], timeout), requests)
+    try:
+        return read_results(run_program(program.words, [state_line(x) for x in requests], timeout), requests)
+    except CheckError as error:
+        if program.attitude or not any(form in str(error) for form in get_args(Attitude)):
+            raise
+        hint = "some states have angles, others a quaternion: --attitude gives all one of them"
+        raise CheckError(f"{error}; {hint}") from None
 
 
 def read_results(lines: Sequence[bytes], requests: Sequence[Request]) -> list[Mapping[str, Any]]:
