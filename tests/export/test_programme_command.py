@@ -62,6 +62,9 @@ def test_a_project_under_another_name_plays_the_programme_and_is_checked(saved: 
     assert f"{source}: was changed by hand" in refused(*play)
     said = refused("generate", STAND, "-o", str(folder), "--check", status=1)
     assert said == f"error: {source}: is not what vib_programme.json lists\n"
+    judged = run("verify", STAND, str(folder), "--programme", saved, "--motion", MOTION)
+    said = judged.stdout.splitlines()[-1]
+    assert judged.exit_code == 0 and "edited by hand after mahovik" in said and "; vib_programme.c, line " in said
     judged = run("verify", STAND, str(folder), "--states", "2")
     assert judged.exit_code == 1 and "vib_programme = as written" in judged.stdout
 

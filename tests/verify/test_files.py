@@ -11,11 +11,12 @@ import pytest
 from hypothesis import given
 
 from mahovik.contract.limits import DOUBLE, LIMITS
+from mahovik.core.emit.delivery import delivery
 from mahovik.core.emit.generate import generate_all
 from mahovik.core.emit.manifest import manifest
 from mahovik.core.stand import Stand, dumps, load, loads
 from mahovik.proof.second.reading import differences
-from mahovik.proof.verify.files import check_file, check_options, check_text
+from mahovik.proof.verify.files import check_file, check_options, check_texts
 from mahovik.stands import path
 from strategies import stands
 
@@ -131,8 +132,8 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
         for name, text in (whole | changed).items():
             old, new = edit.split(" -> ") if name == "demo3.c" and edit else ("", "")
             (tmp_path / name).write_text(text.replace(old, new) if old else text, newline="\n")
-        checks = check_text(DEMO, made, tmp_path)
-        return checks.verdict, checks.words
+        (check,) = check_texts(DEMO, made, tmp_path)
+        return check.verdict, check.words
 
     by_hand = "edited by hand after mahovik"
     assert row() == ("ok", "")
@@ -151,4 +152,25 @@ def test_text_that_differs_is_named_with_its_functions(tmp_path: Path) -> None:
     assert "within (internal, of forward, " in words and "; demo3.h outside of functions; demo3.h, line " in words
     assert row(**{"demo3.h": files["demo3.h"] + "\n"})[1].endswith("found ``, expected `end of the file`")
     (tmp_path / "manifest.json").unlink()
-    assert "manifest.json is missing" in check_text(DEMO, made, tmp_path).words
+    assert "manifest.json is missing" in check_texts(DEMO, made, tmp_path)[0].words
+
+
+def test_every_listed_file_is_seen_and_what_nothing_judges_must_be_as_generated(tmp_path: Path) -> None:
+    made = generate_all(DEMO, only=())
+    for name, text in delivery(DEMO, additions=("batch", "encoder")).items():
+        (tmp_path / name).write_text(text, newline="\n")
+
+    def rows() -> list[str]:
+        return [f"{row.verdict} {row.words}".strip() for row in check_texts(DEMO, made, tmp_path)]
+
+    assert rows() == ["ok", "ok", "ok"]
+    encoder, page = tmp_path / "mahovik_encoder.c", tmp_path / "README.md"
+    encoder.write_text(encoder.read_text().replace("dt > 0.0F", "dt >= 0.0F"))
+    page.write_text(page.read_text() + "\n")
+    (tmp_path / "demo3_batch.h").unlink()
+    text, batch, encoders = rows()
+    assert text.startswith("not compared edited by hand after mahovik")
+    assert "wrote it: speed_of_counts_float; README.md; mahovik_encoder.c, line " in text
+    assert batch == "FAILED demo3_batch.h is missing: generate the batch C again"
+    again = "generate the encoder C again"
+    assert encoders == f"FAILED mahovik_encoder.c is not what this version generates: {again}"

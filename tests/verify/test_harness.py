@@ -15,8 +15,7 @@ import pytest
 
 from cli.run import DEMO3, refused, run
 from mahovik.contract.functions import WANTS
-from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.generate import generate, generate_all
+from mahovik.core.emit.generate import generate
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.program.types import FLOAT as SINGLE
 from mahovik.core.stand import Stand, State, load, rest_state
@@ -26,7 +25,6 @@ from mahovik.proof.verify.backends import NumpyBackend
 from mahovik.proof.verify.c_backend import InterpreterBackend
 from mahovik.proof.verify.check import Check, Report, as_junit, conclusion, difference, worst_lines
 from mahovik.proof.verify.draw import draw
-from mahovik.proof.verify.files import check_batch
 from mahovik.proof.verify.harness import judge, verify_c
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import read_line
@@ -143,26 +141,6 @@ def test_c_of_another_version_is_refused(tmp_path: Path) -> None:
     """Another version of mahovik gave a struct of the same stand another member."""
     with pytest.raises(CheckError, match=r"demo3\.h: demo3_row: member root, expected spin_root_inv: made by another"):
         verify_c(DEMO, against=written(tmp_path, DEMO, lambda _, text: text.replace("spin_root_inv", "root")))
-
-
-@pytest.mark.slow
-def test_batches_must_be_those_that_this_version_generates(tmp_path: Path) -> None:
-    made = generate_all(DEMO)
-    assert check_batch(DEMO, made, tmp_path) is None
-    for name, text in {**made.files, **batch_files(DEMO, made)}.items():
-        (tmp_path / name).write_text(text, encoding="ascii")
-    batch, verdicts = tmp_path / "demo3_batch.c", []
-    for change in (lambda: None, lambda: batch.write_text("int x;\n"), batch.unlink):
-        change()
-        row = check_batch(DEMO, made, tmp_path)
-        assert row is not None
-        verdicts.append(f"{row.verdict} {row.words}".strip())
-    again = "generate the batch C again"
-    assert verdicts == [
-        "ok",
-        f"FAILED demo3_batch.c is not what this version generates: {again}",
-        f"FAILED demo3_batch.c is missing: {again}",
-    ]
 
 
 def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:

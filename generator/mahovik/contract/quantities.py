@@ -243,7 +243,9 @@ EXPORTED = {
         Quantity("integral", "N m", "flywheels", "N", ("MAX_WRENCH",)),
         Quantity("torque", "N m", "flywheels", "N", ("MAX_WRENCH",)),
         Quantity("speed", "rad/s", "flywheels", "N", invalid=((-2.01e5, "RANGE"), (2.01e5, "RANGE"))),
-        Quantity("phase", "", "part of the period", "", invalid=tuple((bad, "RANGE") for bad in (-0.01, 1.01, 7.0))),
+        Quantity(
+            "phase", "", "part of the period", "", invalid=tuple((bad, "RANGE") for bad in (-1e-30, 1.000001, 7.0))
+        ),
         Quantity("ticks", "", "", "", invalid=_bad_arguments(-1, 0, 1)),
         Quantity("periods", "", "", "", invalid=_bad_arguments(-1, 0)),
         Quantity("sample", "", "", "", invalid=_bad_arguments(-1)),

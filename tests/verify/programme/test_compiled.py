@@ -56,6 +56,13 @@ FAULTS = [
     pytest.param("spin", changed(r"phi_ddot\[s\] = ", "phi_ddot[s] = 10.0 + "), {"C residual"}, id="acceleration"),
     pytest.param("spin", changed(r"tau\[s\] \+= ", "tau[s] += 1.001 * "), {"C torque"}, id="torque"),
     pytest.param("started", changed(r"\(\(lapped", "((!lapped"), {"C clock"}, id="laps"),
+    pytest.param("spin", changed(r"(weight\[2\] = -0\.083333)\d+", r"\1"), {"C torque"}, id="digits"),
+    pytest.param("spin", changed(r"phase < 1\.0", "phase <= 1.0"), {"C at bad inputs refused"}, id="end"),
+    pytest.param("spin", changed(r"phase < 1\.0", "phase < 0.9999999"), {"C at"}, id="before the end"),
+    pytest.param("spin", changed(r"ticks / 2", "ticks"), {"C start bad inputs refused"}, id="periods"),
+    pytest.param(
+        "spin", changed(r"clock->laps >= 0", "clock->laps >= -5"), {"C advance bad inputs refused"}, id="laps"
+    ),
 ]
 
 

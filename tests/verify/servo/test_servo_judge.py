@@ -87,7 +87,9 @@ def test_a_planted_fault_fails_by_its_row(
 ) -> None:
     source = written(exported("trimmed"), tmp_path)
     source.write_text(changed(pattern, new)(source.read_text()))
-    assert row in failures(judged(tmp_path)), fault
+    report = judged(tmp_path)
+    assert row in failures(report), fault
+    assert report.rows[-1].words.endswith("wrote it: shaker2_servo.c")
 
 
 def test_a_function_without_a_judge_or_missing_fails(tmp_path: Path) -> None:

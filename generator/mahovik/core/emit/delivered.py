@@ -62,9 +62,9 @@ class Delivery:
     notes: tuple[str, ...]
 
 
-def read_manifest(folder: Path) -> dict[str, Any] | None:
-    """The manifest of a folder; None where there is none. Raises UsageError where it is not ours."""
-    path = folder / NAME
+def read_manifest(folder: Path, name: str = NAME) -> dict[str, Any] | None:
+    """The manifest of a folder, of a file name; None where there is none. Raises UsageError where it is not ours."""
+    path = folder / name
     if not path.is_file():
         return None
     try:
@@ -80,24 +80,31 @@ def read_manifest(folder: Path) -> dict[str, Any] | None:
     raise UsageError(f"{path}: is not a manifest of mahovik: choose another folder, {_NOTHING}")
 
 
+def manifest_there(folder: Path, name: str = NAME) -> dict[str, Any] | None:
+    """Likewise, and None where it is not ours."""
+    try:
+        return read_manifest(folder, name)
+    except UsageError:
+        return None
+
+
+def manifests_beside(folder: Path, stand: Stand) -> dict[str, dict[str, Any]]:
+    """Manifests of programmes, servos and loops beside the C of a stand, by their names, such as `bench8_programme`."""
+    paths = sorted(folder.glob(f"{stand.name}_*.json"))
+    manifests = {path.stem: manifest_there(folder, path.name) for path in paths}
+    return {name: there for name, there in manifests.items() if there is not None and there["stand"] == stand.name}
+
+
 def files_beside(folder: Path, stand: Stand) -> dict[str, list[str]]:
-    """Files of programmes, servos and loops beside the C of a stand that are not as their manifest lists them.
-
-    By the name of the programme, servo or loop, such as `bench8_programme`. Line endings do not count.
-    """
-    result = {}
-    for path in sorted(folder.glob(f"{stand.name}_*.json")):
-        try:
-            document = json.loads(path.read_bytes())
-            if str(document["generator"]).startswith("mahovik ") and document["stand"] == stand.name:
-                changed = [name for name, listed in document["files"].items() if not _has_hash(folder / name, listed)]
-                result[path.stem] = changed
-        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-            continue
-    return result
+    """Files of each of them that are not as it lists them. Line endings do not count."""
+    return {
+        name: [file for file, listed in there["files"].items() if not has_hash(folder / file, listed)]
+        for name, there in manifests_beside(folder, stand).items()
+    }
 
 
-def _has_hash(path: Path, listed: str) -> bool:
+def has_hash(path: Path, listed: str) -> bool:
+    """Whether a file is there with this SHA-256. Line endings do not count."""
     return path.is_file() and listed in (_hash(path), digest(path.read_bytes().replace(b"\r\n", b"\n")))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -28,6 +29,9 @@ from mahovik.out.result import Column, Result, column, columns_of
 from mahovik.writing import probe, write
 
 if TYPE_CHECKING:
+    from mahovik.core.motion.programme import Programme
+    from mahovik.core.motion.required import RequiredMotion
+    from mahovik.core.motion.servo import Servo
     from mahovik.core.stand.model import Stand
     from mahovik.proof.verify.check import Check, Report
 
@@ -48,6 +52,7 @@ Subject = Annotated[FilePath, "FOLDER|PROGRAMME.json|LOG"]
 @command(
     needs={
         "subject": ("servo",),
+        "motion": ("programme",),
         "subject=*.json or programme": ("tolerance",),
         "subject=*.json or programme or servo": ("motion", "name"),
     },
@@ -172,6 +177,7 @@ def _c(
     there = Options()
     if folder is not None:
         machine, there = stand_in(folder, machine), delivered_options(folder) or Options()
+    chosen = real or there.real
 
     def on_state(done: float, *_: object) -> None:
         notify(progress, Progress(f"verify {machine.name}", done, states))
@@ -185,18 +191,16 @@ def _c(
     if ways["targets"]:
         from mahovik.proof.verify.selftest import SWEEP, parse_targets, verify_targets
 
-        reals = (real or there.real,) if real or folder is not None else None
+        reals = (chosen,) if real or folder is not None else None
         pairs = parse_targets(ways["targets"], reals)
         return verify_targets(machine, pairs, SWEEP if states == 200 else states, on_state, there.only or None)
     if ways["rigorous"]:
         library("flint", "rigorous")
         from mahovik.proof.verify.rigorous import measure_rounding
 
-        chosen = real or there.real
         return measure_rounding(machine, seed=seed, count=states, real=chosen, against=folder, progress=on_state)
     from mahovik.proof.verify.harness import verify_c
 
-    chosen = real or there.real
     return verify_c(machine, seed=seed, count=states, against=folder, real=chosen, progress=on_state, document=document)
 
 
@@ -206,18 +210,27 @@ def _servo(
     """The report on the C of servos in a folder."""
     from mahovik.core.emit.delivered import stand_in
     from mahovik.proof.verify.functions.table import verify_servo
-    from mahovik.proof.verify.programme.verification import motion_check
 
     stand = stand_in(folder, stand)
-    if programme is not None and motion is None:
-        raise UsageError("programme: needs motion=M.json, which is missing")
     course = None if programme is None else programme_of(programme)
-    required = None if motion is None else motion_of(motion, stand, course)
-    if required is not None and course is not None and (other := motion_check(required, course)).failed:
-        raise UsageError(f"programme: {other.words}")
+    required, servos = None if motion is None else motion_of(motion, stand, course), servo_of(servo, stand)
+    generate = None if course is None or required is None else partial(_generate, stand, course, required, servos, name)
     return verify_servo(
-        stand, servo_of(servo, stand), folder, motion=required, programme=course, name=name, seed=seed, count=states
+        stand, servos, folder, motion=required, programme=course, name=name, seed=seed, count=states, generate=generate
     )
+
+
+def _generate(
+    stand: Stand, course: Programme, motion: RequiredMotion, servo: Servo | None, name: str, real: str, kind: str
+) -> Mapping[str, str]:
+    """The C of a programme, or of its servo, as this version generates it, with tables of a kind."""
+    if servo is None:
+        from mahovik.out.export.programme import export_programme
+
+        return export_programme(stand, course, motion, kind, real=real, called=name).files
+    from mahovik.out.export.servo import export_servo
+
+    return export_servo(stand, course, motion, servo, real, kind, called=name).servo
 
 
 def _programme(
@@ -241,7 +254,9 @@ def _programme(
     if folder is not None and not any(item.failed for item in checks):
         from mahovik.proof.verify.functions.table import verify_compiled
 
-        checks += verify_compiled(stand, ProgrammeCase.of(stand, required, course, tolerance), folder, name)
+        case = ProgrammeCase.of(stand, required, course, tolerance)
+        generate = partial(_generate, stand, course, required, None, name)
+        checks += verify_compiled(stand, case, folder, name, generate)
     return report(stand, f"programme of {required.name}", 0, len(checks), tolerance or 0.0, checks)
 
 

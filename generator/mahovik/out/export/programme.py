@@ -5,7 +5,6 @@ They are written into a folder of `mahovik generate`, or any other; never over f
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from math import inf
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mahovik.core.emit.delivered import manifest_there, manifests_beside
 from mahovik.core.emit.generate import PRECISIONS
 from mahovik.core.emit.manifest import digest, read_header
 from mahovik.core.emit.programme import Facts, programme_files
@@ -305,9 +305,8 @@ def element_type(folder: Path, stand: Stand, real: str | None, usual: str = "dou
 
 def files_in(folder: Path, stand: Stand) -> tuple[str, ...]:
     """Names of the files of the programmes and servos that a folder has beside the C of a stand, by their manifests."""
-    manifests = sorted(folder.glob(f"{stand.name}_*.json"))
-    hashes = [_manifest_hashes(path, what) or {} for path in manifests for what in ("programme", "servo")]
-    return tuple(name for listed in hashes for name in listed if (folder / name).is_file())
+    known = [of["files"] for of in manifests_beside(folder, stand).values() if {"programme", "servo"} & of.keys()]
+    return tuple(name for listed in known for name in listed if (folder / name).is_file())
 
 
 def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, str], called: str = "") -> None:
@@ -316,7 +315,8 @@ def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, st
     Files that mahovik has written are listed in the manifest of the programme or servo, `what`, with their hash.
     """
     manifest = f"{stand.name}_{called or what}.json"
-    listed = _manifest_hashes(folder / manifest, what)
+    there = manifest_there(folder, manifest)
+    listed = there["files"] if there and what in there else None
     for name, text in files.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() == text.encode("utf-8"):
@@ -326,19 +326,6 @@ def refuse_foreign(folder: Path, stand: Stand, what: str, files: Mapping[str, st
         if listed is None or listed.get(name) != digest(path.read_bytes()):
             why = "was changed by hand" if listed is not None and name in listed else "was not written by mahovik"
             raise UsageError(f"{path}: {why}: move it away or choose another folder, nothing was written")
-
-
-def _manifest_hashes(path: Path, what: str) -> dict[str, str] | None:
-    """Hashes by name from the manifest of an older programme or servo; None: there is none."""
-    if not path.is_file():
-        return None
-    try:
-        document = json.loads(path.read_bytes())
-        if str(document["generator"]).startswith("mahovik ") and isinstance(document[what], str):
-            return {str(name): str(value) for name, value in document["files"].items()}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        pass
-    return None
 
 
 MOST_HARMONICS = 120

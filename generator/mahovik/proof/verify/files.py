@@ -8,7 +8,7 @@ a folder is not what this version generates, with the functions concerned. Line 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
@@ -17,15 +17,14 @@ import numpy as np
 
 from mahovik import __version__
 from mahovik.contract.limits import DOUBLE, Limits
-from mahovik.core.emit.batch import batch_files
-from mahovik.core.emit.delivered import declared_functions, files_beside, read_manifest
+from mahovik.core.emit.delivered import files_beside, has_hash, manifest_there
+from mahovik.core.emit.delivery import ADDITIONS
 from mahovik.core.emit.generate import Generated
 from mahovik.core.emit.manifest import NAME as MANIFEST
-from mahovik.core.emit.manifest import digest, spans
+from mahovik.core.emit.manifest import spans
 from mahovik.core.emit.names import VERIFICATION
-from mahovik.core.emit.recorder import recorder_files
 from mahovik.core.stand.model import Stand
-from mahovik.errors import UsageError
+from mahovik.errors import MahovikError
 from mahovik.proof.second.reading import Table, UnknownUnitError, default_options, differences
 from mahovik.proof.verify.check import TEXT, Check, difference
 
@@ -34,11 +33,15 @@ OPTIONS = "default options = second reading"
 NEAR_SINGULAR = {"double": 1e-6, "float": 1e-3}
 """Default of `near_singular` by the contract."""
 
-BATCH = "batch C = as generated"
+UNJUDGED = ("batch", "encoder")
+"""Additions of `generate --with` whose answers nothing judges here: they must be what this version generates."""
 
 JUDGED_APART = "what it does is judged by `verify` with programme and motion, or with servo"
 
 BY_HAND = "edited by hand"
+
+Generate = Callable[[str, str], Mapping[str, str]]
+"""Makes the files that this version generates, of an element type and a kind of table."""
 
 SHOWN = 6
 """Names that a line lists; the rest are counted."""
@@ -77,25 +80,70 @@ def _second_reading(row: Check, document: Table | None, relative: Callable[[Tabl
     return row
 
 
-def check_text(stand: Stand, generated: Generated, folder: Path) -> Check:
-    """Row: the C of a folder is what this version generates; its words name the functions where it is not, and who.
+def check_texts(stand: Stand, generated: Generated, folder: Path) -> list[Check]:
+    """Rows: the files of a folder are what this version generates, or as listed; their words say where not, and who.
 
-    Text that differs is no failure: the other rows have judged its answers.
+    Text that differs is no failure, as other rows have judged its answers: but of what nothing judges.
+
+    `generated`: C with the element type of the folder.
+    """
+    stems = {path.stem for place in (folder, folder / VERIFICATION) for path in place.glob("*.[ch]")}
+    there = [name for name in (*UNJUDGED, "recorder") if {f"{stand.name}_{name}", f"mahovik_{name}"} & stems]
+    added = {name: ADDITIONS[name](stand, generated) for name in there}
+    expected = dict(item for files in (generated.files, *added.values()) for item in files.items())
+    rows = [text_row(folder, f"(?:{stand.name}|mahovik)", expected)]
+    for name in UNJUDGED:
+        row = Check("", f"{name} C = as generated")
+        for file, text in added.get(name, {}).items():
+            present = _text(folder / file)
+            words = "missing" if present is None else "not what this version generates"
+            row.demand(present == text, "", f"{file} is {words}: generate the {name} C again")
+        rows += [row] if row.states else []
+    return rows
+
+
+def text_row(folder: Path, name: str, expected: Mapping[str, str], manifest: str = MANIFEST) -> Check:
+    """Row: files of a folder have the texts `expected`, if they are there, and others are as the manifest lists them.
+
+    `name`: prefix of the functions, a regular expression; `manifest`: name of its file.
     """
     row = Check("", TEXT, verdict="ok")
-    recorded = (folder / f"{VERIFICATION}{stand.name}_recorder.c").is_file()
-    expected = {**generated.files, **(recorder_files(stand, generated) if recorded else {})}
-    there = {name: text for name in expected if (text := _text(folder / name)) is not None}
-    edited = [name for name, text in there.items() if text != expected[name]]
-    if edited:
+    origin = manifest_there(folder, manifest)
+    listed = {} if origin is None else origin["files"]
+    there = {file: text for file in expected if (text := _text(folder / file)) is not None}
+    edited = [file for file, text in there.items() if text != expected[file]]
+    by_hand = [
+        file for file, digest in listed.items() if (folder / file).is_file() and not has_hash(folder / file, digest)
+    ]
+    by_hand += [file for file in edited if file not in (*listed, manifest)]
+    if edited or by_hand:
         row.verdict = "not compared"
-        places = _places(stand.name, declared_functions(folder, stand.name), expected, there)
-        author = _author(folder, edited)
-        first = (
-            f"; {edited[0]}, {_first_difference(there[edited[0]], expected[edited[0]])}" if BY_HAND in author else ""
-        )
-        row.words = f"{author}: {places}{first}"
+        author = _author(origin, manifest, bool(by_hand) or edited == [manifest])
+        beside = [file for file in dict.fromkeys((*edited, *by_hand)) if file not in there or not _is_c(file)]
+        places = [_places(name, expected, {file: text for file, text in there.items() if _is_c(file)}), _list(beside)]
+        row.words = f"{author}: {'; '.join(filter(None, places))}"
+        if edited and BY_HAND in author:
+            row.words += f"; {edited[0]}, {_first_difference(there[edited[0]], expected[edited[0]])}"
     return row
+
+
+def check_text_beside(stand: Stand, folder: Path, manifest: str, programme: str, generate: Generate | None) -> Check:
+    """Row: the files of a programme or servo in a folder are as their `manifest` lists them.
+
+    `programme`: its name in C; `generate`: tells the functions that differ.
+    """
+    row, origin = text_row(folder, stand.name, {}, manifest), manifest_there(folder, manifest)
+    if row.verdict == "ok" or generate is None or origin is None:
+        return row
+    try:
+        kind = origin["tables"][0]["kind"] if "tables" in origin else "quintic"
+        return text_row(folder, f"{stand.name}(?:_{programme})?", generate(origin["real"], kind), manifest)
+    except MahovikError:  # it cannot be generated any more
+        return row
+
+
+def _is_c(file: str) -> bool:
+    return file.endswith((".h", ".c"))
 
 
 def _first_difference(text: str, expected: str) -> str:
@@ -103,22 +151,6 @@ def _first_difference(text: str, expected: str) -> str:
     pairs = zip_longest(text.split("\n"), expected.split("\n"), fillvalue="end of the file")
     number, actual, wanted = next((k, a.strip(), b.strip()) for k, (a, b) in enumerate(pairs, 1) if a != b)
     return f"line {number}: found `{actual}`, expected `{wanted}`"
-
-
-def check_batch(stand: Stand, generated: Generated, folder: Path) -> Check | None:
-    """Row on `<stand>_batch.h` and `<stand>_batch.c` in a folder, which nothing else judges; None if neither exists.
-
-    `generated`: C with the element type of the folder.
-    """
-    names = [f"{stand.name}_batch.{kind}" for kind in ("h", "c")]
-    there = {name: _text(folder / name) for name in names}
-    if not any(there.values()):
-        return None
-    row, expected = Check("", BATCH), batch_files(stand, generated)
-    for name, text in there.items():
-        words = "missing" if text is None else "not what this version generates"
-        row.demand(text == expected[name], "", f"{name} is {words}: generate the batch C again")
-    return row
 
 
 def check_beside(stand: Stand, folder: Path) -> list[Check]:
@@ -140,24 +172,18 @@ def _text(path: Path) -> str | None:
     return path.read_text(encoding="utf-8", errors="replace") if path.is_file() else None  # universal newlines
 
 
-def _author(folder: Path, edited: Iterable[str]) -> str:
-    """Who has written these files of a folder: another version, or a hand, as far as its manifest says."""
-    try:
-        manifest = read_manifest(folder)
-    except UsageError:
-        manifest = None
-    if manifest is None:
-        return f"of another version or {BY_HAND}, {MANIFEST} is missing"
-    for name in edited:
-        content = (folder / name).read_bytes()
-        if manifest["files"].get(name) not in (digest(content), digest(content.replace(b"\r\n", b"\n"))):
-            return f"{BY_HAND} after {manifest['generator']} wrote it"
-    build = "another build of " if manifest["generator"] == f"mahovik {__version__}" else ""
-    return f"of {build}{manifest['generator']}"
+def _author(origin: Mapping[str, Any] | None, manifest: str, by_hand: bool) -> str:
+    """Who has written files that differ: another version, or a hand, as far as their manifest says."""
+    if origin is None:
+        return f"of another version or {BY_HAND}, {manifest} is missing"
+    if by_hand:
+        return f"{BY_HAND} after {origin['generator']} wrote it"
+    build = "another build of " if origin["generator"] == f"mahovik {__version__}" else ""
+    return f"of {build}{origin['generator']}"
 
 
-def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there: Mapping[str, str]) -> str:
-    """Functions whose text differs, internal ones with the public functions that call them, and files beside them.
+def _places(name: str, expected: Mapping[str, str], there: Mapping[str, str]) -> str:
+    """Functions whose text differs, internal ones with the public functions that call them, and files outside of them.
 
     A function that uses a changed macro is one whose text differs.
     """
@@ -172,7 +198,8 @@ def _places(name: str, public: Iterable[str], expected: Mapping[str, str], there
             calls[function] = {*re.findall(rf"\b{name}_(\w+)\(", both)}
             if ours.get(function) != theirs.get(function) or macros & {*re.findall(r"\w+", both)}:
                 functions[function] = None
-    public = [function for function in public if function in calls]
+    declared = [f for text in there.values() for f in re.findall(rf"^\w+ {name}_(\w+)\([^{{]*?;", text, re.MULTILINE)]
+    public = [function for function in dict.fromkeys(declared) if function in calls]
     reach = {function: {function} for function in public}
     while more := {(p, new) for p, at in reach.items() for f in at for new in calls.get(f, set()) - at}:
         for function, called in more:

@@ -19,7 +19,13 @@ from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import OTHER_TEXT, Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows, ordinary, same_bits
 from mahovik.proof.verify.draw import check_drawing, draw_decided
-from mahovik.proof.verify.files import check_batch, check_beside, check_file, check_options, check_text, is_as_generated
+from mahovik.proof.verify.files import (
+    check_beside,
+    check_file,
+    check_options,
+    check_texts,
+    is_as_generated,
+)
 from mahovik.proof.verify.refusals import check_refusals, good_inputs, raw_call
 from mahovik.proof.verify.scales import Scales
 from mahovik.proof.verify.states import Backend, Request
@@ -91,7 +97,7 @@ def verify_c(
     """Compile the generated C, fresh or of the folder `against`, without a warning, and compare it three ways.
 
     `document`: tables of the stand's file, None without one.
-    Batch C in `against` must be what this version generates.
+    What nothing judges in `against`, such as batch C, must be what this version generates.
 
     Raises ToolchainError where it does not compile, CheckError where it is of another stand.
     """
@@ -117,8 +123,7 @@ def verify_c(
         options = backend.library.read(backend.library.default("default_options"))
         rows.append(check_options(options, document, limits, backend.layout.precision.largest))
     if against is not None:
-        rows.append(check_text(stand, backend.generated, against))
-        rows += [*filter(None, [check_batch(stand, backend.generated, against)]), *check_beside(stand, against)]
+        rows += [*check_texts(stand, backend.generated, against), *check_beside(stand, against)]
     judged = "generated C" if against is None else f"C in {against}"
     if backend.left_out:
         public = public_names(backend.program)

@@ -29,6 +29,7 @@ from mahovik.errors import StateError, UsageError
 from mahovik.proof.reference.evaluate import answer_regressor
 from mahovik.proof.verify.check import Check, Report, report
 from mahovik.proof.verify.compare import Case, Rows
+from mahovik.proof.verify.files import Generate, check_text_beside
 from mahovik.proof.verify.functions import integration, optimality, value
 from mahovik.proof.verify.programme import compiled as programmes
 from mahovik.proof.verify.programme.verification import ProgrammeCase, motion_check, stand_check
@@ -127,8 +128,10 @@ def checks_of(case: AnyCase, name: str) -> list[Check]:
 # C of a programme or of servos in a folder, beside the stand's own.
 
 
-def verify_compiled(stand: Stand, case: ProgrammeCase, folder: Path, name: str = "programme") -> tuple[Check, ...]:
-    """Items of the C of a programme, of this `name`, in the folder of a stand: every function of its header.
+def verify_compiled(
+    stand: Stand, case: ProgrammeCase, folder: Path, name: str = "programme", generate: Generate | None = None
+) -> tuple[Check, ...]:
+    """Items of the C of a programme, of this `name`, in the folder of a stand: every function of its header, its text.
 
     Raises UsageError, ToolchainError: the folder has no such C, or it does not compile.
     """
@@ -137,7 +140,7 @@ def verify_compiled(stand: Stand, case: ProgrammeCase, folder: Path, name: str =
     )
     for row in rows:
         row.quantity = f"C {row.judged} {row.quantity}" if row.judged else f"C {row.quantity}"
-    return rows
+    return (*rows, check_text_beside(stand, folder, f"{stand.name}_{name}.json", name, generate))
 
 
 def verify_servo(
@@ -150,8 +153,9 @@ def verify_servo(
     name: str = "programme",
     seed: int = 1,
     count: int = 200,
+    generate: Generate | None = None,
 ) -> Report:
-    """Report on the C of a servo in a folder: each function, each member of its tables.
+    """Report on the C of a servo in a folder: each function, each member of its tables, its text.
 
     `motion`: the required motion of its programme; without it the trim's target is not compared. `programme`: the
     programme itself; without both the trim's matrix is not compared.
@@ -170,5 +174,7 @@ def verify_servo(
                 raise UsageError(f"{item.words}: give the programme that the servos follow")
     made = programmes.load_part(stand, folder, "servo", name)
     case = servos.ServoCase(stand, servo, made, seed, count, motion, programme)
-    rows = (*table_checks(case), *function_checks(case))
+    manifest = f"{stand.name}_servo.json" if name == "programme" else f"{stand.name}_{name}_servo.json"
+    text = check_text_beside(stand, folder, manifest, name, generate)
+    rows = (*table_checks(case), *function_checks(case), text)
     return report(stand, f"servo {servo.name}", seed, count, LIMITS[made.real].law, rows)

@@ -31,19 +31,27 @@ from mahovik.proof.verify.refusals import NOTHING, NULL, Numbers, WrongValue, de
 if TYPE_CHECKING:
     from mahovik.proof.verify.programme.verification import ProgrammeCase
 
-UNCHECKED = frozenset(("gains", "design", "clock", "invalid", "sum", "wanted", "present"))
+UNCHECKED = frozenset(("gains", "design", "invalid", "sum", "wanted", "present"))
 """Arguments and members that no function checks: a program has them in its text, or made them itself."""
 
 
 @dataclass(frozen=True)
 class Part:
-    """C of a programme or servo in a folder, loaded. `limit`: of a programme, what its tables may add to the residual,
-    as the folder's JSON file says.
+    """C of a programme or servo in a folder, loaded; of a programme what the folder's JSON file says.
+
+    limit   what its tables may add to the residual
+    errors  measured errors of each table, by its part
     """
 
     library: Library
     real: str
     limit: float
+    errors: Mapping[str, Mapping[str, float]]
+
+    @property
+    def numbers(self) -> np.finfo[Any]:
+        """Facts of the element type."""
+        return np.finfo(np.float32 if self.real == "float" else np.float64)
 
     def round(self, values: Any) -> Any:
         """The nearest numbers that the element type has, of mappings in each member; whole numbers stay."""
@@ -52,7 +60,7 @@ class Part:
         if np.asarray(values).dtype.kind != "f":
             return values
         with np.errstate(over="ignore"):
-            return np.asarray(values, np.float32 if self.real == "float" else np.float64).astype(np.float64)
+            return np.asarray(values, self.numbers.dtype).astype(np.float64)
 
     def functions(self, needed: Iterable[str]) -> list[str]:
         """Public functions of the header, after those that are needed."""
@@ -87,6 +95,7 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     try:
         document = json.loads(manifest.read_text(encoding="utf-8"))
         physics, real, limit = str(document["physics"]), document["real"], float(document.get("limit", 0.0))
+        errors = {table["part"]: dict(table["errors"]) for table in document.get("tables", ())}
         readable = real in ("float", "double") and 0.0 <= limit < math.inf and (kind == "servo" or "limit" in document)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         readable = False
@@ -95,7 +104,7 @@ def load_part(stand: Stand, folder: FilePath, kind: Literal["programme", "servo"
     if physics != identities(stand).physics:
         expected = f"expected {identities(stand).physics} of the stand {stand.name}"
         raise UsageError(f"{manifest}: its physics is {physics}, {expected}: generate the {kind} again")
-    return Part(Library(source, stand.name, programme), real, limit)
+    return Part(Library(source, stand.name, programme), real, limit, errors)
 
 
 def judge_law(
@@ -141,19 +150,19 @@ def spread_phases(count: int) -> Array:
 PHASES = 400
 """Phases at which a table is compared."""
 
-TORQUE = 10.0
-"""Factor on the limit of the file for drive torques: their parts are larger than their sum."""
+MEASURED = 8.0
+"""Factor on the errors that were measured when the table was made, for other times and rounding."""
 
 TABLES = ("at", "runup_at", "rundown_at")
 """Functions that give angles of the flywheels by the time."""
 
-CLOCK = {"phase": 0, "increment": 0, "surplus": 0, "rest": 0, "ticks": 2, "laps": 0}
-CLOCK_FUNCTIONS: dict[str, dict[str, Any]] = {
-    "start": {"ticks": 400, "periods": 1, "clock": {}},
-    "advance": {"clock": CLOCK},
-    "phase": {"clock": CLOCK, "phase": np.full(1, np.nan)},
+CLOCK = {"surplus": 6, "rest": 6, "ticks": 7, "laps": 0}
+CLOCK_FUNCTIONS: dict[str, tuple[dict[str, Any], Numbers]] = {
+    "start": ({"ticks": 401, "periods": 200, "clock": {}}, {"periods": (201,)}),
+    "advance": ({"clock": CLOCK}, {"surplus": (-1, 7), "rest": (-1, 7), "laps": (-1,)}),
+    "phase": ({"clock": {}, "phase": np.full(1, np.nan)}, NOTHING),
 }
-"""Good arguments of the functions of the clock."""
+"""Good arguments of the functions of the clock, at their bounds, and values just out of range."""
 
 CLOCKS = ((400, 1), (7, 3), (1000, 7), (4001, 2000))
 """Ticks and periods that they take, of the clocks that are tried over two rounds each; one period if it is finite."""
@@ -197,9 +206,10 @@ class CompiledProgramme:
 def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
     """Angles and speeds of a table against the programme's file; of the programme the residual and drive torques."""
     case, made, function = compiled.case, compiled.made, rows.function
-    judge_refusals(made, rows, compiled.inputs(function))
-    at, span = compiled.tables[function]
-    phases = made.round(spread_phases(PHASES))
+    is_cyclic = function == "at" and case.programme.periodic
+    judge_refusals(made, rows, compiled.inputs(function), {"phase": (1.0,)} if is_cyclic else NOTHING)
+    (at, span), last = compiled.tables[function], 1.0 - made.numbers.epsneg if is_cyclic else 1.0
+    phases = np.array([0.0, *made.round(spread_phases(PHASES - 2)), last])
     t, exact = phases * span, at(phases * span)
     answers = [made.call(function, compiled.inputs(function, phase)) for phase in phases]
     if (status := min(status for status, _ in answers)) < 0:
@@ -211,7 +221,12 @@ def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
     turned -= 2 * np.pi * np.round(turned / (2 * np.pi))
     value = max(largest(turned), largest(angles.phi_dot - exact.phi_dot) / speed)
     words = f"angles, rad, and speeds, share of the largest, at {PHASES} times, against the programme's file"
-    rows.add(Check.of(function, value, made.limit, words))
+    measured = made.errors["programme" if function == "at" else function.removesuffix("_at")]
+
+    def most(error: float) -> float:
+        return min(made.limit, MEASURED * max(error, float(made.numbers.eps)))
+
+    rows.add(Check.of(function, value, most(max(measured["phi"], measured["phi_dot"] / speed)), words))
     if function == "at":
         shares = case.scale.wrench_share(case.equations(t, angles)[0])
         i = int(np.argmax(shares))
@@ -221,13 +236,13 @@ def judge_table(compiled: CompiledProgramme, rows: Rows) -> None:
             tau = case.equations(t)[1]
             peak = largest(tau) or 1.0
             words = f"drive torques, share of the largest, {peak:.3g} N m"
-            rows.add(Check.of("torque", largest(columns["tau"] - tau) / peak, TORQUE * made.limit, words))
+            rows.add(Check.of("torque", largest(columns["tau"] - tau) / peak, most(measured["tau"] / peak), words))
 
 
 def judge_clock(compiled: CompiledProgramme, rows: Rows) -> None:
     """Phase and laps of clocks, which all three functions make together: with the first of them."""
     made, periodic = compiled.made, compiled.case.programme.periodic
-    judge_refusals(made, rows, CLOCK_FUNCTIONS[rows.function])
+    judge_refusals(made, rows, *CLOCK_FUNCTIONS[rows.function])
     if rows.function == "start" and all(map(made.library.has, CLOCK_FUNCTIONS)):
         wrong = sum(_clock_errors(made, ticks, periods if periodic else 1) for ticks, periods in CLOCKS)
         words = "ticks whose phase or laps are not the exact fraction, rounded down: start, phase, advance"
