@@ -153,11 +153,11 @@ def verify(
     if programme is not None:
         return report_result(_programme(machine, programme, motion, tolerance, path, name, progress), junit=junit)
     report = _c(machine, stand, path, ways, states, seed, real, progress)
-    by = "target" if targets else ""
     if targets and not report.passed and not any(row.verdict == "FAILED" for row in report.rows):
         from mahovik.proof.verify.check import conclusion
 
         raise ToolchainError(f"{machine.name}: {conclusion(report)}")
+    by = "target" if targets else ""
     return report_result(report, by=by, everything=all or judges or bool(targets), junit=junit, worst=worst)
 
 
@@ -174,9 +174,8 @@ def _c(
         from mahovik.proof.second.reading import load_tables
 
         document = load_tables(Path(stand))
-    there = Options()
-    if folder is not None:
-        machine, there = stand_in(folder, machine), delivered_options(folder) or Options()
+    machine = machine if folder is None else stand_in(folder, machine)
+    there = (folder and delivered_options(folder)) or Options()
     chosen = real or there.real
 
     def on_state(done: float, *_: object) -> None:
