@@ -87,7 +87,7 @@ def test_four_runs_without_phase(runs: dict[str, object]) -> None:
     x = (49 - 100 - 217 / 3) / 20
     y = -((144 - 100 - 217 / 3) / 20 + x / 2) / (np.sqrt(3) / 2)
     assert np.degrees(np.angle(w)) == pytest.approx(180.0 - np.degrees(np.arctan2(y, x)))
-    assert result["w"].tolist() == ["58.79@40.1"] and result["left"] == ["0@0"] and "also" not in result
+    assert result["w"].tolist() == ["58.79@40.1"] and not {"left", "also"} & {*result}
 
 
 def test_amplitudes_that_contradict_one_another_fail() -> None:
@@ -97,7 +97,22 @@ def test_amplitudes_that_contradict_one_another_fail() -> None:
     (words,) = bad.messages
     assert "up to 43.16, 43.2 % of the largest" in words and "repeat the runs" in words
     fair = mahovik.balance(influence=NO_PHASE[0])
-    assert fair.ok and fair["after"] == fair["misfit"] == pytest.approx(0.4995, abs=1e-4)
+    assert fair.ok and fair["after"] > fair["misfit"] == pytest.approx(0.4995, abs=1e-4)
+
+
+def test_what_noise_leaves_is_what_is_said_to_be_left() -> None:
+    """Of 200 rotors without phase three in ten are left with more, one in six with twice as much."""
+    rng = np.random.default_rng(1)
+    U, beyond, off = 4.0 * np.exp(2j * np.pi * np.arange(3) / 3), [], []
+    for _ in range(200):
+        alpha = rng.uniform(0.5, 2.5) * np.exp(2j * np.pi * rng.uniform())
+        A, *B = np.abs(np.concatenate([[10.0], 10.0 + alpha * U]) + 0.1 * rng.normal(size=4)).tolist()
+        result = mahovik.balance(influence={"A": [A], "B": [B], "U": [text(u) for u in U.tolist()]})
+        w = result["corrections"][0]
+        beyond.append(abs(10.0 + alpha * w) / result["after"])
+        off.append(abs(w + 10.0 / alpha) / (2**0.5 * result["standard_error"][0]))
+    assert 0.2 < np.mean(np.array(beyond) > 1.0) < 0.5 and 0.08 < np.mean(np.array(beyond) > 2.0) < 0.25
+    assert 0.5 < np.median(off) < 1.2
 
 
 def test_one_plane_with_phase() -> None:

@@ -84,24 +84,22 @@ def _by_influence(influence: Any, method: Literal["least-squares", "min-max"], p
         columns.append(column("add", "", polar(w - problem.trial)))
     if solutions[0].standard_error is not None:
         columns.append(column("standard_error", "", solutions[0].standard_error))
-    zero = NOTHING * largest
-    meta: dict[str, Any] = {
-        "left": [write_polar(value, zero) for value in left.tolist()],
-        "before": largest,
-        "after": max(float(np.abs(left).max()), misfit.off),
-        "corrections": w,
-    }
+    meta: dict[str, Any] = {"before": largest, "after": float(np.abs(left).max()), "corrections": w}
     messages = []
     if solutions[0].bound is not None:
         meta["bound"] = solutions[0].bound
     if len(problems) > 1:
         messages.append("two answers fit the amplitudes: try one, or add a trial run with a weight at another place")
-    if misfit.share > NOTHING:
-        meta["misfit"] = misfit.off
+    if misfit is None:
+        meta["left"] = [write_polar(value, NOTHING * largest) for value in left.tolist()]
+    elif misfit.share > NOTHING:
+        meta |= {"after": misfit.left if misfit.fair else misfit.off, "misfit": misfit.off}
         messages.append(misfit.words)
+        if misfit.error is not None:
+            columns.append(column("standard_error", "", [misfit.error]))
     columns += _split(places, w.tolist())
-    details = ("corrections", "misfit")
-    return Result("correction weights", columns, meta=meta, messages=messages, ok=misfit.fair, details=details)
+    ok, details = misfit is None or misfit.fair, ("corrections", "misfit")
+    return Result("correction weights", columns, meta=meta, messages=messages, ok=ok, details=details)
 
 
 def _by_model(source: Any, files: Sequence[Any], plane: Any, places: Any) -> Result:

@@ -30,6 +30,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from scipy.optimize import linprog
+from scipy.special import chdtri
 
 from mahovik.core.stand.fields import Flag
 from mahovik.core.stand.files import TEXT, parse_json, text_of
@@ -75,10 +76,17 @@ class Influence:
 
 
 class Misfit(NamedTuple):
-    """How far amplitudes without phase are off those of the influences at most, and the largest of them; else 0, 1."""
+    """How well amplitudes without phase agree with one influence.
 
-    off: float = 0.0
-    largest: float = 1.0
+    off      how far an amplitude is off it at most; largest: of the amplitudes
+    left     vibration that a correction leaves, root of its mean square, by the noise that explains `off`
+    error    standard error of a correction's components; None where no amplitude is left over to tell the noise
+    """
+
+    off: float
+    largest: float
+    left: float
+    error: float | None
 
     @property
     def share(self) -> float:
@@ -94,8 +102,10 @@ class Misfit(NamedTuple):
     def words(self) -> str:
         """The misfit in words, and what to do where it is no noise."""
         size = f"{self.off:.4g}, {100.0 * self.share:.3g} % of the largest"
-        advice = "" if self.fair else ": repeat the runs, and check the places of the trial weights"
-        return f"amplitudes differ from those of any rotor by up to {size}; expect as much to be left{advice}"
+        size = f"amplitudes differ from those of any rotor by up to {size}"
+        if self.fair:
+            return f"{size}: with noise as large about {self.left:.3g} will be left, in one rotor of six twice as much"
+        return f"{size}: repeat the runs, and check the places of the trial weights"
 
 
 class InfluenceFile(Table):
@@ -145,8 +155,8 @@ def split_weight(w: complex, places: Sequence[float]) -> list[complex]:
 # -- reading ---------------------------------------------------------------------------------------------------------
 
 
-def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], Misfit]:
-    """Influences of a JSON file or of an object like it, and the misfit of amplitudes without phase.
+def read_influence(source: str | Path | Mapping[str, Any]) -> tuple[list[Influence], Misfit | None]:
+    """Influences of a JSON file or of an object like it, and of amplitudes without phase the misfit.
 
     Two influences: of amplitudes without phase that fit both. Raises BalanceError.
     """
@@ -172,10 +182,10 @@ def _load(path: Path) -> Mapping[str, Any]:
     return raw
 
 
-def _influences(table: InfluenceFile) -> tuple[list[Influence], Misfit]:
+def _influences(table: InfluenceFile) -> tuple[list[Influence], Misfit | None]:
     """The influences of a file, and the misfit of amplitudes. Raises QuantityError."""
     A, phases = _numbers("A", table.A)
-    trial, misfit = None, Misfit()
+    trial, misfit = None, None
     if table.ALPHA is not None:
         if table.B is not None or table.U is not None:
             raise QuantityError('ALPHA: given beside trial runs; give either "ALPHA", or "B" and "U"')
@@ -201,8 +211,7 @@ def _influences(table: InfluenceFile) -> tuple[list[Influence], Misfit]:
         elif len(A) > 1 or table.keep_trial:
             raise QuantityError("A: without phase there is one sensor, one plane, and no trial weight stays on")
         else:
-            amplitudes, off = _without_phase(float(A[0].real), B[0].real, U)
-            misfit = Misfit(off, float(max(A.real.max(), B.real.max())))
+            amplitudes, misfit = _without_phase(float(A[0].real), B[0].real, U)
             alphas = [np.array([[alpha]]) for alpha in amplitudes]
     _require_independent(alphas[0])
     return [Influence(A, alpha, trial) for alpha in alphas], misfit
@@ -222,7 +231,8 @@ def _numbers(key: str, raw: Any, phases: bool | None = None) -> tuple[Complex, b
         phases = has_phase if phases is None else phases
         read = read_polar(text if has_phase else f"{text}@0")
         if read is None or has_phase != phases:
-            expected = '"amplitude@degrees", as "1.15@90"' if phases else "an amplitude, as the others"
+            polar = phases or "@" in text
+            expected = '"amplitude@degrees" without units, as "1.15@90"' if polar else "an amplitude, as the others"
             raise QuantityError(f"{key}[{i}]: expected {expected}, found {json.dumps(value, default=str)[:60]}")
         numbers.append(read)
     return np.array(numbers, dtype=np.complex128), bool(phases)
@@ -263,8 +273,8 @@ def _count(number_: int, noun: str) -> str:
     return f"{number_} {noun}" if number_ == 1 else f"{number_} {noun}s"
 
 
-def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], float]:
-    """ALPHA relative to A = a, the one with the lighter correction first, and how far amplitudes are off it at most.
+def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], Misfit]:
+    """ALPHA relative to A = a, the one with the lighter correction first, and how well the amplitudes agree with it.
 
     Linear in |ALPHA|^2 and the parts of ALPHA. Trial runs of rank 3 tell them all: size and angle come from these, as
     circles drawn by hand give them. Of rank 2, as with two runs, |ALPHA|^2 that of its parts leaves two answers.
@@ -274,12 +284,13 @@ def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], float
         raise QuantityError("A: an amplitude of 0 needs no correction")
     unit = float(np.abs(U).max())
     u = U / unit
-    rows, right = np.column_stack([np.abs(u) ** 2, 2.0 * u.real, -2.0 * u.imag]), (b / a) ** 2 - 1.0
+    rows = np.column_stack([np.abs(u) ** 2, 2.0 * u.real, -2.0 * u.imag])
     left, sigma, axes = np.linalg.svd(rows, full_matrices=True)
     rank = int(np.sum(sigma > DISTINCT * sigma[0]))
     if rank < 2:
         raise QuantityError("U: without phase expected trial runs with weights at two different places, better three")
-    nearest = axes[:rank].T @ ((left.T @ right)[:rank] / sigma[:rank])
+    by_squares = axes[:rank].T @ (left.T[:rank] / sigma[:rank, None])
+    nearest = by_squares @ ((b / a) ** 2 - 1.0)
     if rank == 3:
         size, x, y = nearest
         if size <= 0.0 or not (x or y):
@@ -299,8 +310,32 @@ def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], float
         answers = sorted(answers, key=abs, reverse=True)
         if abs(answers[0] - answers[1]) < DISTINCT * abs(answers[0]):
             answers = answers[:1]
-    off = max(float(np.abs(np.abs(1.0 + answer * u) - b / a).max()) * a for answer in answers)
-    return [answer * a / unit for answer in answers], off
+    off = max(float(np.abs(np.abs(1.0 + answer * u) - b / a).max()) for answer in answers)
+    left, error = _noise(answers[0], u, b / a, by_squares)
+    misfit = Misfit(off * a, max(a, float(b.max())), left * a, None if error is None else error * unit)
+    return [answer * a / unit for answer in answers], misfit
+
+
+def _noise(alpha: complex, u: Complex, b: Array, by_squares: Array) -> tuple[float, float | None]:
+    """Vibration that w = -1 / ALPHA leaves of A = 1, root of its mean square, and standard error of the parts of w.
+
+    By noise whose median is what the amplitudes 1, b (K) leave in a linear fit of A and the parts of ALPHA; of these
+    |ALPHA|^2 and the parts are `by_squares` (3, K) of the squares.
+    """
+    places = np.concatenate([[0.0], u])
+    direction = 1.0 + alpha * places
+    direction /= np.abs(direction)
+    turned = direction.conj() * places
+    slopes = np.column_stack([direction.real, turned.real, -turned.imag])
+    off = np.abs(1.0 + alpha * places) - np.concatenate([[1.0], b])
+    over = off - slopes @ np.linalg.lstsq(slopes, off, rcond=None)[0]
+    spare = len(off) - slopes.shape[1]
+    if spare < 1:
+        return 0.0, None
+    size, x, y = by_squares * (2.0 * b)  # slopes of |ALPHA|^2 and of the parts by b
+    share = size / (2.0 * abs(alpha) ** 2) + 1j * ((x + 1j * y) / alpha).imag  # of ALPHA, as a part of it
+    left = math.sqrt(float(over @ over) / chdtri(spare, 0.5) * float((np.abs(share) ** 2).sum() + abs(b @ share) ** 2))
+    return left, left / (math.sqrt(2.0) * abs(alpha))
 
 
 # -- solving ---------------------------------------------------------------------------------------------------------
