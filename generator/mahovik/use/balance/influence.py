@@ -311,8 +311,8 @@ def _without_phase(a: float, b: Array, U: Complex) -> tuple[list[complex], Misfi
         if abs(answers[0] - answers[1]) < DISTINCT * abs(answers[0]):
             answers = answers[:1]
     off = max(float(np.abs(np.abs(1.0 + answer * u) - b / a).max()) for answer in answers)
-    left, error = _noise(answers[0], u, b / a, by_squares)
-    misfit = Misfit(off * a, max(a, float(b.max())), left * a, None if error is None else error * unit)
+    remains, error = _noise(answers[0], u, b / a, by_squares)
+    misfit = Misfit(off * a, max(a, float(b.max())), remains * a, None if error is None else error * unit)
     return [answer * a / unit for answer in answers], misfit
 
 
