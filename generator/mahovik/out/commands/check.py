@@ -112,7 +112,7 @@ def _figures(stand: Stand, summary: Summary, written: Sequence[Written]) -> tupl
     numbers = [(number, *number.printed) for number in summary.hold_numbers]
     bodies: dict[tuple[str, str, str], list[str]] = {}
     for one in written:
-        if one.unit != "rad" or one.where.partition(".")[0] == "hold":  # angles of bodies are in other tables
+        if one.unit != "rad" or not one.key.startswith("unbalance."):  # those are in the table of unbalance
             bodies.setdefault((one.key, one.text, one.in_si), []).append(one.where)
     meta: dict[str, Any] = {
         "stand": stand.name, "structure": names.structure, "physics": names.physics, "total_mass": summary.mass,
