@@ -131,7 +131,7 @@ def test_a_bit_that_rounding_decides_is_judged_by_the_residual(name: str, seed: 
     rows = {row.quantity: row for row in judge(stand, backend, states, ("inverse",), LIMITS["float"], scales=scales)}
     status = rows["status"]
     assert not any(row.failed for row in rows.values()) and (status.states, status.skipped) == (60, 0)
-    words = f"UNREACHABLE by the residual at {by_residual} states, as rounding decides it"
+    words = f"rounding decides UNREACHABLE at {by_residual} of the states"
     assert status.words == (words if by_residual else "")
 
 

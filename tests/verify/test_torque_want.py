@@ -10,6 +10,7 @@ import pytest
 
 import mahovik
 from mahovik.contract.limits import uniform
+from mahovik.core.stand import loads
 from mahovik.errors import UsageError
 from mahovik.proof.reference import evaluate
 from mahovik.proof.second import Second
@@ -65,6 +66,32 @@ FAULTS: dict[str, tuple[Callable[[dict[str, Any]], dict[str, Any]], set[str]]] =
 def test_a_planted_fault_fails_by_its_row(name: str) -> None:
     change, rows = FAULTS[name]
     assert failed([result | change(result) for result in answers()]) >= rows
+
+
+STIFF = """
+schema = 1
+name = "stiff"
+gravity = [0, 0, -9.81]
+carrier = { mass = 40, inertia = [2, 3, 4] }
+suspension = { stiffness = [1e7, 1e7, 4e7, 1e6, 3e6, 1e6] }
+flywheel = [
+    { name = "w", position = [0.1, 0.2, 0.1], angles = [0.3, -0.2], mass = 2, inertia = [9e-3, 6e-3, 7e-3] },
+    { name = "v", position = [-0.1, 0.2, 0.1], angles = [1.3, -0.2], mass = 1, inertia = [3e-3, 2e-3, 2e-3] },
+]
+task.p = { rows = ["wx", "wz"] }
+"""
+
+
+def test_where_rounding_decides_what_is_out_of_reach_either_answer_is_right() -> None:
+    """Forces of springs cancel in the residual, so that its rounding is above what is accepted of a small demand."""
+    stand = loads(STIFF)
+    case, requests = (
+        TorqueCase(stand, uniform(1e-12), Second(stand), Scales(stand)),
+        torque_requests(stand, draw(stand, 1, 36), 1),
+    )
+    rows = torque_checks(case, [(request, evaluate(stand, request.state, ["torque_for"])) for request in requests])
+    words = next(row.words for row in rows if row.quantity == "UNREACHABLE")
+    assert {row.verdict for row in rows} == {"ok"} and words.startswith("rounding decides UNREACHABLE at ")
 
 
 def test_a_stand_without_tasks_has_no_such_want() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -20,7 +21,7 @@ from mahovik.proof.second import Second
 from mahovik.proof.verify.backends import CasadiBackend, is_beyond
 from mahovik.proof.verify.c_backend import CBackend
 from mahovik.proof.verify.check import Check, difference
-from mahovik.proof.verify.scales import Equation, Laws, Measured, Scales, bits_of
+from mahovik.proof.verify.scales import LAST_PLACE, ROUNDINGS, Equation, Laws, Measured, Scales, bits_of
 from mahovik.proof.verify.states import Request
 
 
@@ -173,7 +174,7 @@ class Rows:
         self._measures, self._kind, self._second, self._by = scales, kind, second, by
         self._checks: dict[str, Check] = {}
         self._one_sided: list[tuple[Check, float, Request, str]] = []
-        self._second_answers, self._by_residual = False, 0
+        self._second_answers, self._by_rounding = False, Counter[str]()
 
     @property
     def _scales(self) -> Scales:
@@ -199,8 +200,9 @@ class Rows:
             more = [Check(self.function, "second derivation", words=f"{refused[0][-1]}; so at every state")]
         for check in self._checks.values():
             check.settle()
-        if self._by_residual and not (status := self.check("status")).words:
-            status.words = f"UNREACHABLE by the residual at {self._by_residual} states, as rounding decides it"
+        for quantity, count in self._by_rounding.items():
+            if not (check := self.check(quantity)).words:
+                check.words = f"rounding decides UNREACHABLE at {count} of the states"
         return [*self._checks.values(), *more]
 
     def add(self, check: Check) -> None:
@@ -217,23 +219,42 @@ class Rows:
         """Count one state at which only equality is right."""
         self.check(quantity, "exact").demand(right, state, words)
 
+    def judge_reach(
+        self, name: str, measured: Measured | None, root: Array, left: Array, most: float, has: bool
+    ) -> None:
+        """Whether a status `has` UNREACHABLE where the scaled residual root `left` is longer than `most`.
+
+        The solver decides it by what it has left, which is off by rounding from the residual that is given: where that
+        decides it, either is right, and the check counts these states.
+
+        `measured`: the residual with its scale.
+        """
+        error = float(np.linalg.norm(root @ left))
+        scale = np.zeros(len(left)) if measured is None else measured.scales["residual"][: len(left)]
+        in_doubt = abs(error - most) <= ROUNDINGS * LAST_PLACE[self.limits.real] * np.linalg.norm(root * scale)
+        if in_doubt and has != (error > most):
+            self._by_rounding["UNREACHABLE"] += 1
+        words = f"the error is {error:.1e}, of {most:.1e} accepted"
+        self.demand("UNREACHABLE", bool(in_doubt) or has == (error > most), name, words)
+
     def compare(
         self, name: str, state: Any, equation: Any, answer: Mapping[str, Any], suffix: str = "",
         least_squares: bool = False, weak: Sequence[str] = (),
-    ) -> None:  # fmt: skip
+    ) -> Measured | None:  # fmt: skip
         """Compare results with the answer of an equation at a state, or a law's of inputs, with measured scales.
 
-        A state where the reference has no answer is left out. `weak`: quantities of which a solver regularises a part,
-        of the kind `optimality`.
+        None: a state where the reference has no answer is left out. `weak`: quantities of which a solver regularises a
+        part, of the kind `optimality`.
         """
         assert self._measures is not None
         try:
             measured = self._measures.measure(state, equation, least_squares)
         except (StateError, np.linalg.LinAlgError) as error:
             self.check(f"answer{suffix}").skip(f"the reference has none: {error}", name)
-            return
+            return None
         for check, _, _, off, words in self._differences(name, measured, answer, suffix=suffix, weak=weak):
             check.note(off, name, words)
+        return measured
 
     def balance(self, quantity: str, name: str, state: State, sides: Equation, floor: float = 0.0) -> None:
         """Compare the two sides (2xn) of each equation that an answer must solve, over the largest scale in them."""
@@ -281,7 +302,7 @@ class Rows:
         """
         due, bits = self._scales.reach(state, measured, answer.get("residual")), bits_of(measured.values["status"])
         if due is not None and due != ("UNREACHABLE" in bits):
-            self._by_residual += 1
+            self._by_rounding["status"] += 1
             bits ^= {"UNREACHABLE"}
         if np.max(np.abs(measured.values["phi_ddot"]), initial=0.0) > LARGEST[self._scales.real]:
             bits |= {"LIMITED"}

@@ -45,7 +45,7 @@ from mahovik.proof.reference.motion import coupled, forward, torque
 from mahovik.proof.reference.pieces import Pieces
 from mahovik.proof.verify.backends import turns
 from mahovik.proof.verify.compare import FAR_SIDES, Case, Rows
-from mahovik.proof.verify.scales import Scales
+from mahovik.proof.verify.scales import Measured, Scales
 from mahovik.proof.verify.states import Request
 
 Flags = NDArray[np.bool_]
@@ -169,12 +169,12 @@ class Problem:
 
 def judge_conditions(
     case: Any, rows: Rows, question: Question, problem: Problem, x: Array, answer: Mapping[str, Any], status: int,
-    slack: float, regular: float,
+    slack: float, regular: float, measured: Measured | None,
 ) -> None:  # fmt: skip
     """The bounds are kept, and the conditions of a least error hold within them; LIMITED and UNREACHABLE say so.
 
     `slack`: by which part of a bound rounding may exceed it; `regular`: 0 where directions are weak, and no error is
-    judged. UNREACHABLE is due by the residual that is given, which is judged by itself.
+    judged. UNREACHABLE is due by the residual that is given, which is judged by itself; `measured`: with its scale.
     """
     where, scaled, bits = question.name, problem.scaled, status_bits(status)
     limited, size = np.array(answer["limited"], dtype=bool), np.maximum(np.abs(problem.least), np.abs(problem.most))
@@ -188,10 +188,8 @@ def judge_conditions(
         off = excess(np.where(pinned, 0.0, problem.W), scaled.r, scaled.r - problem.W @ problem.y(x), side, regular)
         rows.check("least error, within bounds").note(off, where)
     residual = vector(answer["residual"])
-    error = scaled.root @ (residual if question.use is None else residual[question.use])
-    left, most = float(np.linalg.norm(error)), float(case.scales.cuts.reached * np.linalg.norm(scaled.r))
-    words = f"the error is {left:.1e}, of {most:.1e} accepted"
-    rows.demand("UNREACHABLE", (left > most) == ("UNREACHABLE" in bits), where, words)
+    left, most = residual if question.use is None else residual[question.use], np.linalg.norm(scaled.r)
+    rows.judge_reach(where, measured, scaled.root, left, float(case.scales.cuts.reached * most), "UNREACHABLE" in bits)
 
 
 def kept_values(case: Any, scaled: ScaledDemand) -> Array:
@@ -290,7 +288,6 @@ def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, answ
     limit, regular = np.array(question.options["limit"], dtype=np.float64), THRESHOLDS[case.real].regular
     none = np.zeros(len(limit))
     problem = Problem(question.scaled(case.stand, at), none, -limit, limit, none.astype(bool))
-    judge_conditions(case, rows, question, problem, x, answer, status, 0.0, regular)
     free = float(np.min(limit, initial=np.inf)) > 1e30
     # of a damped answer, whose scale the weak directions do not raise, the solver regularises them
     is_weak = question.damping[1] > 0.0 and has_weak(kept_values(case, problem.scaled), regular)
@@ -299,10 +296,11 @@ def _judge_inverse(case: Case, rows: Rows, question: Question, status: int, answ
     def equation(stand: Stand, _: State, near: Pieces) -> Values:
         return answer_of(case, question, stand, near, None if free else x)
 
-    rows.compare(
+    measured = rows.compare(
         where, question.state, equation, {**answer, "status": words}, "" if free else ", with limits",
         least_squares=True, weak=("phi_ddot",) if is_weak else (),
     )  # fmt: skip
+    judge_conditions(case, rows, question, problem, x, answer, status, 0.0, regular, measured)
     _judge_hardest(rows, question, answer)
     if question.state.task:
         _judge_by_points(case, rows, question, answer)
@@ -663,7 +661,6 @@ def judge_torques(
 
         rows.compare(name, state, least, answer, least_squares=True)
     regular = 0.0 if is_weak or of_share else THRESHOLDS[case.limits.real].bounded
-    judge_conditions(case, rows, question, problem, tau, answer, status, case.limits.value, regular)
     if of_share:
         _judge_share(case, rows, question, problem, answer, is_weak)
 
@@ -672,7 +669,8 @@ def judge_torques(
         left = vector(state.demand) - question.rows(stand, at).acceleration(V_dot)
         return {"V_dot": V_dot, "phi_ddot": phi_ddot, "residual": left}
 
-    rows.compare(name, state, equation, answer)
+    measured = rows.compare(name, state, equation, answer)
+    judge_conditions(case, rows, question, problem, tau, answer, status, case.limits.value, regular, measured)
     _judge_by_points(case, rows, question, answer)
 
 
