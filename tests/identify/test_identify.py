@@ -58,6 +58,7 @@ def test_unbalances_are_right_within_their_standard_errors(files: Path, truth: m
         static = numbers[f"{name}.unbalance.static"]
         assert static.standard_error < 0.01 * static.value
     assert result["residual"] == pytest.approx(0.1, rel=0.1)  # the noise of the data
+    assert not any("white noise" in line for line in result.messages)
 
 
 @pytest.mark.slow
@@ -75,7 +76,7 @@ def test_command(files: Path) -> None:
     assert new.mass * math.hypot(y, z) == pytest.approx(static["value"], rel=1e-12)
     old, text = (Path(name).read_text(encoding="utf-8").splitlines() for name in ("stand.toml", "new.toml"))
     assert set(old) - set(text) and all("#" not in line for line in set(old) - set(text))
-    assert "is read; expected another file" in refused(
+    assert "is read by this command; expected another name" in refused(
         "identify", "stand.toml", "--data", "run.csv", "--free", free, "-o", "stand.toml"
     )
 
@@ -158,6 +159,10 @@ def test_a_file_of_free_numbers_may_have_a_delay(files: Path) -> None:
     numbers, _ = identified("stand.toml", "run.csv", "free.toml")
     delay = numbers["imu.delay"]
     assert abs(delay.value + 4e-4) < 4.0 * delay.standard_error < 2e-4
+    late = text.format("0.4 ms").replace("imu.delay", "w1.unbalance.static")
+    (files / "free.toml").write_text(late, encoding="utf-8")
+    _, result = identified("stand.toml", "run.csv", "free.toml")
+    assert any("is no white noise, standard errors are too small: a delay" in line for line in result.messages)
     (files / "free.toml").write_text(text.format("2 mm"), encoding="utf-8")
     words = refused("identify", "stand.toml", "--data", "run.csv", "--free", "free.toml", "-o", "new.toml")
     assert words.strip() == 'error: free.toml: delay.imu: unit "mm" does not fit, expected a time (s)'

@@ -51,7 +51,7 @@ def identify(
         StandError: a stand that cannot be.
     """
     from mahovik.out.api.stands import Stand
-    from mahovik.out.identify.estimate import estimate, shares_left, unobservable_lines
+    from mahovik.out.identify.estimate import coloured_lines, estimate, shares_left, unobservable_lines
     from mahovik.out.identify.free import Free, read_free, with_numbers
     from mahovik.use.measured.read import read_recordings
 
@@ -82,6 +82,7 @@ def identify(
         if bad:
             words = "a sign, an axis, a phase, a unit, or a number that is not free?"
             notes.append(f"warning: {source}: {label}: the stand leaves {100.0 * share:.3g} % of the data: {words}")
+    notes += coloured_lines(runs, fit)
     lines = unobservable_lines(numbers, runs, fit)
     return Result(
         f"{machine.name}: numbers from {', '.join(run.source for run in runs)}",

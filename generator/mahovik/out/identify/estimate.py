@@ -55,6 +55,10 @@ HEARD = 3.0
 MUCH, ABOVE = 1.0 / 3.0, 5.0
 """A fit is bad where it leaves more than this share of a channel's data, and this many times its noise."""
 
+LAGS, COLOURED, SURE, EXACT = 20, 0.05, 6.0, 1e-4
+"""Lags at which residuals are correlated; coloured part of their variance from which standard errors are too small, if
+so many standard deviations show it; share of the data below which residuals are rounding."""
+
 STEP = 1e-4
 """Step of central differences, of the natural size of a number."""
 
@@ -315,6 +319,28 @@ def shares_left(run: Run, residuals: Array) -> tuple[Array, NDArray[np.bool_], N
     heard = spread > HEARD * noise
     shares = left / np.where(spread > LEAST_NOISE, spread, np.nan)
     return shares, heard, heard & (shares > MUCH) & (left > ABOVE * noise)
+
+
+def coloured_lines(runs: Sequence[Run], fit: Fit) -> list[str]:
+    """A line for each run whose residuals are not white noise, so that standard errors are too small.
+
+    A narrow band that is a part s of the variance has correlations of s cos(), the rest has 1 / sqrt(T) of any sign.
+    """
+    lines = []
+    for run, residuals in zip(runs, fit.residuals, strict=True):
+        shares, heard, bad = shares_left(run, residuals)
+        sizes = dict[str, float]()
+        for c in np.flatnonzero(heard & ~bad & (shares > EXACT)):
+            r = residuals[np.isfinite(residuals[:, c]), c]
+            squares = sum(float(r[k:] @ r[:-k] / (r @ r)) ** 2 for k in range(1, LAGS + 1))
+            if len(r) * squares > LAGS + SURE * np.sqrt(2.0 * LAGS):
+                sizes[run.channels[c]] = float(np.sqrt(2.0 * (squares / LAGS - 1.0 / len(r))))
+        name = max(sizes, key=lambda label: sizes[label], default="")
+        if name and sizes[name] > COLOURED:
+            size = f"{100.0 * sizes[name]:.2g} % of what {name} leaves is no white noise"
+            cause = "a delay, a filter, or a number that is not free?"
+            lines.append(f"warning: {run.source}: {size}, standard errors are too small: {cause}")
+    return lines
 
 
 # -- what the data cannot tell ---------------------------------------------------------------------------------------
