@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import tomllib
 from pathlib import Path
 
@@ -148,6 +149,17 @@ def test_too_few_data_are_refused(files: Path, exact: Array) -> None:
     write_csv(files / "short.csv", with_noise(exact[:60], 10.0, 1))
     assert "expected at least" in refused(
         "identify", "stand.toml", "--data", "short.csv", "--free", "w*.unbalance", "-o", "new.toml"
+    )
+
+
+def test_sensors_whose_times_are_not_those_of_the_phases_are_refused(files: Path) -> None:
+    lines = [line.split(",") for line in (files / "run.csv").read_text(encoding="utf-8").splitlines()]
+    late = [[lines[0][0], *lines[0][1:7]], *([repr(float(row[0]) + 100.0), *row[1:7]] for row in lines[1:])]
+    (files / "imu.csv").write_text("\n".join(map(",".join, late)), encoding="utf-8")
+    (files / "wheels.csv").write_text("\n".join(",".join([row[0], *row[7:]]) for row in lines), encoding="utf-8")
+    words = refused("identify", "stand.toml", "--data", "imu.csv", "--data", "wheels.csv", "--free", "w1.mass")
+    assert re.search(r"imu.csv covers 100.* s, wheels.csv covers 0 to .* has the phase of w1: expected times", words), (
+        words
     )
 
 

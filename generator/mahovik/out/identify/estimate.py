@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.linalg import null_space
 from scipy.optimize import least_squares
 
+from mahovik.core.stand.model import Stand
 from mahovik.errors import StandError, StateError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.identify.free import Free
@@ -261,6 +262,7 @@ def estimate(free: Free, recordings: Sequence[Recording], loss: Loss = "linear")
     """Free numbers from recordings, by one of SciPy's losses. Raises UsageError, StandError, StateError."""
     if loss not in get_args(Loss):
         raise UsageError(f'loss: unknown "{loss}"{suggestion(loss, get_args(Loss))}')
+    _refuse_apart(free.stand, recordings)
     runs = [Run(recording, free) for recording in recordings]
     problem = Problem(free, runs)
     samples = sum(int(run.there.sum()) for run in runs)
@@ -294,6 +296,16 @@ def estimate(free: Free, recordings: Sequence[Recording], loss: Loss = "linear")
         starts,
     )
     return fit, runs
+
+
+def _refuse_apart(stand: Stand, recordings: Sequence[Recording]) -> None:
+    """Raise UsageError: the phase of a flywheel is in a recording whose times are not those of the sensors."""
+    for label in (f"{wheel.name}.phase" for wheel in stand.flywheels):
+        having = [recording for recording in recordings if label in recording.frame]
+        without = [recording for recording in recordings if label not in recording.frame]
+        if having and without:
+            first, second = (f"{x.source} covers {x.t[0]:.6g} to {x.t[-1]:.6g} s" for x in (without[0], having[0]))
+            raise UsageError(f"{first}, {second} and has the phase of {label[:-6]}: expected times that overlap")
 
 
 def _singles_first(weak: Array) -> Array:
