@@ -8,7 +8,7 @@ import pytest
 from emit.stands import generated
 from mahovik.core.program.build import Body
 from mahovik.core.program.cost import Cost, cost
-from mahovik.core.program.expression import Place, bits_of, real, real_of_bits, select
+from mahovik.core.program.expression import BitCast, Place, real, select
 from mahovik.core.program.function import Program
 from mahovik.core.program.types import Kind
 from program.small import argument, function, value_of
@@ -29,7 +29,7 @@ def operations(program: Program, name: str) -> Cost:
         (lambda a, b: a / b + 1, Cost(additions=1, divisions=1)),
         (lambda a, b: -a, Cost()),
         (lambda a, b: select(a < b, a + b, a * b), Cost(1, 1, 0, 2)),
-        (lambda a, b: real_of_bits(bits_of(a) + bits_of(b)), Cost()),
+        (lambda a, b: BitCast(BitCast(a, Kind.WORD) + BitCast(b, Kind.WORD), Kind.REAL), Cost()),
         (lambda a, b: real(3), Cost()),
     ],
 )

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -162,92 +163,72 @@ def test_comments_names_and_contract_go_into_the_program() -> None:
     assert names == ["part0", "part1", "part2"] and sum(isinstance(s, Set) for s in weighted.body) == 5
 
 
-def unknown_statement(a: float = argument()) -> float:
-    """A loop that may not end."""
-    while a > 0:
-        pass
-    return a
-
-
-def name_of_another_block(a: float = argument()) -> float:
-    """A name that ends with its block."""
-    if a > 0:
-        b = 2 * a
-    return b
-
-
-def kinds_that_differ(a: float = argument(), n: int = argument()) -> float:
-    """A real and an int."""
-    return a + n
-
-
-def second_value(a: float = argument()) -> float:
-    """A name that is not declared to change."""
-    b = 2 * a
-    b = b * b
-    return b + 1
-
-
-def no_argument(a: float = 1.0) -> float:
-    """A number as the default value."""
-    return a
-
-
-def nothing(a: float = argument()) -> None:
-    """A value of a function that returns none."""
-    return 5  # type: ignore[return-value]
-
-
-def another_kind(a: float = argument()) -> float:
-    """An int for a real."""
-    n: int = 1
-    return n
-
-
-def number_as_branch(a: float = argument()) -> float:
-    """A real where a truth value belongs."""
-    return 1.0 if a else 0.0
-
-
-def number_as_operand(a: float = argument()) -> float:
-    """Reals where truth values belong."""
-    if a > 0 and not a:
-        return 1.0
-    return 0.0
-
-
-def text_added(a: float = argument()) -> float:
-    """A text where a number belongs."""
-    b: float = a
-    b += "a"  # type: ignore[operator]
-    return b
-
-
-def printed(a: float = argument()) -> float:
-    """A function of Python that acts while the text is compiled."""
-    print(a)
-    return a
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("while x > 0:\n        pass", "no statement of a kernel: while x > 0:"),
+        ("if x > 0:\n        y = 2 * x\n    return y", "return y: .* name 'y' is not defined"),
+        ("return x ** 2", "no kernel computes this, .*: unsupported operand"),
+        ("print(x)", "name 'print' is not defined"),
+        ("return abs(x=x)", "_abs\\(\\) got an unexpected keyword argument"),
+        ("return x + 1e400", "inf is no number that real holds"),
+        ("return x + n", "kinds differ: int found, real expected"),
+        ("y: float = x\n    y += 'a'", "'a' is no real"),
+        ("y = 2 * x\n    y = y * y", "y has a value already: what changes is declared"),
+        ("y: str = x", "y: str found, expected float or int or Status"),
+        ("y: float = a", "y: float found, expected Reals or Ints"),
+        ("y: int = x", "kinds differ: real found, int expected"),
+        ("a[0] = 1.0", "is an input, a temporary or an index: expected a result or a declared local"),
+        ("n += 1", "is an input, a temporary or an index"),
+        ("y = 2 * x\n    y += 1.0", "is an input, a temporary or an index"),
+        ("return a[2]", "a\\[2\\] is outside 0..1"),
+        ("y: Reals = a + Vector([x, x, x])", "lengths differ: 2 and 3 elements"),
+        ("y = cross(a, a)", "a\\[2\\] is outside 0..1"),
+        ("y = (a + a)[2]", "2 numbers have no number \\[2\\]"),
+        ("if a + a:\n        return 1.0", "a condition is a comparison, not a vector"),
+        ("return 1.0 if x else 0.0", "a condition is a comparison, not a number"),
+        ("return 1.0 if x > 0 and not x else 0.0", "a condition is a comparison, not a number"),
+        ("return 1.0 if 0 < x < 1 else 0.0", "a chain of comparisons"),
+        ("return 1.0 if n in (1, 2) else 0.0", "is known when the program runs"),
+        ("return 1.0 if a + a == a - a else 0.0", "is known when the program runs"),
+        ("return (y := x)", "expected a statement of its own"),
+        ("for i in range(x):\n        pass", "kinds differ: real found, int expected"),
+        ("for i in range(0, 3, 2):\n        pass", "a loop counts by 1"),
+        ("return a", "a is an array, expected a number"),
+        ("return n", "kinds differ: int found, real expected"),
+        ("y = x", "returns nothing, expected float"),
+        ("if x > 0:\n        return 1.0", "returns nothing, expected float"),
+        ("return x\n    y = x", "y = x: no state comes here"),
+        ("if x > 0:\n        return x\n    else:\n        return x\n    y = 2 * x", "y = 2 \\* x: no state comes here"),
+    ],
+)
+def test_a_wrong_text_is_an_error_with_its_line(text: str, message: str, tmp_path: Path) -> None:
+    signature = 'a: Reals = argument("", 2), x: float = argument(), n: int = argument()'
+    refuses(tmp_path, f'def wrong({signature}) -> float:\n    """Wrong."""\n    {text}\n', message)
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (nothing, "the signature says that it returns None"),
-        (another_kind, "the signature says that it returns float"),
-        (number_as_branch, "a condition is a comparison, not a number"),
-        (number_as_operand, "a condition is a comparison, not a number"),
-        (text_added, "'a' is no real"),
-        (printed, "name 'print' is not defined"),
-        (unknown_statement, "no statement of a kernel: while a > 0:"),
-        (name_of_another_block, "return b: name 'b' is not defined"),
-        (kinds_that_differ, "return a \\+ n: kinds differ: real and int"),
-        (second_value, "b has a value already: what changes is declared"),
-        (no_argument, "a: expected argument\\(...\\)"),
+        ("def wrong(x: float = 1.0) -> float:", "x: expected argument\\(...\\)"),
+        ("def wrong(x: str = argument()) -> float:", "x: str found, expected one of float, int"),
+        ("def wrong(x: float = argument()) -> str:", "what it returns: str found, expected one of None, float"),
+        ("def wrong(x: float = argument()) -> float:\n    pass", "expected a docstring"),
+        ("def wrong(x: float = argument()) -> None:", "says that it returns None, expected no return"),
     ],
 )
-def test_a_wrong_text_is_an_error_with_its_line(text: Callable[..., Any], message: str) -> None:
-    with pytest.raises(KernelError, match=f"test_kernel.py:[0-9]+: .*{message}"):
-        kernel()(text)
+def test_a_wrong_signature_is_an_error_with_its_line(text: str, message: str, tmp_path: Path) -> None:
+    refuses(tmp_path, f'{text}\n    """Wrong."""\n    return x\n', message)
+
+
+def refuses(folder: Path, text: str, message: str) -> None:
+    """Expects the error of a kernel in a file of its own."""
+    file = folder / "wrong.py"
+    file.write_text(text, encoding="utf-8")
+    scope = {"Reals": Reals, "argument": argument, "cross": cross, "Vector": Vector}
+    exec(compile(text, str(file), "exec"), scope)
+    with pytest.raises(KernelError, match=f"wrong.py:[0-9]+: .*{message}"):
+        kernel()(cast(Callable[..., Any], scope["wrong"]))
 
 
 def test_an_inline_kernel_is_no_function_of_python() -> None:

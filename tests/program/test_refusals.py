@@ -9,7 +9,6 @@ from mahovik.core.program.build import Body
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     BitCast,
-    Const,
     Convert,
     Expr,
     Place,
@@ -21,7 +20,7 @@ from mahovik.core.program.expression import (
     select,
 )
 from mahovik.core.program.function import Function, Program
-from mahovik.core.program.statement import Copy, Declare, Let, Loop, Return, Set, Statement, When
+from mahovik.core.program.statement import Copy, Declare, Let, Loop, Set, Statement, When
 from mahovik.core.program.types import Field, Kind, NamedCount, Struct
 from mahovik.core.program.validate import validate
 from mahovik.core.program.walk import expressions, statements
@@ -44,14 +43,19 @@ pair, other = Variable("pair", PAIR).place, Variable("other", OTHER).place
         (lambda: a + w, "kinds differ"),
         (lambda: select(a < b, a, w), "kinds differ"),
         (lambda: equal(a, b), "not compared for equality"),
-        (lambda: Convert(a, I), "use the bits"),
+        (lambda: Convert(a, I), "a real is converted by its bits only"),
         (lambda: BitCast(n, R), "between real and word"),
         (lambda: bool(a < b), "no truth value"),
         (lambda: as_expr(0.5, I), "is no int"),
         (lambda: a[0], "is not an array"),
         (lambda: pair.c, "struct pair has no member c"),
         (lambda: Body().set(x3, 1), "x3 is not a scalar"),
-        (lambda: Body().set(x3, x6), "x3 has 3 elements, x6 6"),
+        (lambda: Body().set(x3, x6), "lengths differ: 3 and 6 elements"),
+        (lambda: x3[a], "kinds differ: real found, int expected"),
+        (lambda: x3[N], "x3\\[3\\] is outside 0..2"),
+        (lambda: a % b, "% of real: expected one of"),
+        (lambda: -pair, "pair is a struct, expected a number"),
+        (lambda: as_expr(2**31, I), "2147483648 is no number that int holds"),
         (lambda: callee()(a, b), "callee takes 1 arguments, not 2"),
         (lambda: callee(returns=None)(a) + a, "callee returns nothing"),
     ],
@@ -75,7 +79,8 @@ def callee(
         (callee(R, (N,)), x6, "x6 has 6 elements, expected 3"),
         (callee(PAIR), other, "does not fit"),
         (callee(R, (), "out"), real(1), "does not fit"),
-        (callee(R), n, "int given, real expected"),
+        (callee(R, (3,), "out"), x3, "x3 is an input, a temporary or an index"),
+        (callee(R), n, "argument x: kinds differ: int found, real expected"),
     ],
 )
 def test_arguments_that_do_not_fit(function: Function, value: Expr, message: str) -> None:
@@ -110,8 +115,6 @@ def program_of(*body: Statement) -> Program:
         ([LET_A, USE_A, Loop(Variable("a", I), integer(0), integer(2), ())], "f: a hides another a"),
         ([LET_A], "f: a is never used"),
         ([Loop(K, integer(0), integer(2), (LET_A,))], "f: a is never used"),
-        ([Set(Place(OUT.variable, (Const(0, R),), R, ()), real(1))], "an index that is no int"),
-        ([Return(Place(OUT.variable, (X.place,), R, ()))], "an index that is no int"),
         ([Copy(A.place, X.place)], "f: a is used outside its block"),
     ],
 )

@@ -57,13 +57,10 @@ def allocate(lib: Library, rows: int = 6) -> Function:
         row = reals(rows)  # factor of each row; 0: the row is left out
         gram = reals(rows, rows)
         z = reals(rows)
-        going = ints()
-        weighted = ints()
         settled = ints()  # 1 after a whole step that gains nothing and frees nobody
-        square_before = reals()  # square of the residual after the last whole step
-        going = 1
-        weighted = 1
-        square_before = most_real
+        going: int = 1
+        weighted: int = 1
+        square_before: float = most_real  # square of the residual after the last whole step
         # until the end phi_ddot holds y = D phi_ddot
         for s in range(N):
             phi_ddot[s] = 0
@@ -153,10 +150,8 @@ def advance(
     # after a full step, release the held flywheel that would lower the residual most
     if stopped < 0:
         left = reals(rows)
-        wanted = reals()
-        square = reals()  # of the residual
-        wanted = 0
-        square = 0
+        wanted: float = 0
+        square: float = 0  # of the residual
         for i in range(rows):
             wanted += work.r[i] * work.r[i]
             left[i] = work.r[i] if i < rank else 0.0
@@ -164,8 +159,7 @@ def advance(
                 for s in range(N):
                     left[i] -= work.W[i][s] * y[s]
             square += left[i] * left[i]
-        best = reals()
-        best = eps.reached_square * wanted  # smaller gains are ignored
+        best: float = eps.reached_square * wanted  # smaller gains are ignored
         freed: int = -1
         for s in range(N):
             if held[s] > 0:

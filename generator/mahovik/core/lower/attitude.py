@@ -191,10 +191,8 @@ def add_rotations(lib: Library) -> None:
     @lib.kernel()
     def turned_back(q: Reals = argument("", 4), v: Reals = argument("", 3), out: Reals = result("", 3)) -> None:
         """C^T v: components of v in the turned axes, v - 2 q0 (u x v) + 2 u x (u x v), u the vector part of q."""
-        once = reals(3)
-        once[:] = cross(q[1:4], v)
-        twice = reals(3)
-        twice[:] = cross(q[1:4], once)
+        once: Reals = cross(q[1:4], v)
+        twice: Reals = cross(q[1:4], once)
         for i in range(3):
             out[i] = v[i] - 2 * q[0] * once[i] + 2 * twice[i]
 
@@ -418,8 +416,7 @@ def add_demand(lib: Library, structs: LoopStructs) -> None:
         limited = square > config.closing_rate * config.closing_rate
         out.limited = 1 if limited else 0
         scale = config.closing_rate / lib["sqrt"](square) if limited else 1
-        transport = reals(3)
-        transport[:] = cross(out.rate_error, rate_ref)
+        transport: Reals = cross(out.rate_error, rate_ref)
         for i in range(3):
             out.wanted[i] = (
                 acceleration[i]
@@ -499,8 +496,7 @@ def momentum_left(lib: Library, momentum: Function, config: Any, table: Any, x: 
     """Angular momentum about the mass centre, less what is to stay, in E1."""
     whole = record(struct_of(momentum))
     momentum(table, x, whole)
-    carried = reals(3)
-    carried[:] = cross(whole.center_of_mass, whole.Z[0:3])
+    carried: Reals = cross(whole.center_of_mass, whole.Z[0:3])
     stays = reals(3)
     lib["turned_back"](x.attitude, config.wanted_momentum, stays)
     for i in range(3):
@@ -548,8 +544,7 @@ def add_step(
         made = record(structs.result)
         t = elapsed(config, loop)
         lib["attitude_reference_at"](loop.course, t, made.reference)
-        rate = reals(3)
-        rate[:] = x.V[3:6]
+        rate: Reals = x.V[3:6]
         lib["attitude_demand_for"](config, made.reference, x.attitude, rate, loop.integral, made.demand)
         if wrenches:
             wrench = reals(wrenches)

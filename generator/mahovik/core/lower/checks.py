@@ -76,16 +76,13 @@ def look_at_sums(lib: Library, x: Any, values: Any = None, limit: Any = None) ->
     """
     turning, held = lib.layout.flywheels, lib.layout.held
     with shortcut():
-        position2 = reals()
-        velocity2 = reals()
-        speed2 = reals()
         if turning:
             phase2 = reals()
             if values is not None:
                 value2 = reals()
-        position2 = dot(x.position, x.position) if held else 0
-        velocity2 = dot(x.V[0:3], x.V[0:3]) if held else 0
-        speed2 = dot(x.V[3:6], x.V[3:6]) if held else 0
+        position2: float = dot(x.position, x.position) if held else 0
+        velocity2: float = dot(x.V[0:3], x.V[0:3]) if held else 0
+        speed2: float = dot(x.V[3:6], x.V[3:6]) if held else 0
         if turning:
             phase2 = 0
             if values is not None:

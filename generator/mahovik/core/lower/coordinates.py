@@ -188,10 +188,8 @@ def add_generalized(lib: Library) -> None:
         """I0 = K A, J0 = K D + M A."""
         for i in range(6):
             for j in range(6):
-                I0 = reals()
-                J0 = reals()
-                I0 = 0
-                J0 = 0
+                I0: float = 0
+                J0: float = 0
                 for k in range(6):
                     I0 += m.K[i][k] * out.A[k][j]
                     J0 += m.K[i][k] * out.D[k][j] + m.M[i][k] * out.A[k][j]
@@ -371,8 +369,7 @@ def add_held_coordinates(lib: Library) -> None:
             lib["rotation"](turn, R)
             a[:] = freedoms.spread(table.S, u)
             b[:] = freedoms.spread(table.S, u_dot)
-            whole = reals(3)  # u_dot + omega x u
-            whole[:] = -cross(a, x.V[3:6]) + b
+            whole: Reals = -cross(a, x.V[3:6]) + b  # u_dot + omega x u
             for name, in_E1 in (("q_dot", a), ("q_ddot", whole)):
                 turn_rates(freedoms, table, R, in_E1, name, out)
         return OK
@@ -502,8 +499,7 @@ def turn_rates_back(lib: Library, freedoms: Ways, table: Any, turn: Any, u: Any,
     for values, turned in ((u, a), (u_dot, b)):
         home[:] = freedoms.spread(table.S, values)
         lib["rotate_back"](R, home, turned)
-    rate_along = reals(3)  # u_dot of what slides, in E1
-    rate_along[:] = cross(a, omega) + b
+    rate_along: Reals = cross(a, omega) + b  # u_dot of what slides, in E1
     for k in freedoms.slides:
         u[k] = dot(freedoms.direction(k, table.S), a)
         u_dot[k] = dot(freedoms.direction(k, table.S), rate_along)

@@ -152,8 +152,7 @@ def add_demand(lib: Library) -> None:
                 scale = table.flywheel[s].spin_root_inv
                 work.scale[s] = scale
                 if held:
-                    coupling = reals(6)  # column of I
-                    coupling[:] = column_of(table.flywheel[s], s_phi, c_phi)
+                    coupling: Reals = column_of(table.flywheel[s], s_phi, c_phi)  # column of I
                     for k, along in enumerate(S):
                         work.I[k][s] = dot(along, coupling)
                 else:

@@ -8,7 +8,7 @@ from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.lower.library import Library
 from mahovik.core.program.call import Argument
 from mahovik.core.program.expression import Const, integer
-from mahovik.core.program.kernel import BAD_ARGUMENT, NOT_FINITE, Reals, argument, inline, ints, reals
+from mahovik.core.program.kernel import BAD_ARGUMENT, NOT_FINITE, Reals, argument, inline, reals
 from mahovik.core.program.types import Kind
 
 SPIN_UP_NOTE = (
@@ -43,10 +43,8 @@ def add_excessive(lib: Library) -> None:
         flags: Any = Argument("flags", Kind.INT, (), "out", purpose="EXCESSIVE, or 0"),
     ) -> None:
         """Does a motion need more than a motor's torque or speed, or a larger phi_ddot than `most`?"""
-        motors = ints()  # flywheels whose motor has a limit
-        excess = ints()
-        motors = 0
-        excess = 0
+        motors: int = 0  # flywheels whose motor has a limit
+        excess: int = 0
         for s in range(N):
             if abs(phi_ddot[s]) > options.most[s]:
                 excess = bit("EXCESSIVE")

@@ -178,12 +178,10 @@ def take_freedom(rest: Reals, column: Sequence[Any], number: int, before: Sequen
 def blocked_pose(lib: Library, table: Any, x: Any, off: Reals) -> None:
     """off[6..8]: the way of the pivot less what slides; off[9..11]: the turn about other axes."""
     way = pivot_way(lib, table, x)
-    slid = reals(3)  # its part along what slides
-    slid[:] = table.sliding @ way
+    slid: Reals = table.sliding @ way  # its part along what slides
     off[6:9] = way - slid
     if not turns_about_point(lib.layout.ways):
-        turn = reals(4)  # from the home attitude
-        turn[:] = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)
+        turn: Reals = formula(derived.from_home(), home=table.home_attitude, q=x.attitude)  # from the home attitude
         axis = turning_axis(lib.layout.ways, table)
         about: float = 0  # part of the turn about the axis
         for one, value in zip(axis, turn[1:4], strict=True):

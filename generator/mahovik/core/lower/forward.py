@@ -123,8 +123,7 @@ def external_wrench(lib: Library, table: Any, x: Any, seen: Any, wrench: Any, F:
 @inline
 def drift_of(x: Any, stream: Any) -> Any:
     """omega x C^T u: V_r_dot = V_dot + (omega x C^T u, 0)."""
-    drift = reals(3)  # omega x C^T u
-    drift[:] = -cross(stream, x.V[3:6])
+    drift: Reals = -cross(stream, x.V[3:6])  # omega x C^T u
     return drift
 
 

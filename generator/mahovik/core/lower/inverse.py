@@ -233,10 +233,9 @@ def add_inverse(lib: Library, task: Rows | None = None) -> None:
             asked = reals(m)  # the demand in these rows, before damping
             for i in range(m):
                 asked[i] = work.r[i]
-        flags = ints()
         rank = ints()
         damping = reals()
-        flags = 0
+        flags: int = 0
         choose_rank(lib, options, work, rank, damping, flags, m)
         allocate(work, options, rank, answer, limited)
         for s in range(N):

@@ -284,8 +284,7 @@ def turn_stream(lib: Library, table: Any, at: System, d_V: Any) -> Any:
     """The change of omega x C^T u with V, for which K times it is taken from R; None where R has no such part."""
     if at.drift is None:
         return None
-    d_drift = reals(3)  # change of omega x C^T u
-    d_drift[:] = -cross(at.seen.stream, d_V[3:6])
+    d_drift: Reals = -cross(at.seen.stream, d_V[3:6])  # change of omega x C^T u
     lib["subtract_drift"](table, at.seen.sums, d_drift, at.R)
     return d_drift
 

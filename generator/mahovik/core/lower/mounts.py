@@ -45,8 +45,7 @@ def add_mounts(lib: Library) -> None:
         U: Reals = result("in mounting axes at Os", 6),
     ) -> None:
         """L^T V: a twist carried to Os, in mounting axes."""
-        velocity = reals(3)  # velocity of Os
-        velocity[:] = -cross(mount.origin, V[3:6]) + V[0:3]
+        velocity: Reals = -cross(mount.origin, V[3:6]) + V[0:3]  # velocity of Os
         U[0:3] = mount.axes.T @ velocity
         U[3:6] = mount.axes.T @ V[3:6]
 

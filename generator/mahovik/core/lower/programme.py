@@ -343,12 +343,9 @@ def sum_of_harmonics(
     sine_1 = reals()
     cosine_1 = reals()
     first_turn(lib, phase, sine_1, cosine_1)
-    sine = reals()
-    cosine = reals()
-    k = reals()
-    sine = sine_1
-    cosine = cosine_1
-    k = 0
+    sine: float = sine_1
+    cosine: float = cosine_1
+    k: float = 0
     for s in range(form.count):
         phi[s] = table.mean[s]
         phi_dot[s] = 0

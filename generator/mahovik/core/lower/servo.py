@@ -436,14 +436,11 @@ def correct(
     phi: Reals, phi_dot: Reals, tau: Reals,
 ) -> None:  # fmt: skip
     """Adds the corrections of one flywheel to its angle, speed and torque."""
-    angle = reals()
-    rate = reals()
-    bend = reals()
     for i in range(trim.terms):
         present[i] += design.smoothing * (wanted[i] - present[i])
-    angle = present[0]
-    rate = 0
-    bend = 0
+    angle: float = present[0]
+    rate: float = 0
+    bend: float = 0
     for k in range(1, trim.harmonics + 1):
         at = k + k - 1
         turn = float(k) * design.omega

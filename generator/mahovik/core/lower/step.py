@@ -346,9 +346,8 @@ def add_wrap(lib: Library) -> None:
         """The angle wrapped to [-pi, pi] (pi rounded to the nearest real)."""
         check_number(lib, phi, lib.limit("MAX_PHASE"))
         k = reals()  # nearest number of turns; may be off by one next to an odd multiple of pi
-        angle = reals()
         k = turns_of_angle(precision, phi)
-        angle = lib["unwound"](phi, k)
+        angle: float = lib["unwound"](phi, k)
         if angle > pi or angle < -pi:
             angle = lib["unwound"](phi, k + 1 if angle > pi else k - 1)
         wrapped.value = pi if angle > pi else -pi if angle < -pi else angle

@@ -90,8 +90,7 @@ def add_functions(lib: FunctionSet) -> None:
         u[:] = table.stream + profile.top
         for k in range(last):
             thick = profile.depth[k + 1] - profile.depth[k]
-            above = reals()  # part of the layer that is above O1
-            above = depth - profile.depth[k]
+            above: float = depth - profile.depth[k]  # part of the layer that is above O1
             above = above if above > 0 else 0.0
             above = above if above < thick else thick
             u += profile.shear[k] * above

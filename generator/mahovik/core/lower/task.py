@@ -142,15 +142,13 @@ def turning_part(
 ) -> None:
     """The last three rows: the moments of F and of I, whose columns are found by `turns`, when v_dot is eliminated."""
     factor3(lib, S, work)
-    moment = reals(3)  # of b, then of each column of I, when v_dot is eliminated
-    moment[:] = moment_of(F)
+    moment: Reals = moment_of(F)  # of b, then of each column of I, when v_dot is eliminated
     substitute3(work.G, moment, work.r[:3], "r")
     for s in range(lib.layout.count):
         if turns:
             s_phi = turns[0][s]
             c_phi = turns[1][s]
-            I = reals(6)
-            I[:] = column_of(flywheel[s], s_phi, c_phi)
+            I: Reals = column_of(flywheel[s], s_phi, c_phi)
         else:
             I = work.I[:, s]
         moment[:] = moment_of(I)

@@ -236,7 +236,6 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                 high[s] = 0
         y = reals(N)
         held = ints(N)
-        flags = ints()
         share: float = 1.0
         least_squares(W, r, low, high, options.weight, y, held)
         left: float = 0.0
@@ -247,7 +246,7 @@ def add_torque_for(lib: Library, task: Rows) -> None:
                 rest -= W[i * n + s] * y[s]
             left += rest * rest
             wanted += r[i] * r[i]
-        flags = bit("UNREACHABLE") if left > lib.thresholds.reached_square * wanted else 0
+        flags: int = bit("UNREACHABLE") if left > lib.thresholds.reached_square * wanted else 0
         if flags > 0:
             if options.keep_direction != 0:
                 start = reals(m)

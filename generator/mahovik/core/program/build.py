@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from mahovik.core.program.call import Call
@@ -16,6 +18,8 @@ from mahovik.core.program.expression import (
     Variable,
     as_expr,
     condition,
+    paired,
+    to_write,
     unequal,
 )
 from mahovik.core.program.statement import (
@@ -30,12 +34,25 @@ from mahovik.core.program.statement import (
     Set,
     Shortcut,
     Statement,
+    Statements,
     When,
 )
-from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.program.types import Kind, NamedCount, ProgramError, Struct
 
 CHECKED = ("OK", "NOT_FINITE", "RANGE")
 """Statuses of a function that checks its inputs."""
+
+
+def returns(body: Sequence[Statement]) -> bool:
+    """Does every way through the statements end with a return?"""
+    match body[-1:]:
+        case [Return()]:
+            return True
+        case [When(_, inner, otherwise)]:
+            return returns(inner) and returns(otherwise)
+        case [Block(inner) as block]:
+            return returns(inner) and not isinstance(block, Shortcut)
+    return False
 
 
 class Body:
@@ -46,6 +63,8 @@ class Body:
         self._status: Variable | None = None  # of calls that are checked
 
     def _add(self, statement: Statement) -> None:
+        if returns(self._blocks[-1]):
+            raise ProgramError("no state comes here: all that stands before has returned")
         self._blocks[-1].append(statement)
 
     @property
@@ -72,7 +91,7 @@ class Body:
         comment: str = "",
     ) -> Place:
         """A local array, struct or scalar that is written later."""
-        variable = Variable(name, type_, tuple(shape), written=not shape and isinstance(type_, Kind))
+        variable = Variable(name, type_, tuple(shape), written=True)
         self._add(Declare(variable, comment))
         return variable.place
 
@@ -80,32 +99,31 @@ class Body:
         """place = value; of an array or a vector element by element, of a struct whole."""
         if not isinstance(place, Place) or place.shape:
             if isinstance(value, OPERANDS) and not getattr(value, "shape", ()):
-                raise TypeError(f"{place!r} is not a scalar")
-            values = tuple(value)
-            if len(place) != len(values):
-                raise TypeError(f"{place!r} has {len(place)} elements, {value!r} {len(values)}")
-            for one, element in zip(place, values, strict=True):
+                raise ProgramError(f"{place!r} is not a scalar")
+            for one, element in paired(place, tuple(value)):
                 self.set(one, element, comment)
                 comment = ""
         elif isinstance(place.type, Struct):
             self.copy(place, value, comment)
         else:
-            self._add(Set(place, as_expr(value, place.kind), comment))
+            self._add(Set(to_write(place), as_expr(value, place.kind), comment))
 
     def add(self, place: Any, value: Any, comment: str = "", subtract: bool = False) -> None:
         """place += value, or -= with `subtract`; of an array element by element, without those that are 0."""
         if not isinstance(place, Place) or place.shape:
-            for one, element in zip(place, value, strict=True):
+            for one, element in paired(place, value):
                 if isinstance(element, Expr) or element != 0:
                     self.add(one, element, comment, subtract)
                     comment = ""
         else:
             change = as_expr(value, place.kind)
-            self._add(Set(place, -change if subtract else change, comment, add=True))
+            self._add(Set(to_write(place), -change if subtract else change, comment, add=True))
 
     def copy(self, target: Place, source: Place, comment: str = "") -> None:
         """A struct is copied whole."""
-        self._add(Copy(target, source, comment))
+        if not isinstance(source, Place) or (source.type, source.shape) != (target.type, ()):
+            raise ProgramError(f"{source!r} is no {target!r}: expected the same struct")
+        self._add(Copy(to_write(target), source, comment))
 
     def check(self, call: Expr, status: str = "") -> None:
         """A call that returns a status: where it is not OK, that is returned, or `status` in its place."""
@@ -126,45 +144,35 @@ class Body:
         self._add(Return(value))
 
     @contextmanager
+    def _inner(self, outer: Callable[[Statements], Statement]) -> Iterator[None]:
+        """Statements that become a part of another one, `outer`."""
+        self._blocks.append([])
+        yield
+        body = tuple(self._blocks.pop())
+        self._add(outer(body))
+
+    @contextmanager
     def loop(self, name: str, stop: Operand, start: Operand = 0, comment: str = "", most: int = 1) -> Iterator[Place]:
         """for name in start..stop-1"""
         index = Variable(name, Kind.INT)
-        self._blocks.append([])
-        yield index.place
-        body = tuple(self._blocks.pop())
-        self._add(Loop(index, as_expr(start, Kind.INT), as_expr(stop, Kind.INT), body, comment, most))
+        first, last = as_expr(start, Kind.INT), as_expr(stop, Kind.INT)
+        with self._inner(lambda body: Loop(index, first, last, body, comment, most)):
+            yield index.place
 
-    @contextmanager
-    def block(self) -> Iterator[None]:
+    def block(self) -> AbstractContextManager[None]:
         """A block of its own: its locals end with it. (One turn of a loop that is not printed as such.)"""
-        self._blocks.append([])
-        yield
-        body = tuple(self._blocks.pop())
-        self._add(Block(body))
+        return self._inner(Block)
 
-    @contextmanager
-    def shortcut(self) -> Iterator[None]:
+    def shortcut(self) -> AbstractContextManager[None]:
         """A block that may return early what would be returned anyway."""
-        self._blocks.append([])
-        yield
-        body = tuple(self._blocks.pop())
-        self._add(Shortcut(body))
+        return self._inner(Shortcut)
 
-    @contextmanager
-    def when(self, test: Expr, comment: str = "") -> Iterator[None]:
+    def when(self, test: Expr, comment: str = "") -> AbstractContextManager[None]:
         """if (test)"""
-        condition(test)
-        self._blocks.append([])
-        yield
-        body = tuple(self._blocks.pop())
-        self._add(When(test, body, (), comment))
+        return self._inner(partial(When, condition(test), comment=comment))
 
-    @contextmanager
-    def otherwise(self) -> Iterator[None]:
+    def otherwise(self) -> AbstractContextManager[None]:
         """else, of the `when` just before"""
         last = self._blocks[-1].pop()
         assert isinstance(last, When)
-        self._blocks.append([])
-        yield
-        body = tuple(self._blocks.pop())
-        self._add(When(last.condition, last.body, body, last.comment))
+        return self._inner(lambda body: replace(last, otherwise=body))

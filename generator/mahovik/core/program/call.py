@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from mahovik.core.program.expression import Expr, Place, Variable
-from mahovik.core.program.types import Kind, Shape, Struct
+from mahovik.core.program.types import Kind, ProgramError, Shape, Struct
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +31,9 @@ class Argument:
 
     def __post_init__(self) -> None:
         pointer = not self.shape and (isinstance(self.type, Struct) or self.direction != "in")
-        object.__setattr__(self, "variable", Variable(self.name, self.type, self.shape, pointer))
+        object.__setattr__(
+            self, "variable", Variable(self.name, self.type, self.shape, pointer, self.direction != "in")
+        )
 
     @property
     def place(self) -> Place:
@@ -60,7 +62,7 @@ class Call(Expr):
 
     def __getattr__(self, name: str) -> Kind:
         if name == "kind":
-            raise TypeError(f"{self.signature.name} returns nothing")
+            raise ProgramError(f"{self.signature.name} returns nothing")
         raise AttributeError(name)
 
     @property

@@ -9,9 +9,10 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from sys import float_info
 from typing import Any, ClassVar, TypeAlias, cast
 
-from mahovik.core.program.types import Field, Kind, NamedCount, NamedNumber, Struct
+from mahovik.core.program.types import Field, Kind, NamedCount, NamedNumber, ProgramError, Struct
 
 Number: TypeAlias = int | float | Fraction
 Operand: TypeAlias = "Expr | int | float | Fraction | NamedCount"
@@ -83,10 +84,18 @@ class Expr:
         return self
 
     def __bool__(self) -> bool:
-        raise TypeError("an expression of a program has no truth value in Python; use When or select")
+        raise ProgramError(
+            "an expression has no truth value in Python: expected `if`, `and`, `or`, `not` and single comparisons"
+        )
 
 
 OPERANDS = (Expr, int, float, Fraction, NamedCount)
+
+LARGEST = {Kind.REAL: float_info.max, Kind.INT: 2**31 - 1, Kind.WORD: 2**64 - 1}
+"""Largest literals, by kind."""
+
+ARITHMETIC = {Kind.REAL: "+-*/", Kind.INT: "+-*/%&|^", Kind.WORD: "+-*&|^<<>>", Kind.BOOL: "&|", Kind.STATUS: ""}
+"""Operators, by the kind of their operands. % and bits are of ints not below 0, words are modulo their width."""
 
 
 class Const(Expr):
@@ -149,18 +158,16 @@ class Place(Expr):
     def member(self, name: str) -> Place:
         """The member `name` of a struct."""
         if self.shape or not isinstance(self.type, Struct):
-            raise TypeError(f"{self!r} is not a struct: it has no member {name}")
+            raise ProgramError(f"{self!r} is not a struct: it has no member {name}")
         field: Field | None = self.type.field(name)
         if field is None:
-            raise TypeError(f"struct {self.type.name} has no member {name}")
+            raise ProgramError(f"struct {self.type.name} has no member {name}")
         return Place(self.root, (*self.path, name), field.type, field.shape)
 
     def __getitem__(self, index: Any) -> Place:
         """An element; of a slice a vector, of `[:, j]` a column; of a struct `[:]` is the whole."""
         if not self.shape and isinstance(self.type, Struct) and index == slice(None):
             return self
-        if not self.shape:
-            raise TypeError(f"{self!r} is not an array")
         if isinstance(index, slice):
             return cast(Place, Place.vector_of([self[i] for i in range(len(self))[index]]))
         if isinstance(index, tuple):
@@ -168,11 +175,14 @@ class Place(Expr):
             if not isinstance(first, slice):
                 return self[first][rest[0]]
             return cast(Place, Place.vector_of([self[i][rest[0]] for i in range(len(self))[first]]))
-        if isinstance(index, int) and not 0 <= index < int(self.shape[0]):
-            raise IndexError(f"{self!r}[{index}] is outside 0..{int(self.shape[0]) - 1}")
+        length = len(self)
+        if isinstance(index, int | NamedCount) and not 0 <= int(index) < length:
+            raise ProgramError(f"{self!r}[{int(index)}] is outside 0..{length - 1}")
         return Place(self.root, (*self.path, as_expr(index, Kind.INT)), self.type, self.shape[1:])
 
     def __len__(self) -> int:
+        if not self.shape:
+            raise ProgramError(f"{self!r} is not an array")
         return int(self.shape[0])
 
     def __iter__(self) -> Iterator[Place]:
@@ -185,11 +195,18 @@ class Place(Expr):
         return text
 
 
+def paired(a: Any, b: Any) -> Iterator[tuple[Any, Any]]:
+    """The elements of two arrays or vectors side by side. Raises ProgramError where one has more."""
+    if len(a) != len(b):
+        raise ProgramError(f"lengths differ: {len(a)} and {len(b)} elements")
+    return zip(a, b, strict=True)
+
+
 class Variable:
     """A named variable or argument.
 
-    `pointer`: the emitted C reaches it through a pointer (structs, scalar results). `written`: a local scalar that is
-    written after its declaration, perhaps through its address.
+    `pointer`: the emitted C reaches it through a pointer (structs, scalar results). `written`: it may be written after
+    its declaration, perhaps through its address; inputs, temporaries and indices of loops are not.
     """
 
     __slots__ = ("name", "pointer", "shape", "type", "written")
@@ -220,7 +237,7 @@ class Unary(Expr):
 
     def __init__(self, operand: Expr, kind: Kind | None = None) -> None:
         self.operand = operand
-        self.kind = kind or operand.kind
+        self.kind = kind or kind_of(operand)
 
     @property
     def operands(self) -> tuple[Expr, ...]:
@@ -248,8 +265,8 @@ class Convert(Unary):
     __slots__ = ()
 
     def __init__(self, operand: Expr, kind: Kind) -> None:
-        if operand.kind is Kind.REAL:
-            raise TypeError("a real is never converted to an integer by value: use the bits")
+        if kind_of(operand) is Kind.REAL:
+            raise ProgramError("real found, expected int or word: a real is converted by its bits only")
         super().__init__(operand, kind)
 
 
@@ -259,8 +276,8 @@ class BitCast(Unary):
     __slots__ = ()
 
     def __init__(self, operand: Expr, kind: Kind) -> None:
-        if {operand.kind, kind} != {Kind.REAL, Kind.WORD}:
-            raise TypeError("bits are cast between real and word")
+        if {kind_of(operand), kind} != {Kind.REAL, Kind.WORD}:
+            raise ProgramError("bits are cast between real and word")
         super().__init__(operand, kind)
 
 
@@ -299,7 +316,7 @@ class Pair(Expr):
 
 
 class Binary(Pair):
-    """a op b for + - * / (reals, ints), % (ints not below 0) and + - * & | ^ << >> (words, modulo their width)."""
+    """a op b, see ARITHMETIC."""
 
     __slots__ = ()
 
@@ -348,29 +365,51 @@ class Choice(Select):
     __slots__ = ()
 
 
+def kind_of(value: Expr) -> Kind:
+    """Kind of a scalar. Raises ProgramError for an array or a struct."""
+    if isinstance(value, Place) and not value.is_scalar:
+        raise ProgramError(f"{value!r} is {'an array' if value.shape else 'a struct'}, expected a number")
+    return value.kind
+
+
+def _is_choice_of_literals(value: Expr) -> bool:
+    """Is it `1 if test else 0`? C makes a real of either."""
+    return isinstance(value, Select) and None not in (literal(value.yes), literal(value.no))
+
+
 def as_expr(value: Operand, kind: Kind) -> Expr:
-    """`value` as an expression; a Python number becomes a literal of `kind`."""
+    """`value` as a scalar of `kind`; a Python number becomes a literal. Raises ProgramError where it is none."""
     if isinstance(value, Expr):
+        if kind_of(value) is not kind and not (kind is Kind.REAL and _is_choice_of_literals(value)):
+            raise ProgramError(f"kinds differ: {value.kind.value} found, {kind.value} expected")
         return value
     if isinstance(value, NamedCount):
         return Const(value.value, kind, value.name)
     if not isinstance(value, int | float | Fraction if kind is Kind.REAL else int):
-        raise TypeError(f"{value!r} is no {kind.value}")
+        raise ProgramError(f"{value!r} is no {kind.value}")
+    if not abs(value) <= LARGEST.get(kind, 1):
+        raise ProgramError(f"{value!r} is no number that {kind.value} holds")
     return Const(value, kind, value.name if isinstance(value, NamedNumber) else "")
+
+
+def to_write(place: Place) -> Place:
+    """The place, as it is. Raises ProgramError where nothing may be written there."""
+    if not place.root.written:
+        raise ProgramError(f"{place!r} is an input, a temporary or an index: expected a result or a declared local")
+    return place
 
 
 def _pair(left: Operand, right: Operand) -> tuple[Expr, Expr]:
     """Both as expressions of one kind: a literal takes the kind of the other."""
-    kind = left.kind if isinstance(left, Expr) else right.kind if isinstance(right, Expr) else Kind.REAL
-    a, b = as_expr(left, kind), as_expr(right, kind)
-    if a.kind is not b.kind:
-        raise TypeError(f"kinds differ: {a.kind.value} and {b.kind.value}")
-    return a, b
+    kind = kind_of(left) if isinstance(left, Expr) else kind_of(right) if isinstance(right, Expr) else Kind.REAL
+    return as_expr(left, kind), as_expr(right, kind)
 
 
 def binary(operator: str, left: Operand, right: Operand) -> Expr:
     """left op right; the shift count of << and >> is a word. Integers plus 0 or times 1 are what they are."""
     a, b = _pair(left, right)
+    if operator not in ARITHMETIC[a.kind]:
+        raise ProgramError(f"{operator} of {a.kind.value}: expected one of {ARITHMETIC[a.kind] or 'no operators'}")
     if a.kind is not Kind.INT or operator not in "+-*":
         return Binary(operator, a, b)
     m, n = literal(a), literal(b)
@@ -393,7 +432,7 @@ def compare(operator: str, left: Operand, right: Operand) -> Expr:
     """left op right as a truth value."""
     a, b = _pair(left, right)
     if a.kind is Kind.REAL and operator in ("==", "!="):
-        raise TypeError("reals are not compared for equality")
+        raise ProgramError("reals are not compared for equality")
     return Compare(operator, a, b)
 
 
@@ -409,8 +448,8 @@ def unequal(left: Operand, right: Operand) -> Expr:
 
 def condition(e: Expr) -> Expr:
     """A truth value, as it is. Raises TypeError where `e` is a number: C would take it, and NaN as true."""
-    if getattr(e, "kind", None) is not Kind.BOOL:
-        raise TypeError("a condition is a comparison, not a number")
+    if not isinstance(e, Expr) or kind_of(e) is not Kind.BOOL:
+        raise ProgramError("a condition is a comparison, not a number")
     return e
 
 
@@ -445,16 +484,6 @@ def integer(value: int | NamedCount) -> Expr:
     return as_expr(value, Kind.INT)
 
 
-def bits_of(value: Expr) -> Expr:
-    """The bits of a real as a word."""
-    return BitCast(value, Kind.WORD)
-
-
-def real_of_bits(value: Expr) -> Expr:
-    """The real with the bits of a word."""
-    return BitCast(value, Kind.REAL)
-
-
 def magnitude(value: Expr) -> Expr:
     """|a| of a real, without libm."""
-    return Select(Compare("<", value, Const(0, Kind.REAL)), Negate(value), value)
+    return Select(Compare("<", as_expr(value, Kind.REAL), Const(0, Kind.REAL)), Negate(value), value)

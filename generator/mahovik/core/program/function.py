@@ -7,9 +7,9 @@ from functools import cached_property
 from typing import Any, cast
 
 from mahovik.core.program.call import Argument, Call, Signature
-from mahovik.core.program.expression import Expr, Missing, Operand, Place, Variable, as_expr
+from mahovik.core.program.expression import Expr, Missing, Operand, Place, Variable, as_expr, to_write
 from mahovik.core.program.statement import Statement
-from mahovik.core.program.types import Kind, NamedCount, Precision, Struct
+from mahovik.core.program.types import Kind, NamedCount, Precision, ProgramError, Struct
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +49,7 @@ class Function:
             passed = iter(arguments)
             arguments = tuple(Missing() if a.optional == "missing" else next(passed) for a in self.arguments)
         if len(arguments) != len(self.arguments):
-            raise TypeError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
+            raise ProgramError(f"{self.name} takes {len(self.arguments)} arguments, not {len(arguments)}")
         return Call(self.signature, tuple(map(self._checked_argument, arguments, self.arguments)))
 
     def _checked_argument(self, value: Operand | None, parameter: Argument) -> Expr:
@@ -59,17 +59,16 @@ class Function:
             return Missing()
         if parameter.shape or isinstance(parameter.type, Struct) or parameter.direction != "in":
             if not isinstance(value, Place) or value.type != parameter.type or len(value.shape) != len(parameter.shape):
-                raise TypeError(f"{where}: {value!r} does not fit")
+                raise ProgramError(f"{where}: {value!r} does not fit")
             for have, want in zip(value.shape, parameter.shape, strict=True):
                 # A length of 0 stands for "any": the callee gets the length as an argument of its own.
                 if int(want) and int(have) != int(want):
-                    raise TypeError(f"{where}: {value!r} has {int(have)} elements, expected {int(want)}")
-            return value
-        assert isinstance(parameter.type, Kind)
-        expr = as_expr(cast(Operand, value), parameter.type)
-        if expr.kind is not parameter.type:
-            raise TypeError(f"{where}: {expr.kind.value} given, {parameter.type.value} expected")
-        return expr
+                    raise ProgramError(f"{where}: {value!r} has {int(have)} elements, expected {int(want)}")
+            return value if parameter.direction == "in" else to_write(value)
+        try:
+            return as_expr(cast(Operand, value), parameter.type)
+        except ProgramError as error:
+            raise ProgramError(f"{where}: {error}") from None
 
     @property
     def signature(self) -> Signature:

@@ -41,20 +41,19 @@ import keyword
 import linecache
 import re
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from functools import cache
 from types import CodeType
-from typing import Any, Literal, Protocol, cast
+from typing import Any, Literal, Protocol, TypeVar, cast
 
 from mahovik.core.program import vector
-from mahovik.core.program.build import CHECKED, Body
+from mahovik.core.program.build import CHECKED, Body, returns
 from mahovik.core.program.call import Argument, Call
 from mahovik.core.program.expression import (
     OPERANDS,
     BitCast,
-    Const,
     Convert,
     Expr,
     Not,
@@ -70,7 +69,7 @@ from mahovik.core.program.expression import (
     select,
 )
 from mahovik.core.program.function import Function
-from mahovik.core.program.types import Kind, NamedCount, Struct
+from mahovik.core.program.types import Kind, NamedCount, ProgramError, Struct
 
 KINDS = {
     "float": Kind.REAL,
@@ -89,7 +88,10 @@ OK, NOT_FINITE, RANGE, NOT_POSITIVE_DEFINITE, BAD_ARGUMENT = map(
 """What kernels return."""
 
 
-class KernelError(TypeError):
+Found = TypeVar("Found")
+
+
+class KernelError(ProgramError):
     """A construct that no kernel has: file, line, what it is."""
 
 
@@ -192,7 +194,7 @@ _open = _Open()
 
 def let(name: str, value: Any, comment: str = "") -> Any:
     """A named temporary whose name is computed."""
-    return _body("let").let(name, as_expr(value, Kind.REAL), comment)
+    return _body("let").let(name, value if isinstance(value, Expr) else as_expr(value, Kind.REAL), comment)
 
 
 def local(name: str, *shape: int | NamedCount, comment: str = "") -> Any:
@@ -233,7 +235,7 @@ def refuse(test: Any, status: Status) -> None:
 
 def _body(name: str) -> Body:
     if not _open.bodies:
-        raise TypeError(f"`{name}` is called in the text of a kernel")
+        raise ProgramError(f"`{name}` is called in the text of a kernel")
     return _open.bodies[-1]
 
 
@@ -249,7 +251,7 @@ def real_of_bits(value: int) -> float:
 
 def word(value: int) -> int:
     """An int, or a literal, as an unsigned integer of the element type's width."""
-    return cast(int, Convert(value, Kind.WORD) if isinstance(value, Expr) else Const(value, Kind.WORD))
+    return cast(int, Convert(value, Kind.WORD) if isinstance(value, Expr) else as_expr(value, Kind.WORD))
 
 
 def int_of(value: int) -> int:
@@ -281,19 +283,19 @@ def kernel(
             for parameter, a in arguments.items()
             if a is not None
         }
-        status = Kind.STATUS if statuses else None  # of `Any`
-        returns = {"None": None, "float": Kind.REAL, "int": Kind.INT, "Status": Kind.STATUS, "Any": status}[
-            text.returns
-        ]
+        kind = text.kind_of_result(Kind.STATUS if statuses else None)
         absent = {parameter: None for parameter, a in arguments.items() if a is None}
-        compilation = _Compilation(text, body, places | absent, returns=returns)
-        compilation.block(text.statements)
-        if returns is Kind.STATUS and not compilation.returned:
+        _Compilation(text, body, places | absent, returns=kind).block(text.statements)
+        if kind is Kind.STATUS and not returns(body.statements):
             body.ret(OK)
+        if kind is not None and not returns(body.statements):
+            raise text.error(text.tree.body[-1], f"{{}}: a way through it returns nothing, expected {text.returns}")
+        if not text.docstring:
+            raise text.error(text.tree, "expected a docstring, whose first line is the purpose")
         first, *lines = (line for line in text.docstring.splitlines() if line)
         return Function(
             name or function.__name__, purpose or first, tuple(a for a in arguments.values() if a is not None),
-            body.statements, equation, returns, tuple(statuses) if returns is Kind.STATUS else (), (*lines, *notes),
+            body.statements, equation, kind, tuple(statuses) if kind is Kind.STATUS else (), (*lines, *notes),
             parameters=tuple(_in_c(parameter) if a is None else a.name for parameter, a in arguments.items()), **flags,
         )  # fmt: skip
 
@@ -365,14 +367,14 @@ class _Text:
         code = function.__code__
         self.name, self.file = function.__name__, code.co_filename
         self.module = _module(code.co_filename)
-        tree = self.module.functions[code.co_firstlineno]
+        self.tree = tree = self.module.functions[code.co_firstlineno]
         self.docstring = ast.get_docstring(tree) or ""
         self.statements = tree.body[1:] if self.docstring else tree.body
         self.line = (tree.body[0].end_lineno or 0) if self.docstring else tree.lineno
         self.returns = ast.unparse(tree.returns) if tree.returns else "None"
         self.function = function
         arguments = (*tree.args.args, *tree.args.kwonlyargs)
-        self.annotations = {node.arg: ast.unparse(node.annotation) for node in arguments if node.annotation}
+        self.annotations = {n.arg: ast.unparse(n.annotation) if n.annotation else "nothing" for n in arguments}
         self.defaults = {p.name: p.default for p in inspect.signature(function).parameters.values()}
 
     def names(self) -> dict[str, Any]:
@@ -385,7 +387,7 @@ class _Text:
         arguments: dict[str, Argument | None] = {}
         for name, declared in self.defaults.items():
             if declared is not None and not isinstance(declared, Argument):
-                raise self.error(self.statements[0], f"{name}: expected argument(...) as its default value")
+                raise self.error(self.tree, f"{name}: expected argument(...) as its default value")
             if declared is None or declared.name:
                 arguments[name] = declared and replace(declared)  # with a variable of its own
             else:
@@ -395,7 +397,17 @@ class _Text:
 
     def kind(self, name: str) -> Kind:
         """The kind of an argument; REAL of one that is not always there."""
-        return KINDS.get(self.annotations[name], Kind.REAL)
+        return self._looked_up(name, self.annotations[name], {**KINDS, "Any": Kind.REAL})
+
+    def kind_of_result(self, of_any: Kind | None) -> Kind | None:
+        """What the function returns, `of_any` where its text leaves that open."""
+        kinds = {"None": None, "float": Kind.REAL, "int": Kind.INT, "Status": Kind.STATUS, "Any": of_any}
+        return self._looked_up("what it returns", self.returns, kinds)
+
+    def _looked_up(self, what: str, annotation: str, kinds: Mapping[str, Found]) -> Found:
+        if annotation not in kinds:
+            raise self.error(self.tree, f"{what}: {annotation} found, expected one of {', '.join(kinds)}")
+        return kinds[annotation]
 
     def error(self, node: ast.stmt, words: str) -> KernelError:
         """The error at a statement of the text."""
@@ -441,7 +453,11 @@ class _Compilation:
 
     def statements(self, statements: Sequence[ast.stmt]) -> None:
         """Compile statements up to a `return`."""
-        for statement in statements:
+        for number, statement in enumerate(statements):
+            if number and isinstance(statements[number - 1], ast.Return):
+                raise self.text.error(statement, "{}: no state comes here, expected nothing after a return")
+            if self.returned:
+                break
             self._notes(statement.lineno)
             self.line = statement.lineno
             try:
@@ -449,10 +465,9 @@ class _Compilation:
             except KernelError:
                 raise
             except Exception as error:
-                raise self.text.error(statement, f"{{}}: {error}") from error
+                python = "" if isinstance(error, ProgramError) else "no kernel computes this, see program/kernel.py: "
+                raise self.text.error(statement, f"{{}}: {python}{error}") from error
             self.line = statement.end_lineno or 0
-            if self.returned:
-                break
 
     def _notes(self, line: int) -> None:
         """Comments on lines of their own before a statement: one note, if they follow one another."""
@@ -466,11 +481,7 @@ class _Compilation:
         comment = self.text.module.beside.get(node.end_lineno or 0, "")
         match node:
             case ast.AnnAssign(ast.Name(name), annotation, ast.expr() as value):
-                first = self.value(value)
-                shape = (
-                    first.shape if isinstance(first, Place) else () if isinstance(first, OPERANDS) else (len(first),)
-                )
-                self.body.set(self._local(name, Local(shape, KINDS[ast.unparse(annotation)]), comment), first)
+                self._declare(name, ast.unparse(annotation), self.value(value), comment)
             case ast.Assign([ast.Tuple(targets)], value) if not isinstance(result := self.value(value), Expr):
                 for target, part in zip(targets, result, strict=True):
                     self._assign(target, part, comment, called=True)
@@ -479,7 +490,7 @@ class _Compilation:
             case ast.AugAssign(target, ast.Add() | ast.Sub() as operator, value):
                 place = self.value(target)
                 if not isinstance(place, Place | vector.Vector):
-                    raise TypeError("expected a variable or a place")
+                    raise ProgramError("expected a variable or a place")
                 self.body.add(place, self.value(value), comment, isinstance(operator, ast.Sub))
             case ast.Expr(value):
                 result = self.value(value)
@@ -506,11 +517,10 @@ class _Compilation:
                 raise self.text.error(node, "no statement of a kernel: {}")
 
     def _returned(self, result: Any) -> Expr:
-        """What a function of C returns. Raises TypeError where the signature says another kind."""
-        returned = result if isinstance(result, Expr) or not self.returns else as_expr(result, self.returns)
-        if not isinstance(returned, Expr) or (returned.kind is not self.returns and not self.inlined):
-            raise TypeError(f"the signature says that it returns {self.text.returns}")
-        return returned
+        """What a function of C returns. Raises ProgramError where the signature says another kind."""
+        if self.returns is None and not self.inlined:
+            raise ProgramError("the signature says that it returns None, expected no return")
+        return as_expr(result, self.returns or Kind.STATUS)
 
     def _local(self, name: str, local: Local, comment: str) -> Place:
         """A local variable, which is in scope from now on."""
@@ -518,6 +528,14 @@ class _Compilation:
         self.scope[name] = place
         self.variables.add(name)
         return place
+
+    def _declare(self, name: str, annotation: str, first: Any, comment: str) -> None:
+        """`x: float = e`, `x: Reals = e`."""
+        shape = first.shape if isinstance(first, Place) else () if isinstance(first, OPERANDS) else (len(first),)
+        fitting = ("Reals", "Ints") if shape else ("float", "int", "Status")
+        if annotation not in fitting:
+            raise ProgramError(f"{name}: {annotation} found, expected {' or '.join(fitting)}")
+        self.body.set(self._local(name, Local(shape, KINDS[annotation]), comment), first)
 
     def _assign(self, target: ast.expr, result: Any, comment: str, called: bool = False) -> None:
         """`x = e`, `a[i] = e`, `a.b = e`. A part that is no number, and a place that a call made, get a second name."""
@@ -528,7 +546,7 @@ class _Compilation:
         if name in self.variables or (isinstance(present, Place) and not present.is_scalar):
             self.body.set(present, result, comment)
         elif isinstance(present, Place) and not called:
-            raise TypeError(f"{name} has a value already: what changes is declared, {name}: float = ...")
+            raise ProgramError(f"{name} has a value already: what changes is declared, {name}: float = ...")
         elif isinstance(result, Local):
             self._local(name, result, comment)
         elif isinstance(result, vector.Vector) and not all(isinstance(x, Place | int) for x in result):
@@ -548,6 +566,8 @@ class _Compilation:
         """A loop over `range(stop)` or `range(start, stop)`; a repetition for each value of anything else."""
         match target, iterated:
             case ast.Name(name), ast.Call(ast.Name("range"), [*bounds], []):
+                if len(bounds) > 2:
+                    raise ProgramError("a loop counts by 1: expected range(stop) or range(start, stop)")
                 start, stop = [integer(0), *map(self.value, bounds)][-2:]
                 with self.body.loop(_in_c(name), stop, start, comment) as index:
                     self._branch(inner, {name: index})
@@ -581,7 +601,7 @@ class _Compilation:
         self.block(statements)
         self.scope = scope
         if self.returned and self.inlined and not isinstance(self.result, Status):
-            raise TypeError("an inline kernel returns a value at its end")
+            raise ProgramError("an inline kernel returns a value at its end")
         self.returned = False
 
     # -- expressions ---------------------------------------------------------------------------------------------
@@ -613,10 +633,14 @@ class _Operators(ast.NodeTransformer):
 
     def visit_Compare(self, node: ast.Compare) -> ast.AST:
         match node.ops:
-            case [ast.Eq() | ast.NotEq() as operator]:
-                name = "_equal" if isinstance(operator, ast.Eq) else "_unequal"
-                return self._call(node, name, node.left, node.comparators[0])
-        return self.generic_visit(node)
+            case [ast.Eq() | ast.NotEq() | ast.In() | ast.NotIn() as operator]:
+                return self._call(node, f"_{type(operator).__name__}", node.left, node.comparators[0])
+            case [_]:
+                return self.generic_visit(node)
+        raise ProgramError("a chain of comparisons: expected `a < b and b < c`")
+
+    def visit_NamedExpr(self, node: ast.NamedExpr) -> ast.AST:
+        raise ProgramError("`:=` in an expression: expected a statement of its own")
 
     def _call(self, node: ast.expr, name: str, *parts: ast.expr) -> ast.expr:
         """A call whose arguments are evaluated when they are needed: one of Python's truth values may decide."""
@@ -666,9 +690,29 @@ def _compared(operator: str) -> Callable[[Late, Late], Any]:
         a, b = left(), right()
         if isinstance(a, Expr) or isinstance(b, Expr):
             return compare(operator, a, b)
-        return (a == b) is (operator == "==")
+        return (_of_python(a) == _of_python(b)) is (operator == "==")
 
     return compared
+
+
+def _contained(left: Late, right: Late) -> bool:
+    return _of_python(left()) in _of_python(right())
+
+
+def _of_python(value: Any) -> Any:
+    """A value that Python compares. Raises ProgramError where the program computes it, or a part of it."""
+    parts = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    if any(isinstance(part, Expr | vector.Matrix) for part in parts):
+        raise ProgramError(f"{value!r} is known when the program runs: expected comparisons of its numbers")
+    return int(value) if isinstance(value, NamedCount) else value
+
+
+def _abs(value: Any) -> Any:
+    return magnitude(value) if isinstance(value, Expr) else abs(value)
+
+
+def _float(value: Any) -> Any:
+    return Convert(value, Kind.REAL) if isinstance(value, Expr) else float(value)
 
 
 OPERATORS: dict[str, Any] = {
@@ -676,10 +720,12 @@ OPERATORS: dict[str, Any] = {
     "_and": _joined(and_, False),
     "_or": _joined(or_, True),
     "_not": _not,
-    "_equal": _compared("=="),
-    "_unequal": _compared("!="),
-    "abs": lambda value: magnitude(value) if isinstance(value, Expr) else abs(value),
-    "float": lambda value: Convert(value, Kind.REAL) if isinstance(value, Expr) else float(value),
+    "_Eq": _compared("=="),
+    "_NotEq": _compared("!="),
+    "_In": _contained,
+    "_NotIn": lambda left, right: not _contained(left, right),
+    "abs": _abs,
+    "float": _float,
 }
 """What operators and built-in functions are in the text of a kernel."""
 

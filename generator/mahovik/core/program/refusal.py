@@ -18,6 +18,7 @@ from typing import Any
 from mahovik.contract.status import STATUS_VALUES
 from mahovik.core.program.call import Argument, Call, Signature
 from mahovik.core.program.expression import (
+    BitCast,
     Compare,
     Const,
     Expr,
@@ -27,7 +28,6 @@ from mahovik.core.program.expression import (
     Place,
     Status,
     Variable,
-    bits_of,
     equal,
     select,
     unequal,
@@ -284,7 +284,7 @@ class _Rewriting:
         if outside is None:
             return select(condition, word(1 << (self._width - 1)), word(0))
         value, limit = outside
-        return bits_of(limit) - (bits_of(value) & word((1 << (self._width - 1)) - 1))
+        return BitCast(limit, Kind.WORD) - (BitCast(value, Kind.WORD) & word((1 << (self._width - 1)) - 1))
 
 
 def _returns(body: Statements) -> bool:

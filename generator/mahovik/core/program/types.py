@@ -13,6 +13,10 @@ import numpy as np
 from mahovik.contract.quantities import BOUNDS
 
 
+class ProgramError(TypeError):
+    """What no program has: kinds, lengths or numbers that do not fit. The compiler of kernels adds file and line."""
+
+
 class Kind(Enum):
     """Scalar kinds. REAL is the program's element type; WORD the unsigned integer of the same width."""
 

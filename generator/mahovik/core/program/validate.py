@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from mahovik.core.program.expression import Expr, Place, Variable
+from mahovik.core.program.expression import Place, Variable
 from mahovik.core.program.function import Function, Program
 from mahovik.core.program.simplify import loops_of_no_turn
 from mahovik.core.program.statement import Declare, Let, Loop, Statements
-from mahovik.core.program.types import Kind
 from mahovik.core.program.walk import blocks, called_names, direct_expressions, inside, statements, used_variables
 
 
@@ -38,7 +37,8 @@ def _check_block(function: Function, body: Statements, scope: dict[str, int]) ->
     for s in body:
         for e in direct_expressions(s):
             for part in inside(e):
-                _check_place(function, part, scope)
+                if isinstance(part, Place) and scope.get(part.root.name) != id(part.root):
+                    raise ValueError(f"{function.name}: {part.root.name} is used outside its block")
         within = scope
         match s:
             case Let(variable) | Declare(variable):
@@ -54,13 +54,3 @@ def _declare(function: Function, variable: Variable, scope: dict[str, int]) -> N
     if variable.name in scope:
         raise ValueError(f"{function.name}: {variable.name} hides another {variable.name}")
     scope[variable.name] = id(variable)
-
-
-def _check_place(function: Function, e: Expr, scope: dict[str, int]) -> None:
-    if not isinstance(e, Place):
-        return
-    if scope.get(e.root.name) != id(e.root):
-        raise ValueError(f"{function.name}: {e.root.name} is used outside its block")
-    for step in e.path:
-        if isinstance(step, Expr) and step.kind is not Kind.INT:
-            raise ValueError(f"{function.name}: {e!r} has an index that is no int")

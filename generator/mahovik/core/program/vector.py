@@ -14,8 +14,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import isqrt
 from typing import Any, TypeAlias
 
-from mahovik.core.program.expression import Binary, Expr, Negate, Place
-from mahovik.core.program.types import Kind
+from mahovik.core.program.expression import Binary, Expr, Negate, Place, paired
+from mahovik.core.program.types import Kind, ProgramError
 
 Scalar: TypeAlias = "Expr | int | float"
 Term: TypeAlias = tuple[bool, Scalar]
@@ -37,18 +37,28 @@ class Vector(Sequence[Any]):
     def __len__(self) -> int:
         return len(self.elements)
 
+    def __bool__(self) -> bool:
+        raise ProgramError("a condition is a comparison, not a vector")
+
     def __iter__(self) -> Iterator[Any]:
         return iter(self.elements)
 
     def __getitem__(self, index: Any) -> Any:
-        return Vector(self.elements[index]) if isinstance(index, slice) else self.elements[index]
+        if isinstance(index, slice):
+            return Vector(self.elements[index])
+        if not -len(self) <= index < len(self):
+            raise ProgramError(f"{len(self)} numbers have no number [{index}]")
+        return self.elements[index]
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        raise ProgramError("a vector is no array: none of its numbers changes")
 
     @property
     def square(self) -> Matrix:
         """The square matrix of the numbers, row by row."""
         n = isqrt(len(self))
         if n * n != len(self):
-            raise TypeError(f"{len(self)} numbers are no square matrix")
+            raise ProgramError(f"{len(self)} numbers are no square matrix")
         return Matrix(self[n * i : n * i + n] for i in range(n))
 
     @property
@@ -172,7 +182,7 @@ def skew(a: Any) -> Matrix:
 
 def dot(a: Iterable[Any], b: Iterable[Any]) -> Any:
     """a . b, from the first element to the last."""
-    return _sum([term for x, y in zip(a, b, strict=True) for term in _terms(_product(x, y), False)])
+    return _sum([term for x, y in paired(a, b) for term in _terms(_product(x, y), False)])
 
 
 def symmetric(six: Any) -> Matrix:
@@ -214,7 +224,7 @@ def _rows(value: Any, beside: Matrix) -> tuple[Vector, ...]:
 
 
 def _sum_of_vectors(left: Any, right: Any, subtract: bool) -> Vector:
-    return Vector(_sum([*_terms(a, False), *_terms(b, subtract)]) for a, b in zip(left, right, strict=True))
+    return Vector(_sum([*_terms(a, False), *_terms(b, subtract)]) for a, b in paired(left, right))
 
 
 def _terms(value: Scalar, subtract: bool) -> Iterator[Term]:

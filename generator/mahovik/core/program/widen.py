@@ -234,7 +234,9 @@ class _Widening:
                     statements.append(replace(s, body=tuple(self._select(s.body, None))))
                     self._unset = before
                 case Declare(variable):
-                    if variable.written:  # its first value is every state's: none reads it before its own
+                    if (
+                        variable.written and variable.place.is_scalar
+                    ):  # its first value is every state's: none reads it before its own
                         self._unset.add(id(variable))
                     self._scopes[id(variable)] = where
                     statements.append(s)

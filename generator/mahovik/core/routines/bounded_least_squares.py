@@ -164,10 +164,8 @@ def solve_free(
 @inline
 def advance(low: Reals, high: Reals, y: Reals, held: Ints, goal: Reals) -> int:
     """Go towards the goal as far as all bounds allow; the unknown that stopped it, or -1."""
-    length = reals()
-    stopped = ints()
-    length = 1
-    stopped = -1
+    length: float = 1
+    stopped: int = -1
     for s in range(len(y)):
         if held[s] == 0:
             if goal[s] > high[s] or goal[s] < low[s]:
@@ -190,16 +188,12 @@ def advance(low: Reals, high: Reals, y: Reals, held: Ints, goal: Reals) -> int:
 @inline
 def unknown_to_release(W: Reals, weight: Reals, y: Reals, held: Ints, z: Reals) -> int:
     """The held unknown that the objective would move inward most, beyond rounding, or -1."""
-    freed = ints()
-    best = reals()
-    freed = -1
-    best = 0
+    freed: int = -1
+    best: float = 0
     for s in range(len(y)):
         if not held[s] == 0:
-            pull = reals()  # W^T z - Omega y: where the objective falls
-            size = reals()  # sum of its terms, for rounding
-            pull = -(weight[s] * y[s])
-            size = abs(weight[s] * y[s])
+            pull: float = -(weight[s] * y[s])  # W^T z - Omega y: where the objective falls
+            size: float = abs(weight[s] * y[s])  # sum of its terms, for rounding
             for i in range(len(z)):
                 term = W[i * len(y) + s] * z[i]
                 pull += term

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core.program.function import Function
-from mahovik.core.program.kernel import argument, kernel, reals
+from mahovik.core.program.kernel import argument, kernel
 from mahovik.core.program.types import NamedCount, Struct
 
 MORE_SWEEPS = {"double": 3, "float": 1}
@@ -46,12 +46,9 @@ def orthogonalise(struct: Struct, count: NamedCount, sqrt: Function, precision_n
         for sweep in range(sweeps):  # they converge quadratically
             for p in range(rows - 1):
                 for q in range(p + 1, rows):
-                    a = reals()
-                    b = reals()
-                    g = reals()
-                    a = 0
-                    b = 0
-                    g = 0
+                    a: float = 0
+                    b: float = 0
+                    g: float = 0
                     for j in range(count):
                         a += W[p][j] * W[p][j]
                         b += W[q][j] * W[q][j]

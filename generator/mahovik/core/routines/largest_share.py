@@ -54,10 +54,8 @@ def largest_share(rows: int, count: NamedCount, pivot: float, tolerance: float) 
             inside[j] = 0
         for i in range(rows):
             basis[i] = -1
-        raising = ints()  # 0: artificial variables fall; 1: f rises
-        going = ints()
-        raising = 0
-        going = 1
+        raising: int = 0  # 0: artificial variables fall; 1: f rises
+        going: int = 1
         for pass_ in range(PASSES * (n + 1 + rows)):
             if going > 0:
                 enter = entering(tableau, upper, at_upper, inside, basis, raising, pass_ >= bland, pivot)
@@ -108,10 +106,8 @@ def set_up(
         upper[j] = 1.0 if high[j] > low[j] else 0.0
     upper[n] = 1
     for i in range(rows):
-        value = reals()
-        largest = reals()
-        value = start[i]
-        largest = abs(towards[i])
+        value: float = start[i]
+        largest: float = abs(towards[i])
         for j in range(n):
             tableau[i][j] = W[i * n + j] * (high[j] - low[j])
             value -= W[i * n + j] * low[j]
@@ -131,10 +127,8 @@ def entering(
 ) -> int:
     """The variable to enter the basis: that of the largest gain, or the first with a gain; -1: none has."""
     rows, n = len(tableau), len(upper) - 1
-    enter = ints()
-    best = reals()
-    enter = -1
-    best = pivot
+    enter: int = -1
+    best: float = pivot
     for j in range(n + 1):
         if inside[j] == 0 and upper[j] > 0:
             gain: float = 1.0 if raising > 0 and j == n else 0.0
@@ -160,10 +154,8 @@ def exchange(
     """
     rows, n = len(tableau), len(upper) - 1
     direction = -1.0 if at_upper[enter] > 0 else 1.0
-    reach = reals()
-    leave = ints()
-    reach = upper[enter]
-    leave = -1
+    reach: float = upper[enter]
+    leave: int = -1
     steepest: float = 0.0
     for i in range(rows):
         slope = tableau[i][enter] * direction

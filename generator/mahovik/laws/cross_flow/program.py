@@ -13,7 +13,7 @@ from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import OWN_TWIST, WRENCH, BodyProgram
 from mahovik.core.lower.units import Member, member
-from mahovik.core.program.kernel import Reals, reals
+from mahovik.core.program.kernel import Reals
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.stand.model import Body, Stand, Structure
 from mahovik.laws.cross_flow.law import CrossFlow
@@ -111,10 +111,8 @@ class Strips(BodyProgram):
             for strip in self.elements(lib, table, damper):
                 v = V[1] + strip.x * V[5]
                 w = V[2] - strip.x * V[4]
-                Y = reals()
-                Z = reals()
-                Y = -(strip.y * (v * abs(v)))
-                Z = -(strip.z * (w * abs(w)))
+                Y: float = -(strip.y * (v * abs(v)))
+                Z: float = -(strip.z * (w * abs(w)))
                 if together and strip.together > 0:
                     across = lib["sqrt"](v * v + w * w)
                     speed = across if across > 0 else 1.0  # of the strip across the axis

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, declared
-from mahovik.core.program.kernel import Reals, argument, inline, reals
+from mahovik.core.program.kernel import Reals, argument, inline
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
 from mahovik.core.stand.hold import wrench_columns
@@ -106,8 +106,7 @@ class StopsProgram(CarrierProgram):
                 law: Any = argument(struct=TURN_STOP), x: Any = lib.x, C: Any = ATTITUDE, F: Reals = WRENCH
             ) -> None:
                 """Adds the push of a stop of what turns."""
-                R = reals(9)  # attitude from the home pose, row by row
-                R[:] = (law.C0.T @ C.square).flat
+                R: Reals = (law.C0.T @ C.square).flat  # attitude from the home pose, row by row
                 a = law.axis
                 sine = (
                     R[2] * a[1] + R[3] * a[2] + R[7] * a[0] - R[1] * a[2] - R[5] * a[0] - R[6] * a[1]

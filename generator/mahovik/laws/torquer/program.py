@@ -9,7 +9,7 @@ from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.law import WRENCH, CarrierProgram, declared
 from mahovik.core.lower.units import Member, vector
 from mahovik.core.program.expression import Place
-from mahovik.core.program.kernel import Reals, argument, body, reals
+from mahovik.core.program.kernel import Reals, argument, body
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import cross
 from mahovik.core.stand.model import Stand, Structure
@@ -65,8 +65,7 @@ class TorquersProgram(CarrierProgram):
             F: Reals = WRENCH,
         ) -> None:
             """Adds the moment of one torquer: dipole x field."""
-            dipole = reals(3)  # in E1
-            dipole[:] = torquer.dipole
+            dipole: Reals = torquer.dipole  # in E1
             if structure.instruments and torquer.mount >= 0:
                 dipole[:] = table.sensor[torquer.mount].axes @ torquer.dipole
             F[3:6] += cross(dipole, field)
