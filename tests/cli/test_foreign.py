@@ -138,7 +138,7 @@ def test_results_without_their_quantities_fail() -> None:
     assert {row["words"].removeprefix(f"{ODD}: ") for row in judged if row["verdict"] == "FAILED"} == {"missing"}
     assert {row["quantity"] for row in judged if row["verdict"] != "FAILED"} == set(MAY_BE_LEFT_OUT)
     result = run("judge", DEMO3, "--states", "2", "--with", EMPTY, "--explain")
-    assert result.exit_code == 1 and "no diagnosis: the program answered nothing" in result.stdout
+    assert result.exit_code == 1 and "no diagnosis: there is no answer in which" in result.stdout
 
 
 def answering(result: str) -> str:
@@ -197,3 +197,15 @@ def test_nan_beside_a_wrong_term() -> None:
     assert result.exit_code == 1
     assert "numbers are missing in forward: V_dot" in result.stdout
     assert "wrong terms are not looked for: forward: 0 of " in result.stdout
+
+
+def test_no_cause_is_looked_for_in_torques_within_bounds() -> None:
+    """They are judged by what they reach; a program that differs in nothing else has a fault nevertheless."""
+    text = f"{Path(DEMO3).read_text(encoding='utf-8')}\n[task.spin]\nrows = ['wz']\n"
+    for name, torque in (("right", 0.2), ("wrong", 0.15)):
+        motor = f"[[flywheel]]\nmotor = {{ torque = {torque} }}"
+        Path(f"{name}.toml").write_text(text.replace("[[flywheel]]", motor), encoding="utf-8")
+    command = f"{shlex.quote(sys.executable)} -m mahovik eval wrong.toml"
+    result = run("judge", "right.toml", "--states", "6", "--with", command, "--explain", "--want", "torque_for")
+    assert "no diagnosis: there is no answer in which causes are looked for" in result.stdout
+    assert "not compared there, but FAILED above: torque_for limited" in result.stdout

@@ -107,12 +107,13 @@ def with_number(path: str, value: float) -> Mapping[str, Any]:
     return dict(file)
 
 
-def diagnosis_of(rig: Rig) -> Diagnosis:
-    """Diagnosis of a program, as `judge --explain` makes it."""
+def diagnosis_of(rig: Rig, digits: int = 17) -> Diagnosis:
+    """Diagnosis of a program that prints these digits, as `judge --explain` makes it."""
 
     def answer(request: Request) -> Mapping[str, Any]:
         inputs = {key: value for key, value in vars(request.state).items() if value is not None}
-        return rig.answer({**inputs, "wrench": dict(request.state.wrench)}, request.want[0])
+        values = rig.answer({**inputs, "wrench": dict(request.state.wrench)}, request.want[0])
+        return {name: np.vectorize(lambda x: float(f"{x:.{digits}g}"))(x).tolist() for name, x in values.items()}
 
     diagnosis = diagnoser().diagnose(answer)
     if diagnosis.wrong and not (diagnosis.verdict == "named" and len(diagnosis.causes) == 1):
@@ -160,6 +161,13 @@ def test_a_wrong_number_is_named_with_its_value(path: str) -> None:
     assert diagnosis.verdict == "named" and cause.number is not None
     assert path in (cause.name, *cause.like)
     assert cause.name != path or cause.number[0] == NUMBERS[path]
+
+
+def test_a_number_is_solved_to_the_digits_that_all_states_tell() -> None:
+    diagnosis = diagnosis_of(Rig(with_number("w2.zero[1]", 0.35)), digits=6)
+    (cause,) = diagnosis.causes
+    assert diagnosis.verdict == "named" and cause.number is not None
+    assert "w2.zero[1]" in (cause.name, *cause.like)
 
 
 def test_printed_places_are_read_off_large_numbers_as_well() -> None:

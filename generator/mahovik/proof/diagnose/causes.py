@@ -10,8 +10,8 @@ import dataclasses
 import math
 import warnings
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Literal, TypeVar
 
@@ -512,7 +512,7 @@ class NumberSearch:
         """
         self._stand, self._vector, self._among = stand, vector, among
         self._file = StandNumbers(stand, document)
-        self._numbers = list(self._file)
+        self._slopes = dict[StandNumber, Array]()
         self._there = np.isfinite(error) & vector.places(among)
         self._noise, self._answered = noise[self._there], error + vector.expected
         self._error = error[self._there] / self._noise
@@ -526,14 +526,14 @@ class NumberSearch:
 
     def solutions(self, count: int) -> list[SolvedNumbers]:
         """Single numbers (count 1), or pairs that a stand can have, those that leave least of the error first."""
-        size = np.linalg.norm(self._slopes, axis=0)
-        there = np.flatnonzero(size > 0.0)
-        unit = self._slopes[:, there] / size[there]
+        slopes = [(number, self._slope(number)) for number in self._file]
+        numbers, there = zip(*((number, slope) for number, slope in slopes if slope.any()), strict=True)
+        unit = np.column_stack([slope / np.linalg.norm(slope) for slope in there])
         least = 0.0 if count == 1 else LIKELY * float(self._error @ self._error)
         explained = np.diag((unit.T @ self._error) ** 2) if count == 1 else pairs_explain(unit, self._error)
         order = np.argsort(-explained, axis=None, kind="stable")[: MOST[count]]
-        chosen = [{there[i] for i in divmod(int(k), len(there))} for k in order if explained.flat[k] > least]
-        solved = (self._solve([self._numbers[j] for j in sorted(places)], sorted(places)) for places in chosen)
+        places = [sorted({*divmod(int(k), len(numbers))}) for k in order if explained.flat[k] > least]
+        solved = (self.solve([numbers[i] for i in pair]) for pair in places)
         possible = (x for x in solved if x is not None and (count == 1 or self._is_physical(x.values)))
         return sorted(possible, key=lambda solution: solution.left)
 
@@ -545,34 +545,35 @@ class NumberSearch:
             return False
         return True
 
+    def explains(self, values: Mapping[StandNumber, float]) -> bool:
+        """Whether numbers leave nothing of the error beyond rounding."""
+        left = self._remainder(values)
+        return left is not None and bool((np.abs(left) <= 1.0).all())
+
     def rounded(self, solved: SolvedNumbers) -> SolvedNumbers:
-        """The same numbers with the fewest digits that leave nothing beyond rounding."""
+        """The same numbers with the fewest digits that explain the error."""
         values = dict(solved.values)
         for number, value in solved.values.items():
             for digits in range(1, 16):
                 short = {**values, number: float(f"{value:.{digits}g}")}
-                left = self._remainder(short)
-                if left is not None and (np.abs(left) <= 1.0).all():
+                if self.explains(short):
                     values = short
                     break
         return SolvedNumbers(values, solved.left)
 
-    @cached_property
-    def _slopes(self) -> Array:
-        """Derivatives (n, m) of the answers over rounding; zero where there is none."""
-        columns = []
-        for number in self._numbers:
-            size = max((abs(x) for x in (number.value, *np.ravel(number.whole or 0.0))), default=0.0) or SMALL
-            columns.append(np.zeros(self._error.size))
-            for step in (STEP * size, -STEP * size):
-                try:
-                    moved = self._vector.of_model(self.model({number: number.value + step}), self._among)
-                except StandError:
-                    continue
+    def _slope(self, number: StandNumber) -> Array:
+        """Derivative (n) of the answers by a number, over rounding; zero where there is none."""
+        if number in self._slopes:
+            return self._slopes[number]
+        self._slopes[number] = np.zeros(self._error.size)
+        size = max((abs(x) for x in (number.value, *np.ravel(number.whole or 0.0))), default=0.0) or SMALL
+        for step in (STEP * size, -STEP * size):
+            with suppress(StandError):
+                moved = self._vector.of_model(self.model({number: number.value + step}), self._among)
                 change = np.nan_to_num((moved - self._vector.expected) / step, nan=0.0)
-                columns[-1] = change[self._there] / self._noise
+                self._slopes[number] = change[self._there] / self._noise
                 break
-        return np.column_stack(columns)
+        return self._slopes[number]
 
     def _remainder(self, values: Mapping[StandNumber, float]) -> Array | None:
         """What numbers leave of the error, over rounding; None: a stand cannot have them."""
@@ -582,9 +583,12 @@ class NumberSearch:
             return None
         return left if np.isfinite(left).all() else None
 
-    def _solve(self, numbers: Sequence[StandNumber], columns: Sequence[int]) -> SolvedNumbers | None:
-        """Gauss-Newton with derivatives that are brought up to date by what each step changed (Broyden)."""
-        jacobian, rest = self._slopes[:, columns], self._error
+    def solve(self, numbers: Sequence[StandNumber]) -> SolvedNumbers | None:
+        """Values of some numbers that leave least of the error; None where none leave less than all.
+
+        Gauss-Newton with derivatives that are brought up to date by what each step changed (Broyden).
+        """
+        jacobian, rest = np.column_stack([self._slope(number) for number in numbers]), self._error
         at = np.array([number.value for number in numbers])
         size, best = 1.0, (1.0, at)
         whole = float(np.linalg.norm(rest)) or 1.0

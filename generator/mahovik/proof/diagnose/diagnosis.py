@@ -43,7 +43,8 @@ TELLING, FEW_WANTS = ("coupled", "forward", "torque"), 3
 """Wants by which causes are looked for, before they are compared with all: these where they differ, and how many."""
 
 SIMPLE = 6
-"""Digits of a number that people write: of numbers that explain an error alike, one with so few comes first."""
+"""Digits of a number that people write: of numbers that explain an error alike, one with so few comes first, and before
+one that the file has as zero."""
 
 
 @dataclass(frozen=True)
@@ -227,18 +228,24 @@ class Diagnoser:
 
     def _by_numbers(self, evidence: _Evidence) -> _Search:
         """A number, or two, that explain all of the error; else those that leave least."""
-        search = NumberSearch(self._stand, self._document, self.whole, evidence.few, evidence.error, evidence.noise)
+        search, wide = (
+            NumberSearch(self._stand, self._document, self.whole, among, evidence.error, evidence.noise)
+            for among in (evidence.few, evidence.every)
+        )
         near: _Near = 1.0, ()
         for count in (1, 2):
             exact = []
-            for solved in search.solutions(count):
+            for first_solved in search.solutions(count):
+                solved = first_solved
+                if search.explains(solved.values):  # to the digits that all states tell, which few may not
+                    solved = wide.solve(list(solved.values)) or solved
                 left, wants = evidence.compare(search.model(solved.values))
                 if wants == ():
-                    exact.append(search.rounded(solved))
+                    exact.append(wide.rounded(solved))
                 elif left < near[0]:
                     near = left, _causes(solved)
             if exact:
-                first, *further = sorted(exact, key=lambda solved: _digits(solved) > SIMPLE)
+                first, *further = sorted(exact, key=_is_unlikely)
                 like = tuple(" and ".join(x.path for x in solved.values) for solved in further)
                 return tuple(replace(cause, like=like) for cause in _causes(first)), near
         return (), near
@@ -265,10 +272,10 @@ class _Evidence:
         of_wants = np.array([want in self._wants for want, _ in whole.quantities])
         self._in_wrong_wants = of_wants[whole.block]
         chosen = sorted(self._wants, key=lambda want: (want not in TELLING, want))[:FEW_WANTS]
-        self._every = {x.id for x in whole.requests}
+        self.every = {x.id for x in whole.requests}
         self.few = {x.id for x in whole.requests if x.id in first and x.want[0] in chosen}
         if not self.wrong[whole.places(self.few)].any():
-            self.few = self._every
+            self.few = self.every
 
     def right_beside(self, numbers: Array) -> set[str]:
         """Quantities all of whose answers are other numbers, to rounding."""
@@ -280,7 +287,7 @@ class _Evidence:
 
         These are none where it explains the rightness of all others as well; None where it leaves more than rounding.
         """
-        for among in (self.few, self._every):
+        for among in (self.few, self.every):
             places, predicted = self._whole.places(among), self._whole.of_model(model, among)
             rest = np.abs(np.nan_to_num(self._answered - predicted, nan=np.inf))
             growth = self._growth(np.where(places, self._whole.expected, 0.0), predicted)
@@ -305,9 +312,10 @@ def _causes(solved: SolvedNumbers) -> tuple[Cause, ...]:
     return tuple(Cause(n.path, (value, n.value, n.dimension.si)) for n, value in solved.values.items())
 
 
-def _digits(solved: SolvedNumbers) -> int:
-    """Digits of the longest of the numbers."""
-    return max(len(f"{value:.15g}".partition("e")[0].replace(".", "").strip("-0")) for value in solved.values.values())
+def _is_unlikely(solved: SolvedNumbers) -> tuple[bool, bool]:
+    """Whether one of the numbers has many digits; whether the file has one as zero."""
+    digits = [len(f"{x:.15g}".partition("e")[0].replace(".", "").strip("-0")) for x in solved.values.values()]
+    return max(digits) > SIMPLE, any(number.value == 0.0 for number in solved.values)
 
 
 # -- words -------------------------------------------------------------------------------------------------------------
@@ -330,15 +338,18 @@ def sentences(diagnosis: Diagnosis) -> list[str]:
         if diagnosis.verdict == "none" and precision is None:
             lines.append("no fault: nothing differs by more than is accepted")
         elif precision is not None:
-            right = "the numbers that it answers differ by no" if diagnosis.missing else "no fault: nothing differs by"
+            partly = diagnosis.missing or diagnosis.failed
+            right = "the numbers that it answers differ by no" if partly else "no fault: nothing differs by"
             lines.append(f"{right} more than {rounding} at the states of the diagnosis")
         else:
-            lines.append("no diagnosis: the program answered nothing that can be compared")
+            lines.append("no diagnosis: there is no answer in which causes are looked for")
     elif diagnosis.by_terms and result is not None:
         lines += _term_lines(result, diagnosis.not_looked_at, rounding)
         lines += [f"the error of {want} is not a few terms: nothing of it is named" for want in result.besides]
     elif diagnosis.verdict == "named":
-        lines += _cause_lines(diagnosis.causes, f"explains the error to {rounding}")
+        lines += _cause_lines(
+            diagnosis.causes, f"explains the error to {rounding}", precision.name if precision else "double"
+        )
     elif result is not None and result.doubtful:
         lines.append("a few wrong terms explain it, but these states do not tell which:")
         lines += [f"  {x.want}, {x.component}: {x.term} or, as well, {_some(x.twins)}" for x in result.doubtful]
@@ -386,7 +397,7 @@ def _cause(cause: Cause, share: float) -> dict[str, Any]:
     return {"number": cause.name, "value": value, "expected": expected, "unit": unit, "share": share, **more}
 
 
-def _cause_lines(causes: Sequence[Cause], explains: str) -> list[str]:
+def _cause_lines(causes: Sequence[Cause], explains: str, precision: str = "double") -> list[str]:
     """A line for each cause, and what has the same effect."""
     lines = []
     for cause in causes:
@@ -400,7 +411,10 @@ def _cause_lines(causes: Sequence[Cause], explains: str) -> list[str]:
     if causes and causes[0].only_in:
         lines.append(f"  only in {_join(causes[0].only_in)}: what else it would spoil is right")
     if causes and causes[0].like:
-        lines.append(f"  of the same effect on this stand: {_some(causes[0].like)}")
+        alike = (
+            "of the same effect on this stand" if precision == "double" else f"not told apart by answers in {precision}"
+        )
+        lines.append(f"  {alike}: {_some(causes[0].like)}")
     return lines
 
 
@@ -507,7 +521,7 @@ def diagnose_fault(stand: Stand, document: Mapping[str, Any], judged: Judged, se
     precision = diagnosed.precision
     if precision is None or not diagnosed.wrong or (diagnosed.verdict == "named" and len(diagnosed.causes) < 2):
         if diagnosed.verdict == "none" and diagnosed.failed:
-            return replace(diagnosed, verdict="unnamed")
+            return replace(diagnosed, verdict="unnamed", unexplained=1.0)
         return diagnosed
     if not set(offered) & set(WANTS):
         return diagnosed

@@ -429,7 +429,7 @@ class TermSearch:
         explained = explain(of.error, columns, of.noise, of.checked, [term for term in columns if term[:2] in known])
         if explained is None:
             return [], Fit({}, 1.0)
-        sizes = {term: float(np.sum((c * columns[term]) ** 2)) for term, c in explained.factors.items()}
+        sizes = {term: float(np.sum((c * columns[term][~of.checked]) ** 2)) for term, c in explained.factors.items()}
         return [
             WrongTerm(of.want, body, name, round(expected + c, 9) + 0.0, expected, of_body=True,
                       share=sizes[body, name, expected] / sum(sizes.values()))
@@ -491,7 +491,7 @@ class TermSearch:
                 factor = 0.0 if abs(factor) <= SAME * abs(expected or 0.0) else factor
                 twins = tuple(names[j] for j in fit.twins.get(k, ()))
                 term = WrongTerm(of.want, of.frame.components[i], names[k], factor, expected, path, twins=twins)
-                terms.append((float(np.sum((c * values) ** 2)), term))
+                terms.append((float(np.sum((c * values[fitted]) ** 2)), term))
         whole = sum(size for size, _ in terms) or 1.0
         fits = [replace(fit, left=of.remainder(explained)) if fit.exact else fit for fit in fits] or [Fit({}, 1.0)]
         return [replace(x, share=size / whole) for size, x in sorted(terms, key=lambda x: -x[0])], fits
