@@ -24,14 +24,14 @@ from mahovik.proof.reference.pieces import momentum, momentum_in_E0
 from mahovik.stands import path
 from mahovik.use.study.linear import places
 from mahovik.use.vibration import steady as steady_motions
-from mahovik.use.vibration.chain import Makers
+from mahovik.use.vibration.chain import Makers, combinations
 from mahovik.use.vibration.lines import LineName, Lines, in_band, size_of
 from mahovik.use.vibration.maker import InnerModes, read_harmonics, read_inner_modes, read_structure
 from mahovik.use.vibration.speeds import read_speeds
 from mahovik.use.vibration.steady import Steady, quasiperiodic, steady
 from mahovik.use.vibration.study import Vibration
 from mahovik.use.vibration.study import vibration as find
-from mahovik.use.vibration.torus import Torus
+from mahovik.use.vibration.torus import Torus, indices
 from mahovik.use.vibration.view import find_view
 from study.test_response_held import table as force_table
 
@@ -253,6 +253,22 @@ def test_coefficients_come_back_from_values(count: int, order: int, seed: int) -
     values = torus.values(c)
     assert np.abs(torus.coefficients(values) - c).max() < 1e-12
     assert np.abs(torus.at(c, torus.angles(np.eye(count, dtype=int))) - values).max() < 1e-10
+
+
+@pytest.mark.parametrize("slow", [5.0, 5.13])
+def test_lines_are_named_by_the_smallest_combination_with_a_common_period_and_without(slow: float) -> None:
+    """Whole ratios, 5 to 100, and others: the sums and differences are not orders 22 and 18 of the slow wheel."""
+    names = vibration(load(path("sat4")), ["all=100", f"rw1={slow}"], "angle", "acc1").lines.names
+    assert {"1 x rw1", "3 x rw2, rw3, rw4", "2 rw1 + rw2", "2 rw1 - rw2"} <= {name.text for name in names}
+    assert max(name.order for name in names) == 3.0
+
+
+@given(st.lists(st.integers(-7, 7), min_size=1, max_size=3).filter(lambda turns: math.gcd(*turns) == 1))
+def test_combinations_are_the_smallest(turns: list[int]) -> None:
+    k = indices(len(turns), 7)
+    for n, found in combinations(turns, 12).items():
+        sizes = np.abs(k).sum(axis=1)[np.abs(k @ turns) == abs(n)]
+        assert found @ turns == n and np.abs(found).sum() == min([*sizes, *[np.abs(found).sum()] * (not len(sizes))])
 
 
 def table(folder: Path, text: str) -> Path:

@@ -397,7 +397,7 @@ def spectrum(scene: Scene, chain: Chain, speeds: Sequence[float], phases: Array)
     groups = np.split(order, first[1:]) if len(order) else []
     names = [s.name for s in scene.stand.flywheels]
     return Spectrum(
-        tuple(_name(motion, torus.k[group], names) for group in groups),
+        tuple(_name(lowest, names) for lowest in _lowest(motion, groups)),
         w[order][first] / (2.0 * np.pi),
         np.array([a[group].sum(axis=0) for group in groups], dtype=np.complex128).reshape(-1, 3),
         left,
@@ -414,29 +414,55 @@ def _driven(chain: Chain, speeds: Array, omega: Array, mounts: Complex) -> Compl
     return np.asarray(chain.driven_amplitudes(speeds[None], omega[None], np.where(rounding, 0.0, mounts)[None])[0])
 
 
-def _name(motion: Steady, k: Whole, wheels: Sequence[str]) -> LineName:
-    """Name of lines k (g, r) of one frequency: that of the lowest order; of several wheels' all of them.
+def _lowest(motion: Steady, groups: Sequence[Whole]) -> list[Whole]:
+    """Combinations k (g, N) of the wheels of the lowest order, sum |k_s|, that have the frequency of a group of lines.
 
-    A harmonic of a common period that is no whole order of a wheel is an order of the fastest.
+    Of a harmonic of a common period all that are orders of one wheel, else one of several wheels.
     """
-    if len(motion.base) == 1:
-        turns, n = np.abs(motion.turns[:, 0]).tolist(), abs(int(k[0, 0]))
-        orders = {s: n // turn for s, turn in enumerate(turns) if turn and n % turn == 0}
-        order = min(orders.values(), default=n / max(turns))
-        single = [s for s in orders if orders[s] == order] or [turns.index(max(turns))]
-        return LineName(", ".join(wheels[s] for s in single), float(order))
-    size = np.abs(k).sum(axis=1)
-    lowest = (k[size == size.min()] @ motion.turns.T).tolist()
-    single = [next(s for s, n in enumerate(row) if n) for row in lowest if np.count_nonzero(row) == 1]
-    if single:
-        return LineName(", ".join(wheels[s] for s in sorted(single)), float(size.min()), UNBALANCE)
-    words = ""
-    for n, name in zip(lowest[0], wheels, strict=True):
+    if len(motion.base) > 1:
+        sizes = [np.abs(motion.torus.k[group]).sum(axis=1) for group in groups]
+        kept = [group[size == size.min()] for group, size in zip(groups, sizes, strict=True)]
+        return [motion.torus.k[group] @ motion.turns.T for group in kept]
+    harmonics, turns = [abs(int(motion.torus.k[group[0], 0])) for group in groups], motion.turns.ravel().tolist()
+    known, result = combinations(turns, max(harmonics, default=0)), []
+    for n in harmonics:
+        orders = np.diag([n // turn if turn and n % turn == 0 else 0 for turn in turns])
+        single = orders[np.abs(orders).sum(axis=1) == np.abs(known[n]).sum()]
+        result.append(single if len(single) else known[n][None])
+    return result
+
+
+def combinations(turns: Sequence[int], most: int) -> dict[int, Whole]:
+    """By n, up to `most` and of either sign: whole numbers k (N) of least sum |k_s| with k . turns = n.
+
+    `turns` of the wheels have no common divisor.
+    """
+    reach, zero = most + max(map(abs, turns), default=0), np.zeros(len(turns), dtype=np.int64)
+    steps = dict[int, Whole]()
+    for turn, unit in zip(turns, np.eye(len(turns), dtype=np.int64), strict=True):
+        if turn and turn not in steps:
+            steps |= {turn: unit, -turn: -unit}
+    result, last = {0: zero}, [0]
+    while last:
+        reached = dict[int, Whole]()
+        for at in last:
+            more = {at + step: result[at] + k for step, k in steps.items() if abs(at + step) <= reach}
+            reached = {n: k for n, k in more.items() if n not in result} | reached
+        result, last = result | reached, [*reached]
+    return result
+
+
+def _name(lowest: Whole, wheels: Sequence[str]) -> LineName:
+    """Name of a line by its combinations of the lowest order: that of single wheels before that of several."""
+    size, single = float(np.abs(lowest[0]).sum()), lowest[np.count_nonzero(lowest, axis=1) == 1]
+    if len(single):
+        return LineName(", ".join(wheels[s] for s in np.flatnonzero(single.any(axis=0)).tolist()), size, UNBALANCE)
+    k = max(lowest.tolist(), key=lambda k: [abs(n) for n in k])
+    words, sign = "", 1 if next(filter(None, k)) > 0 else -1
+    for n, name in zip(k, wheels, strict=True):
         if n:
-            sign = ("-" if n < 0 else "+") if words else ("-" if n < 0 else "")
-            words += f" {sign} " if words else sign
-            words += name if abs(n) == 1 else f"{abs(n)} {name}"
-    return LineName(words, float(size.min()), COMBINATION)
+            words += (" + " if sign * n > 0 else " - ") * bool(words) + (f"{abs(n)} " if abs(n) > 1 else "") + name
+    return LineName(words, size, COMBINATION)
 
 
 def left_out_of(motion: Steady, seen: Observable) -> Array:
