@@ -27,6 +27,9 @@ Kinds = Mapping[str, tuple[str, list[Any]]]
 HIDDEN = "hidden"
 """Word of an argument that the command line does not have."""
 
+FILES = (".csv", ".json", ".parquet", ".svg", ".png", ".html", ".toml")
+"""Ends of names of files, which no folder to write has."""
+
 WORDS: dict[Any, str] = {
     bool: "True or False", int: "a whole number", float: "a number", str: "a text", os.PathLike: "a path",
     Mapping: "a mapping", tuple: "a list", Sequence: "a list", Iterable: "a list", Callable: "a function",
@@ -88,6 +91,8 @@ def _check(name: str, value: Any, word: str, kinds: Sequence[Any]) -> None:
     """Raise UsageError unless a value is of one of the kinds."""
     if isinstance(value, str) and not value:
         raise UsageError(f"{name}: is empty")
+    if word == "DIR" and str(value).endswith(FILES):
+        raise UsageError(f"{name} {value}: expected a folder")
     if any(_is(kind, value) for kind in kinds):
         return
     choices = [word for kind in kinds if typing.get_origin(kind) is typing.Literal for word in typing.get_args(kind)]

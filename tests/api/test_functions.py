@@ -45,7 +45,7 @@ REFUSED: list[tuple[str, str, dict[str, Any], str]] = [
     ("vibration", "sat4", {"steps": 2.5}, "steps 2.5: expected a whole number"),
     ("vibration", "sat4", {"band": (math.nan, 10.0)}, "band nan..10 Hz: expected two frequencies"),
     ("vibration", "sat4", {"band": (10.0,)}, "band 10 Hz: expected two frequencies"),
-    ("vibration", "sat4", {"speed": ["all=1", 2]}, "speed: 2; expected NAME=SPEED"),
+    ("vibration", "sat4", {"speed": ["all=1", 2]}, "speed 2: expected NAME=SPEED"),
     (
         "vibration",
         "sat4",

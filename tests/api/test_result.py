@@ -132,11 +132,13 @@ def test_it_is_drawn_on_new_axes_or_given_ones(tmp_path: Path) -> None:
     assert result.plot(ax) is ax and ax.lines
     with pytest.raises(mahovik.UsageError, match="2 axes are given, but run has 1 panels"):
         result.plot([ax, ax])
-    wide = Result("K", (Column("K", "kg", np.ones((3, 6, 8)), (Axis("wrench"), Axis("twist"))),))
-    with pytest.raises(mahovik.UsageError, match=r"48 columns are too many .* result\.take"):
+    moments = Column("step", "", np.arange(3))
+    wide = Result("K", (moments, Column("K", "kg", np.ones((3, 6, 8)), (Axis("wrench"), Axis("twist")))))
+    with pytest.raises(mahovik.UsageError, match=r"49 columns are too many .* result\.take"):
         wide.plot()
-    with pytest.raises(mahovik.UsageError, match="no rows of numbers"):
-        Result("names", (column("name", "", ["a"]),)).plot()
+    for numbers in ([], [column("mass", "kg", [1.0])]):  # over the numbers of rows there is nothing to see
+        with pytest.raises(mahovik.UsageError, match="names: no picture shows it, expected"):
+            Result("names", [column("name", "", ["a"]), *numbers], index="name").plot()
     for name in ("a.svg", "b.svg", "c.png"):
         result.save(tmp_path / name)
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()

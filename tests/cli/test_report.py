@@ -84,5 +84,5 @@ def test_a_held_carrier_has_a_page() -> None:
     assert seen.wrong == [] and "Modes" not in seen.text
     assert "hold.reaction at most 7.11 N RMS at 3000 rpm" in seen.text
     assert refused("report", str(stand), "--at", "nowhere", "-o", "q.html") == (
-        'error: --at: unknown point "nowhere", expected one of carrier\n'
+        'error: --at nowhere: unknown, did you mean "wheel"?\n'
     )

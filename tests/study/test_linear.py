@@ -86,7 +86,7 @@ def test_points_are_those_named_in_that_order() -> None:
     assert linear_model(stand, rest_state(stand)).points == ("acc1",)
     assert linear_model(stand, rest_state(stand), ["carrier", "acc1"]).points == ("carrier", "acc1")
     assert linear_model(stand, rest_state(stand), []).C.shape == (0, 20)
-    with pytest.raises(UsageError, match='unknown point "acc2", did you mean "acc1"'):
+    with pytest.raises(UsageError, match='at acc2: unknown, did you mean "acc1"'):
         linear_model(stand, rest_state(stand), ["acc2"])
     with pytest.raises(UsageError, match="given twice"):
         linear_model(stand, rest_state(stand), ["acc1", "acc1"])
@@ -99,7 +99,7 @@ def test_files_read_back_to_the_same_bits(flywheels: Literal["free", "locked"], 
     stand, state = random_case(7, 2, points=2, wrench_inputs=True)
     model = linear_model(stand, state, locked=flywheels == "locked")
     start = {key: value for key, value in state_object(state).items() if key not in ("V_dot", "tau")}
-    result = mahovik.modes(stand, at=start, flywheels=flywheels)
+    result = mahovik.modes(stand, start=start, flywheels=flywheels)
     result.save(tmp_path / "model.json")
     text = json.loads((tmp_path / "model.json").read_text())
     for name in "ABCD":

@@ -125,14 +125,18 @@ def test_speeds_as_asked() -> None:
         (["left=1..2", "right=1..3"], "one can be swept"),
         (["left=right", "right=left"], "follow one another"),
         (["left=1", "left=2"], "has a speed already"),
-        (["left=5rpm..5rpm"], "the range is empty"),
+        (["left=left"], "left follows itself; give it a speed"),
+        ("left", "speed left: expected NAME=SPEED"),
+        ({"up": 1000.0}, "speed up=1000: unknown flywheel"),
+        (["left=5rpm..5rpm"], "expected a range from the lower speed to the higher"),
+        (["left=100..10"], "left=100..10: expected a range from the lower speed to the higher"),
         (["left=2**right"], "is not a unit"),
         (["left=1e400"], "left=1e400"),
         (["left=0..1e6"], "at most 100000 is possible"),
         (["left=1e5", "right=2*left"], "right would turn at"),
     ],
 )
-def test_speeds_that_are_refused(texts: list[str], words: str) -> None:
+def test_speeds_that_are_refused(texts: str | list[str] | dict[str, float], words: str) -> None:
     with pytest.raises(UsageError, match=words.replace("*", r"\*")) as error:
         read_speeds(load(path("shaker2")), texts)
     assert "\n" not in str(error.value)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 from mahovik.errors import FileError, UsageError
 from mahovik.nearest import suggestion
 from mahovik.out.notices import OnProgress, hearing
+from mahovik.out.result import SUFFIXES, suffix_of
 from mahovik.signatures import HIDDEN, Rules, check_arguments
 
 if TYPE_CHECKING:
@@ -74,15 +75,16 @@ def command(needs: Rules | None = None, excludes: Rules | None = None) -> Callab
     return of
 
 
-def output_path(name: str, path: str | Path, read: Sequence[str | Path]) -> Path:
-    """The file that an argument says is to be written. Raises UsageError if it cannot be, or is one of `read`."""
+def output_format(name: str, path: str | Path, read: Sequence[str | Path], formats: Sequence[str] = SUFFIXES) -> str:
+    """The format of a file that an argument says is to be written. Raises UsageError if it cannot, or is in `read`."""
     from mahovik.writing import probe
 
     path = Path(path)
+    suffix = suffix_of(path, name, formats)
     if path.exists() and any(path.samefile(source) for source in read if Path(source).exists()):
         raise UsageError(f"{name} {path}: is read by this command; expected another name")
     probe(path)
-    return path
+    return suffix
 
 
 Made = TypeVar("Made")
@@ -178,7 +180,8 @@ def quantity(name: str, value: Number, dimension: Dimension, low: float = -math.
     except QuantityError as error:
         raise UsageError(f"{name}: {error}") from None
     if not (math.isfinite(result) and low <= result <= high):
-        raise UsageError(f"{name} {value}: out of range, expected {low:g} to {high:g} {dimension.si}".rstrip())
+        bounds = f"{low:g} to {high:g} {dimension.si}".rstrip() if math.isfinite(high) else "a finite number"
+        raise UsageError(f"{name} {value if isinstance(value, str) else f'{value:g}'}: out of range, expected {bounds}")
     return result
 
 

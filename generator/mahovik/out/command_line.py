@@ -124,7 +124,7 @@ def _parameter(one: inspect.Parameter, word: str, kinds: Sequence[Any], words: s
         return click.Argument([one.name], required=required, metavar=f"{word}" if required else f"[{word}]")
     origins = {typing.get_origin(kind) or kind for kind in kinds}
     shown: dict[str, Any] = {"help": words, "required": required}
-    if one.default not in (None, (), "", False, one.empty):
+    if one.default not in (None, (), "", one.empty) and one.default is not False:
         shown |= {"default": one.default, "show_default": True}
     declarations = [option_name(one.name), one.name]
     if bool in origins:
@@ -135,7 +135,7 @@ def _parameter(one: inspect.Parameter, word: str, kinds: Sequence[Any], words: s
     repeated = bool(origins & {Sequence, Mapping, list, dict}) and word not in ("FILE", "STAND.toml", "NAME,NAME")
     known = [inner for kind in kinds for part in (kind, *typing.get_args(kind)) for inner in alternatives(part)[1]]
     numbers: list[type] = [kind for kind in (int, float) if kind in known]
-    shown |= {"metavar": word or ("N" if int in numbers else "TEXT"), "multiple": repeated}
+    shown |= {"metavar": word or ("N" if int in numbers else "NUMBER" if numbers else "TEXT"), "multiple": repeated}
     read = partial(_value, numbers, repeated, Mapping in origins)
     return click.Option(declarations, type=click.UNPROCESSED, callback=read, **shown)
 
@@ -180,13 +180,11 @@ def _run(function: Callable[..., Any], as_json: bool | None = None, save: str | 
     parameters = inspect.signature(function).parameters
     arguments = {key: value for key, value in values.items() if value not in (None, [], ())}
     if save is not None:
-        from mahovik.out.arguments import output_path
-        from mahovik.out.result import check_place
+        from mahovik.out.arguments import output_format
 
-        check_place(Path(save))
         texts = chain.from_iterable(x if isinstance(x, list | tuple) else [x] for x in arguments.values())
         words = [word for word in texts if isinstance(word, str)]
-        output_path("-o", save, [*words, *(word.partition("=")[2] for word in words)])
+        output_format("-o", save, [*words, *(word.partition("=")[2] for word in words)])
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always", UserWarning)
         try:

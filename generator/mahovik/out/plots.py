@@ -114,24 +114,16 @@ UNSHOWN = ("v_dot", "omega_dot", "phi", "phi_ddot", "q_ddot", "motor", "command"
 _MEMBERS = re.compile(r"(|.+?[_. ])([xyzkmn])( \w+)?|(\w+) (\w+)")
 
 
-def column_panels(index: tuple[str, str, Any] | None, columns: Columns) -> list[Panel]:
-    """Panels of columns over an index column; None: over the rows, counted from 1.
+def column_panels(index: tuple[str, str, Any], columns: Columns) -> list[Panel]:
+    """Panels of columns of numbers over an index column.
 
     Over time: one panel a quantity, in degrees and rpm; what is required is dashed. Else stems, a panel a column.
     """
-    numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in columns if _is_number(x)]
-    if not numbers or not len(numbers[0][2]):
-        raise UsageError("there are no rows of numbers to draw")
-    name, unit, x = index if index and _is_number(index[2]) else ("row", "", np.arange(1.0, 1.0 + len(numbers[0][2])))
+    (name, unit, x), *numbers = [(name, unit, np.asarray(x, dtype=np.float64)) for name, unit, x in (index, *columns)]
     if name in ("t", "time"):
-        return _course(np.asarray(x, dtype=np.float64), numbers)
-    words, span = f"{name}, {unit}".rstrip(", "), (0.5, len(x) + 0.5) if name == "row" else None
-    return [Panel(f"{column}, {of}".rstrip(", "), (stems("", x, y),), False, "", words, span=span)
-            for column, of, y in numbers]  # fmt: skip
-
-
-def _is_number(values: Any) -> bool:
-    return np.asarray(values).dtype.kind in "iuf"
+        return _course(x, numbers)
+    words = f"{name}, {unit}".rstrip(", ")
+    return [Panel(f"{column}, {of}".rstrip(", "), (stems("", x, y),), abscissa=words) for column, of, y in numbers]
 
 
 def _course(t: Array, columns: Columns) -> list[Panel]:

@@ -363,13 +363,17 @@ class Result(Mapping[str, Any]):
     def _drawings(self) -> Sequence[Drawing]:
         from mahovik.out.plots import column_panels
 
-        columns = [(one.name, one.unit, one.values) for one in self.flat()]
-        index = next((one for one in columns if one[0] in (self.index, "t")), None)
-        if not self.drawings and len(columns) > SHOWN and (index is None or index[0] != "t"):
+        if self.drawings:
+            return self.drawings
+        columns = [(one.name, one.unit, one.values) for one in self.flat() if one.values.dtype.kind in "iuf"]
+        index = next((one for one in columns if one[0] in (self.index, "t", "step") and len(one[2])), None)
+        if index is None or len(columns) < 2:
+            raise UsageError(f"{self.title}: no picture shows it, expected .csv, .json or .parquet")
+        if len(columns) > SHOWN and index[0] != "t":
             raise UsageError(
                 f"{self.title}: {len(columns)} columns are too many for a picture; result.take(rows, names) has fewer"
             )
-        return self.drawings or column_panels(index, [one for one in columns if index is None or one[0] != index[0]])
+        return column_panels(index, [one for one in columns if one[0] != index[0]])
 
     # ---- text
 
@@ -514,22 +518,14 @@ def plain(value: Any) -> Any:
     return str(value) if isinstance(value, Path) else value
 
 
-def suffix_of(path: Path, name: str = "path") -> str:
-    """How an argument `name` ends, the name of a file that a result can be written to. Raises UsageError."""
+def suffix_of(path: Path, name: str = "path", formats: Sequence[str] = SUFFIXES) -> str:
+    """How an argument `name` ends, the name of a file to be written, one of `formats`. Raises UsageError."""
     from mahovik.writing import format_of
 
-    suffix = format_of(path, SUFFIXES, name)
+    suffix = format_of(path, formats, name)
     if suffix in (".svg", ".png"):
         library("matplotlib", "report")
     return suffix
-
-
-def check_place(path: Path) -> None:
-    """Raise UsageError, before anything is computed, where a result cannot be written to a file."""
-    from mahovik.writing import probe
-
-    suffix_of(path, "-o")
-    probe(path)
 
 
 def split_unit(text: str) -> tuple[str, str]:

@@ -57,7 +57,7 @@ def test_file_and_what_is_said(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "status", "expected"),
     [
-        ((*DRY, "--fmu", "dt=0"), 2, "--fmu dt 0.0: out of range, expected 1e-09 to 10 s"),
+        ((*DRY, "--fmu", "dt=0"), 2, "--fmu dt 0: out of range, expected 1e-09 to 10 s"),
         ((*DRY, "--fmu", "dt=20 s"), 2, "--fmu dt 20 s: out of range, expected 1e-09 to 10 s"),
         ((*DRY, "--fmu", "kind=me", "--fmu", "dt=0.001"), 2, "--fmu dt: model exchange has no internal step"),
         ((*DRY, "--fmu", "start=none.json"), 2, "none.json: no such file"),

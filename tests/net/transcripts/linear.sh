@@ -6,6 +6,6 @@ mahovik modes $STANDS/bench8.toml
 mahovik modes $INPUTS/cube.toml --flywheels free
 mahovik modes $STANDS/demo3.toml --flywheels maybe
 mahovik modes $STANDS/sat4.toml --flywheels free -o model.json
-mahovik modes $STANDS/sat4.toml --points acc2 -o bad.json
+mahovik modes $STANDS/sat4.toml --at acc2 -o bad.json
 mahovik modes $STANDS/sat4.toml -o bad.txt
 mahovik modes $STANDS/remus6.toml -o bad.json

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 import numpy as np
 
 from mahovik.errors import UsageError
-from mahovik.out.arguments import FilePath, StandGiven, command, output_path, reading, text_of_keys
+from mahovik.out.arguments import FilePath, StandGiven, command, output_format, reading, text_of_keys
 from mahovik.out.result import Result, column
 from mahovik.writing import write
 
@@ -42,7 +42,8 @@ def identify(
         data: a file of measured data, .csv or .parquet, as often as needed; in Python also a DataFrame.
         free: paths of the stand file separated by commas, such as w*.unbalance, or a file that names them, with known
             delays of sensors. `imu.delay` is the delay of a sensor.
-        output: write the stand file with the estimated numbers: comments, order and units stay.
+        output: write the stand file with the estimated numbers, .toml: comments, order and units stay; or a table,
+            .csv, .json or .parquet.
         loss: how residuals count; all but linear bear outliers.
 
     Raises:
@@ -56,10 +57,12 @@ def identify(
     from mahovik.use.measured.read import read_recordings
 
     machine, files = Stand.of(stand), files_of(data)
+    form = ""
     if output is not None:
-        if not isinstance(stand, str | Path):
+        read = [file for file in (stand, *files) if isinstance(file, str | Path)]
+        form = output_format("output", output, read, (".toml", ".csv", ".json", ".parquet"))
+        if form == ".toml" and not isinstance(stand, str | Path):
             raise UsageError("output: needs the stand as a file, whose comments stay")
-        output_path("output", output, [file for file in (stand, *files) if isinstance(file, str | Path)])
     paths, delays = reading("free", free, read_free)
     numbers = Free(machine, paths, delays)
     recordings = reading("data", files, read_recordings, machine)
@@ -68,7 +71,7 @@ def identify(
     new = numbers.stand
     if numbers.size:
         new = new.replace(dict(zip(numbers.paths, values[: numbers.size].tolist(), strict=False)))
-    if output is not None:
+    if output is not None and form == ".toml":
         write(Path(output), with_numbers(Path(str(stand)).read_text(encoding="utf-8-sig"), new, numbers.numbers))
     shares = [shares_left(run, left) for run, left in zip(runs, fit.residuals, strict=True)]
     heard, left = (np.concatenate([share[i] for share in shares]) for i in (1, 0))
@@ -84,7 +87,7 @@ def identify(
             notes.append(f"warning: {source}: {label}: the stand leaves {100.0 * share:.3g} % of the data: {words}")
     notes += coloured_lines(runs, fit)
     lines = unobservable_lines(numbers, runs, fit)
-    return Result(
+    result = Result(
         f"{machine.name}: numbers from {', '.join(run.source for run in runs)}",
         (
             column("path", "", numbers.paths),
@@ -114,6 +117,9 @@ def identify(
         messages=[*(f"unobservable: {line}" for line in lines), *notes],
         details=("stand", "unobservable", "stand_keys"),
     )
+    if output is not None and form != ".toml":
+        result.save(output)
+    return result
 
 
 def files_of(data: Any) -> list[Any]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from mahovik.contract.quantities import RPM
 from mahovik.errors import CheckError, UsageError
-from mahovik.nearest import names_in, suggestion
+from mahovik.nearest import names_in
 from mahovik.out.arguments import FileGiven, Names, StandGiven, Turning, command, state_of
 from mahovik.out.notices import rest_to_start
 from mahovik.out.plots import Line, Panel, stems
@@ -23,13 +23,13 @@ STATE_KEYS = ("id", "position", "angles", "quaternion", "V", "u", "phi", "phi_do
 """Keys of a state as `eval` reads it; V* and the drive torques follow from them."""
 
 
-@command(needs={"speed": ("steps",)}, excludes={"speed": ("at", "flywheels", "points")})
+@command(needs={"speed": ("steps",)}, excludes={"speed": ("start", "flywheels", "at")})
 def modes(
     stand: StandGiven,
     *,
-    at: FileGiven = "rest",
+    start: FileGiven = "rest",
     flywheels: Literal["locked", "free"] = "locked",
-    points: Names | None = None,
+    at: Names | None = None,
     speed: Turning | None = None,
     steps: int = 121,
 ) -> Result:
@@ -46,9 +46,9 @@ def modes(
 
     Args:
         stand: the stand file.
-        at: linearise about this state, as `eval` reads it.
+        start: linearise about this state, as `eval` reads it.
         flywheels: keep flywheels locked to their motion, as a stiff servo does, or free, driven by torques.
-        points: points and instruments of the outputs; default all, else the carrier.
+        at: points and instruments of the outputs; default all, else the carrier.
         speed: speed of a flywheel, rad/s or with a unit; one range, LOW..HIGH, is swept; FACTOR*NAME is geared to
             another; `all` is every flywheel. The rest stand still.
         steps: speeds of the sweep, evenly spaced.
@@ -69,17 +69,13 @@ def modes(
     if speed is not None:
         return _campbell(machine, speed, steps)
     uniform_stream(machine)
-    names = None if points is None else list(names_in("points", points))
+    names = None if at is None else list(names_in("at", at))
     if names is None and not (machine.points or machine.instruments):
         names = ["carrier"]
-    known = [*(one.name for one in machine.points), *(one.name for one in machine.instruments), machine.carrier.name]
-    for name in names or ():
-        if name not in known:
-            raise UsageError(f'points: unknown point "{name}"{suggestion(name, known)}')
-    model = linear_model(machine, _nominal(machine, at), names, locked=flywheels == "locked")
+    model = linear_model(machine, _nominal(machine, start), names, locked=flywheels == "locked")
     result = modes_of(model)
     modes = result.modes
-    where = "rest" if isinstance(at, str) and at == "rest" else "a state" if not isinstance(at, str) else at
+    where = start if isinstance(start, str) else "a state"
     messages = []
     if any(mode.kind == "free" for mode in modes):
         messages.append("without a frequency: a free direction, no restoring force")
@@ -125,16 +121,16 @@ def modes(
     )  # fmt: skip
 
 
-def _nominal(stand: Stand, at: Any) -> State:
+def _nominal(stand: Stand, start: Any) -> State:
     """The state to linearise about. Raises UsageError, CheckError."""
     from mahovik.use.simulate.held import allowed_start
 
-    if not isinstance(at, str) or at != "rest":
-        return allowed_start(stand, state_of("at", at, stand, STATE_KEYS, "; V_dot and tau follow from them"))
+    if not isinstance(start, str) or start != "rest":
+        return allowed_start(stand, state_of("start", start, stand, STATE_KEYS, "; V_dot and tau follow from them"))
     try:
         return rest_to_start(stand)
     except CheckError as error:
-        raise CheckError(f"{error}; give a state by at=STATE.json") from None
+        raise CheckError(f"{error}; give a state by start=STATE.json") from None
 
 
 def _pictures(result: Any) -> tuple[Panel, Panel]:

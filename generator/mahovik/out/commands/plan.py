@@ -17,7 +17,7 @@ from mahovik.out.arguments import (
     Seconds,
     StandGiven,
     command,
-    output_path,
+    output_format,
     programme_of,
     required_of,
     text_of_keys,
@@ -39,6 +39,9 @@ _FIGURES = (
     "residual", "simulation_error", "objective", "least_singular_value", "det_I_sign_changes", "duration",
     "least_duration", "strayed",
 )  # fmt: skip
+FORMATS = (".json", ".csv", ".parquet", ".svg", ".png")
+"""Of the programme, then of its figures."""
+
 _UNITS = {"duration": "s", "least_duration": "s", "strayed": "m"}
 
 
@@ -70,11 +73,11 @@ def plan(
         stand: the stand file.
         motion: read the required motion, or a slew, from this file.
         free: move numbers of the stand too: paths, as w*.position; commas part several.
-        stand_: write the stand that results of free numbers to this file.
+        stand_: write the stand that results of free numbers to this file, .toml.
         method: plan by fourier; or solve (13) from there as it is printed, by IPOPT, as its judge.
         time: limit the search, s or "1 min"; run-ups after it, if any, have half of the time.
         seed: draw the starts from this seed.
-        output: write the programme to this file.
+        output: write the programme to this file, .json; or its figures, .csv or .parquet, or a picture, .svg or .png.
 
     Raises:
         MotionError: the motion file is refused, or a free number has no bounds.
@@ -86,19 +89,25 @@ def plan(
 
     keys = [key for text in ([free] if isinstance(free, str) else free) for key in text.split(",")]
     read = [source for source in (stand, motion) if isinstance(source, str | Path)]
-    paths = {name: output_path(name, path, read) for name, path in (("output", output), ("stand_", stand_)) if path}
+    if stand_ is not None:
+        output_format("stand_", stand_, read, (".toml",))
+    form = "" if output is None else output_format("output", output, read, FORMATS)
     machine, options = Stand.of(stand), PlanOptions(seed, time_limit("time", time))
     required = required_of(motion, machine)
     result, made, changes = _planned(
         machine, required, keys, method, options, lambda words: notify(progress, Progress(words))
     )
     programme = _programme(result)
-    for name, path in paths.items():
-        if programme is not None and name == "output":
-            write(path, json.dumps(programme, indent=1) + "\n")
-        elif programme is not None:
-            write(path, stand_text(stand, machine, made, [change[0] for change in changes]))
-    return _result(made, required, result, programme, changes)
+    answer = _result(made, required, result, programme, changes)
+    if programme is None:
+        return answer
+    if stand_ is not None:
+        write(Path(stand_), stand_text(stand, machine, made, [change[0] for change in changes]))
+    if output is not None and form == ".json":
+        write(Path(output), json.dumps(programme, indent=1) + "\n")
+    elif output is not None:
+        answer.save(output)
+    return answer
 
 
 def _planned(

@@ -108,7 +108,8 @@ def simulate(
     model = Stand.of(stand)
     if programme is not None:
         if motion is None or servo is None:
-            raise UsageError(f"{'motion' if motion is None else 'servo'}: missing, expected the file of the programme")
+            name, file = ("motion", "required motion") if motion is None else ("servo", "servos")
+            raise UsageError(f"{name}: missing, expected the file with the {file} of the programme")
         return _follow(model, programme, motion, servo, mismatch, seed, periods, begin, table, progress)
     if until is None:
         raise UsageError("until: missing, expected a time, s or with a unit")
@@ -241,7 +242,7 @@ def following_case(
     if (check := motion_check(required, course)).failed:
         raise UsageError(f"programme: {source}: {check.words}")
     servos, servo_source = servo_of(servo, stand), file_name(servo, "the servos")
-    real = with_mismatch(stand, quantity("mismatch", mismatch, PLAIN, 0.0), seed)
+    real = with_mismatch(stand, quantity("mismatch", mismatch, PLAIN), seed)
     case = make_case(stand, real, required, course, servos, periods, begin, table, source, servo_source)
     stable = margins(stand, servos)
     if stable.radius >= 1.0:

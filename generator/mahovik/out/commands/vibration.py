@@ -18,7 +18,6 @@ from mahovik.out.arguments import (
     Progressing,
     Seconds,
     StandGiven,
-    Text,
     Turning,
     Vector,
     by_flywheel,
@@ -59,7 +58,7 @@ def vibration(
     stand: StandGiven,
     *,
     speed: Turning,
-    at: Text | None = None,
+    at: Annotated[str, "POINT|carrier|FLYWHEEL|hold.reaction|hold.FREEDOM"] | None = None,
     quantity: Literal["angle", "rate", "displacement", "velocity", "acceleration", "force", "moment"] | None = None,
     band: Band | None = None,
     phase: Phases | None = None,
@@ -135,8 +134,9 @@ def vibration(
     plan = read_speeds(machine, speed)
     if improve and (plan.sweep is not None or makers.harmonics):
         raise UsageError("improve: expected one set of speeds, and no makers' harmonics, which have no phases")
-    if plan.sweep is None and steps != STEPS:
-        raise UsageError("steps: needs a range of speeds, speed=NAME=LOW..HIGH")
+    for name, search in {"steps": steps != STEPS, "time": time is not None and not improve}.items():
+        if plan.sweep is None and search:
+            raise UsageError(f"{name}: needs a range of speeds, speed=NAME=LOW..HIGH")
     _warn_of_speeds(machine, speed, plan)
     go_on = _clock(time, progress)
     phases = by_flywheel("phase", phase, machine)
@@ -222,8 +222,9 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
     words = f"{seen.frame} in {band[0]:g}..{band[1]:g} Hz" if band else seen.frame
     about = {"stand": stand.name, "at": seen.name, "quantity": seen.quantity, "flywheels": list(vibration.plan.names)}
     details = [*about, "requirements", "largest", "improved"]
-    units = dict.fromkeys(("rms", "peak", "worst", "length", "before", "after"), unit)
-    units |= {"speeds": "rad/s", "phases": "rad"}
+    units = dict.fromkeys(("rms", "peak", "worst", "length"), unit) | ({"speeds": "rad/s"} if swept else {})
+    if "improved" in meta:
+        units |= {"speeds": "rad/s", "phases": "rad", "before": unit, "after": unit}
     title, columns, index = f"{stand.name}: {seen.quantity} of {seen.name}{words}", _orders(vibration, band), ""
     if not swept:
         of_length = {name: values[0] for name, values in lengths.items()}

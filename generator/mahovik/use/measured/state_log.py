@@ -23,7 +23,7 @@ from mahovik.core.stand.units import (
     factor,
 )
 from mahovik.errors import DataError, StateError
-from mahovik.nearest import suggestion
+from mahovik.nearest import nearest_name
 from mahovik.proof.verify.draw import ALLOWED, at_coordinates, blocked_twist, depends_on, freedom_rates, with_pose
 from mahovik.proof.verify.states import read_request
 from mahovik.use.measured.clocks import Array
@@ -117,15 +117,17 @@ class _Log:
             if not lacking:
                 self.values[key] = np.column_stack([columns[name] for name, _ in group])
             elif len(lacking) < len(group):
-                problems.append(f"{self.path}: no column {self._quote(lacking[0])}, expected with {group[0][0]}")
+                near = self._suggest(lacking[0])
+                problems.append(f'{self.path}: no column "{lacking[0]}", expected with {group[0][0]}{near}')
         if problems:
             raise DataError(problems)
         if "mount_wrench" in self.values:
             self.values["mount_wrench"] = self.values["mount_wrench"].reshape(-1, len(self.stand.flywheels), 6)
         self.rows = max((len(values) for values in self.values.values()), default=0)
 
-    def _quote(self, name: str) -> str:
-        return f'"{name}"{suggestion(name, self.ignored) if self.ignored else ""}'
+    def _suggest(self, name: str) -> str:
+        near = nearest_name(name, self.ignored)
+        return "" if near is None else f'; is it "{near}"?'
 
     @property
     def has_coordinates(self) -> bool:
@@ -251,7 +253,7 @@ class _Log:
 
     def _missing(self, key: str, reason: str) -> str:
         names = [name for name, _ in self.groups[key]] if key in self.groups else [key]
-        return f'{self.path}: no columns {self._quote(names[0])} to "{names[-1]}": {reason}'
+        return f'{self.path}: no columns "{names[0]}" to "{names[-1]}": {reason}{self._suggest(names[0])}'
 
     def _state(self, name: str, row: dict[str, Any]) -> State:
         """The state of a row; of a held carrier in the pose of its coordinates, or of position and attitude."""

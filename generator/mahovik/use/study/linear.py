@@ -114,9 +114,9 @@ def places(stand: Stand, names: Sequence[str] | None = None) -> tuple[Place, ...
     known[stand.carrier.name] = Place(stand.carrier.name, np.zeros(3), np.eye(3))
     for i, name in enumerate(names):
         if name not in known:
-            raise UsageError(f'unknown point "{name}"{suggestion(name, known)}')
+            raise UsageError(f"at {name}: unknown{suggestion(name, known)}")
         if name in names[:i]:
-            raise UsageError(f'point "{name}": given twice')
+            raise UsageError(f"at {name}: given twice")
     return tuple(known[name] for name in names)
 
 

@@ -59,9 +59,8 @@ def read_band(name: str, value: Sequence[float | str] | str) -> tuple[float, flo
     unit = re.sub(r"^[-+\d.eE\s]+", "", high)
     if not (dots and low.strip() and unit):
         raise UsageError(f'{name} {value}: expected two frequencies with their unit at the end, as "20..200Hz"')
-    return check_band(
-        name, [read_frequency(name, low if low.strip()[-1:].isalpha() else f"{low} {unit}"), read_frequency(name, high)]
-    )
+    last = read_frequency(name, high)
+    return check_band(name, [read_frequency(name, low if low.strip()[-1:].isalpha() else f"{low} {unit}"), last])
 
 
 def read_frequency(name: str, text: str) -> float:

@@ -104,7 +104,7 @@ class SpeedPlan:
         return tuple(float(x) for x in np.linspace(*self.sweep, steps))
 
 
-_GEAR = re.compile(r"(-|[-+\d.eE]+\*)?([A-Za-z_]\w*)")
+_GEAR = re.compile(r"(-|[-+\d.eE]+\*)?(?!(?i:nan|inf)\b)([A-Za-z_]\w*)")
 
 
 def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
@@ -127,7 +127,7 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
             if sweep not in (None, interval):
                 raise UsageError(f"speed {name}={text}: one can be swept; gear this one to it, as {name}=1.5*{swept}")
             sweep, swept, factor[name] = interval, swept or name, 1.0
-        elif isinstance(text, str) and (gear := _GEAR.fullmatch(text)) and gear[2].lower() not in ("nan", "inf"):
+        elif isinstance(text, str) and (gear := _GEAR.fullmatch(text)):
             if gear[2] not in names:
                 raise UsageError(f'speed {name}={text}: unknown flywheel "{gear[2]}"{suggestion(gear[2], names)}')
             geared[name] = (-1.0 if gear[1] == "-" else _number(name, (gear[1] or "1*")[:-1]), gear[2])
@@ -139,7 +139,8 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
             passed.append(other)
             ratio, other = ratio * geared[other][0], geared[other][1]
             if other in passed:
-                raise UsageError(f"speed: {' and '.join(passed)} follow one another; give one of them a speed")
+                follow = "follow one another; give one of them" if len(passed) > 1 else "follows itself; give it"
+                raise UsageError(f"speed: {' and '.join(passed)} {follow} a speed")
         constant[name], factor[name] = ratio * constant[other], ratio * factor[other]
     swept = swept or next((name for name in names if constant[name]), None)
     leader = None if swept is None else names.index(swept)
@@ -153,7 +154,7 @@ def read_speeds(stand: Stand, asked: Asked) -> SpeedPlan:
 
 def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     """The speed of each flywheel that is named, as it is asked for. Raises UsageError."""
-    if isinstance(asked, int | float) or (isinstance(asked, str) and "=" not in asked):
+    if isinstance(asked, int | float) or (isinstance(asked, str) and not ("=" in asked or _GEAR.fullmatch(asked))):
         return dict.fromkeys(names, asked)
     listed = [asked] if isinstance(asked, str) else list(asked)
     alone = [entry for entry in listed if not (isinstance(entry, str) and "=" in entry)]
@@ -164,16 +165,17 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     elif len(alone) == len(listed) == len(names):
         pairs = list(zip(names, listed, strict=True))
     else:
-        words = f"{len(listed)} speeds, but the stand has {len(names)} flywheels" if alone == listed else alone[0]
-        raise UsageError(f"speed: {words}; expected NAME=SPEED or NAME=LOW..HIGH, as w1=0..6000rpm")
+        several = f": {len(listed)} speeds, but the stand has {len(names)} flywheels;"
+        where = several if alone == listed and len(listed) > 1 else f" {alone[0]}:"
+        raise UsageError(f"speed{where} expected NAME=SPEED or NAME=LOW..HIGH, as {names[0]}=0..6000rpm")
     if not pairs:
         raise UsageError("speed: is empty, expected that of a flywheel, as w1=6000rpm, or of all")
     result: dict[str, float | str] = {}
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
         if name != ALL and name not in names:
-            raise UsageError(f'speed {name}={text}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
+            raise UsageError(f'speed {name}={_asked_text(text)}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
         if [known for known, _ in pairs].count(name) > 1:
-            raise UsageError(f'speed {name}={text}: flywheel "{name}" has a speed already')
+            raise UsageError(f'speed {name}={_asked_text(text)}: flywheel "{name}" has a speed already')
         result |= dict.fromkeys(names if name == ALL else [name], text)
     return result
 
@@ -184,7 +186,7 @@ def read_limits(limit: float | str | None) -> tuple[float | None, float | None]:
         return None, None
     low, high = _range("limit ", limit) if isinstance(limit, str) and ".." in limit else (None, _speed("limit ", limit))
     if high < (low or 0.0) or (low or 0.0) < 0.0:
-        raise UsageError(f"limit {limit}: expected a speed, or a range of them, from zero up")
+        raise UsageError(f"limit {_asked_text(limit)}: expected a speed, or a range of them, from zero up")
     return low, high
 
 
@@ -194,9 +196,13 @@ def _range(where: str, text: str) -> tuple[float, float]:
     high = _speed(where, last)
     unit = re.sub(r"^\s*[-+]?[\d.]+([eE][-+]?\d+)?", "", last)
     low = _speed(where, first + unit if re.fullmatch(r"\s*[-+\d.eE]+\s*", first) else first)
-    if low == high:
-        raise UsageError(f"{where}{text}: the range is empty, give one speed")
+    if not low < high:
+        raise UsageError(f"{where}{text}: expected a range from the lower speed to the higher")
     return low, high
+
+
+def _asked_text(asked: float | str) -> str:
+    return asked if isinstance(asked, str) else f"{asked:g}"
 
 
 def _speed(where: str, text: float | str) -> float:

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from mahovik.core.stand.files import TableError, read_columns
-from mahovik.core.stand.hold import freedom_names, twists, wrenches
+from mahovik.core.stand.hold import Hold, freedom_names, twists, wrenches
 from mahovik.core.stand.model import Stand
 from mahovik.core.stand.units import PLAIN, Dimension
 from mahovik.errors import UsageError
@@ -262,36 +262,29 @@ def find_view(stand: Stand, name: str, quantity: str | None = None, usual: str =
 
     quantity   None: `usual`, where there is none of it the first that there is. Raises UsageError.
     """
-    wheels = [s.name for s in stand.flywheels]
+    wheels, hold = [s.name for s in stand.flywheels], stand.hold
+    freedoms = [] if hold is None else [f"hold.{freedom}" for freedom in freedom_names(hold)]
+    points = [*(place.name for place in places(stand)), stand.carrier.name]
+    name = {f"hold.{k}": freedom for k, freedom in enumerate(freedoms, start=1)}.get(name, name)
+    if name not in (known := [*points, *wheels, *[REACTION] * (hold is not None), *freedoms]):
+        raise UsageError(f"at {name}: unknown{suggestion(name, known)}")
     if name in wheels or name == REACTION:
-        if name == REACTION and stand.hold is None:
-            raise UsageError(f"at {name}: {stand.name} has no [hold]; expected a point, an instrument or a flywheel")
         return LoadView(name, _choose(name, quantity, LOADS, usual), None if name == REACTION else wheels.index(name))
-    if name == "hold" or name.startswith("hold."):
-        return _freedom(stand, name, quantity, usual)
+    if name in freedoms and hold is not None:
+        return _freedom(hold, freedoms.index(name), quantity, usual)
     if quantity in LOADS:
-        held = f", or {REACTION}" if stand.hold is not None else ""
+        held = f", or {REACTION}" if hold is not None else ""
         words = f"a flywheel, for the wrench of its mount on it{held}"
         raise UsageError(f"quantity {quantity}: {name} has none; expected {words}")
-    try:
-        place = places(stand, [name])[0]
-    except UsageError as error:
-        raise UsageError(f"at: {error}") from None
-    return View.of(place, _choose(name, quantity, QUANTITIES, usual))
+    return View.of(places(stand, [name])[0], _choose(name, quantity, QUANTITIES, usual))
 
 
-def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
+def _freedom(hold: Hold, number: int, quantity: str | None, usual: str) -> View:
     """A quantity of one freedom: the first of three columns, the others are zero. Raises UsageError."""
-    names = () if stand.hold is None else freedom_names(stand.hold)
-    short = name.removeprefix("hold.")
-    number = next((k for k, known_name in enumerate(names) if short in (known_name, str(k + 1))), None)
-    if stand.hold is None or number is None:
-        known = [REACTION, *(f"hold.{known_name}" for known_name in names)]
-        raise UsageError(f"at {name}: unknown{suggestion(name, known)}; expected {', '.join(known)} or a point")
-    measures = OF_FREEDOMS[stand.hold.freedoms[number].kind]
-    chosen, S = _choose(name, quantity, measures, usual), twists(stand.hold)
+    name, measures = freedom_names(hold)[number], OF_FREEDOMS[hold.freedoms[number].kind]
+    chosen, S = _choose(f"hold.{name}", quantity, measures, usual), twists(hold)
     measure, row = measures[chosen], np.zeros((3, 6))
-    row[0] = wrenches(stand.hold)[:, number]  # u = W^T V
+    row[0] = wrenches(hold)[:, number]  # u = W^T V
 
     def values(motion: FullMotion) -> Array:
         if measure.power:
@@ -300,7 +293,7 @@ def _freedom(stand: Stand, name: str, quantity: str | None, usual: str) -> View:
         freedom[:, 0] = coordinates(S, motion.y)[:, number]
         return freedom
 
-    return View(f"hold.{names[number]}", (names[number],), chosen, measure, row, values)
+    return View(f"hold.{name}", (name,), chosen, measure, row, values)
 
 
 def _choose(name: str, quantity: str | None, known: Mapping[str, Quantity], usual: str) -> str:
