@@ -94,10 +94,8 @@ class Column(NamedTuple):
         """Each part as a column of its own with its unit: `amplitude x`, `amplitude y`; without parts itself."""
         if not self.axes:
             return [self]
-        sizes, units = (
-            self.values.shape[1:],
-            self.unit.split(", "),
-        )  # of a twist: of its linear half, of its angular half
+        sizes = self.values.shape[1:]
+        units = self.unit.split(", ")  # of a twist: of its linear half, of its angular half
         labels = product(*(axis.labels or range(size) for axis, size in zip(self.axes, sizes, strict=True)))
         return [
             Column(

@@ -173,7 +173,8 @@ def by_name(names: Sequence[str], asked: Asked) -> dict[str, float | str]:
     result: dict[str, float | str] = {}
     for name, text in sorted(pairs, key=lambda pair: pair[0] != ALL):
         if name != ALL and name not in names:
-            raise UsageError(f'speed {name}={_asked_text(text)}: unknown flywheel "{name}"{suggestion(name, [*names, ALL])}')
+            near = suggestion(name, [*names, ALL])
+            raise UsageError(f'speed {name}={_asked_text(text)}: unknown flywheel "{name}"{near}')
         if [known for known, _ in pairs].count(name) > 1:
             raise UsageError(f'speed {name}={_asked_text(text)}: flywheel "{name}" has a speed already')
         result |= dict.fromkeys(names if name == ALL else [name], text)
