@@ -14,10 +14,10 @@ from functools import partial, wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
-from mahovik.errors import FileError, UsageError
+from mahovik.errors import FileError, UsageError, library
 from mahovik.nearest import suggestion
 from mahovik.out.notices import OnProgress, hearing
-from mahovik.out.result import SUFFIXES, suffix_of
+from mahovik.out.result import SUFFIXES
 from mahovik.signatures import HIDDEN, Rules, check_arguments
 
 if TYPE_CHECKING:
@@ -77,10 +77,11 @@ def command(needs: Rules | None = None, excludes: Rules | None = None) -> Callab
 
 def output_format(name: str, path: str | Path, read: Sequence[str | Path], formats: Sequence[str] = SUFFIXES) -> str:
     """The format of a file that an argument says is to be written. Raises UsageError if it cannot, or is in `read`."""
-    from mahovik.writing import probe
+    from mahovik.writing import format_of, probe
 
     path = Path(path)
-    suffix = suffix_of(path, name, formats)
+    if (suffix := format_of(path, formats, name)) in (".svg", ".png"):
+        library("matplotlib", "report")
     if path.exists() and any(path.samefile(source) for source in read if Path(source).exists()):
         raise UsageError(f"{name} {path}: is read by this command; expected another name")
     probe(path)

@@ -45,7 +45,10 @@ BINS, LAST = 300, 400
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """y over x. `colour`: number of the line's colour, None for grey; `dashed`: what is required, or a limit."""
+    """y over x. `colour`: number of the line's colour, None for grey; `dashed`: what is required, or a limit.
+
+    tag    written beside it near its end; `width`: in points, of bars more
+    """
 
     name: str
     x: Array
@@ -53,6 +56,7 @@ class Line:
     colour: int | None = 0
     dashed: bool = False
     tag: str = ""
+    width: float = 1.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +66,7 @@ class Panel:
     quantity     above, with its unit; `note` at the right of it; `abscissa` below, where it is not time
     log          ordinate by powers of ten; `log_abscissa`: abscissa
     height       in those of other panels; `span`: first and last abscissa; `top`: the ordinate goes from 0 to it
+    names        of the places 0, 1, ... on the ordinate, from the top
     marks        places with a dot
     """
 
@@ -75,14 +80,7 @@ class Panel:
     top: float | None = None
     log_abscissa: bool = False
     marks: tuple[tuple[float, float], ...] = ()
-
-    def __call__(self, of: Any, axes: Any) -> None:
-        """Draw it on axes of matplotlib; it has all that it shows, and needs nothing of a result."""
-        _draw_panel(self, axes)
-
-
-Drawing = Callable[[Any, Any], None]
-"""Draws something of a result on axes of matplotlib; a `Panel` is one."""
+    names: tuple[str, ...] = ()
 
 
 def stems(name: str, x: Array | Sequence[float], sizes: Array, colour: int = 0) -> Line:
@@ -190,47 +188,45 @@ def require() -> tuple[Any, Any]:
     return library("matplotlib", "report"), library("matplotlib.figure", "report")
 
 
-def draw(title: str, drawings: Sequence[Drawing], suffix: str, of: Any = None) -> bytes:
-    """A picture of the drawings, of a result: `suffix` .svg or .png. Raises UsageError where matplotlib is missing."""
+def draw(title: str, panels: Sequence[Panel], suffix: str) -> bytes:
+    """A picture of panels: `suffix` .svg or .png. Raises UsageError where matplotlib is missing."""
     matplotlib, figures = require()
     with matplotlib.rc_context(STYLE):
-        figure, _ = make_figure(figures.Figure, title, drawings, of)
+        figure, _ = make_figure(figures.Figure, title, panels)
         buffer = io.BytesIO()
         metadata = {"Date": None, "Creator": "mahovik"} if suffix == ".svg" else {"Software": "mahovik"}
         figure.savefig(buffer, format=suffix[1:], dpi=150, metadata=metadata)
     return buffer.getvalue()
 
 
-def draw_on_axes(title: str, drawings: Sequence[Drawing], axes: Any = None, of: Any = None) -> list[Any]:
-    """Drawings on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
+def draw_on_axes(title: str, panels: Sequence[Panel], axes: Any = None) -> list[Any]:
+    """Panels on given axes of matplotlib, one after the other; None: on those of a new figure of pyplot. The axes.
 
-    Raises UsageError where matplotlib is not installed, or more axes are given than there are drawings.
+    Raises UsageError where matplotlib is not installed, or more axes are given than there are panels.
     """
     matplotlib, _ = require()
     with matplotlib.rc_context(STYLE):
         if axes is None:
-            return make_figure(import_module("matplotlib.pyplot").figure, title, drawings, of)[1]
+            return make_figure(import_module("matplotlib.pyplot").figure, title, panels)[1]
         frames = list(np.ravel(np.asarray(axes, dtype=object)))
-        if len(frames) > len(drawings):
-            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(drawings)} panels")
-        for frame, drawing in zip(frames, drawings, strict=False):
-            drawing(of, frame)
+        if len(frames) > len(panels):
+            raise UsageError(f"ax: {len(frames)} axes are given, but {title} has {len(panels)} panels")
+        for frame, panel in zip(frames, panels, strict=False):
+            _draw_panel(panel, frame)
     return frames
 
 
-def make_figure(
-    make: Callable[..., Any], title: str, drawings: Sequence[Drawing], of: Any = None
-) -> tuple[Any, list[Any]]:
-    """A figure that `make` makes, with all drawings one below the other, and their axes."""
-    heights = [getattr(panel, "height", 1.2) for panel in drawings]
+def make_figure(make: Callable[..., Any], title: str, panels: Sequence[Panel]) -> tuple[Any, list[Any]]:
+    """A figure that `make` makes, with all panels one below the other, and their axes."""
+    heights = [panel.height for panel in panels]
     figure = make(figsize=(WIDTH, HEIGHT * sum(heights) + 0.7), layout="constrained")
     if title:
         figure.suptitle(title, x=0.01, ha="left", fontweight="bold")
-    axes = list(figure.subplots(len(drawings), squeeze=False, height_ratios=heights)[:, 0])
-    for frame, drawing in zip(axes, drawings, strict=True):
-        drawing(of, frame)
+    axes = list(figure.subplots(len(panels), squeeze=False, height_ratios=heights)[:, 0])
+    for frame, panel in zip(axes, panels, strict=True):
+        _draw_panel(panel, frame)
     for k, frame in enumerate(axes[:-1]):  # the same abscissa is written once
-        if isinstance(drawings[k], Panel) and frame.get_xlabel() == axes[k + 1].get_xlabel():
+        if frame.get_xlabel() == axes[k + 1].get_xlabel():
             frame.set_xlabel("")
             frame.tick_params(labelbottom=False)
     return figure, axes
@@ -241,12 +237,18 @@ def _draw_panel(panel: Panel, axes: Any) -> None:
         kept, turn = envelope(line.y), (line.colour or 0) // len(COLOURS)
         colour = GREY if line.colour is None else COLOURS[line.colour % len(COLOURS)]
         dashes: Any = (0, (4, 3)) if line.dashed else ("-", "-.", ":")[turn % 3]
-        axes.plot(line.x[kept], line.y[kept], color=colour, label=line.name or None, linewidth=1.2, linestyle=dashes)
+        axes.plot(
+            line.x[kept], line.y[kept], color=colour, label=line.name or None, linewidth=line.width, linestyle=dashes
+        )
         if line.tag:
-            axes.annotate(line.tag, (line.x[-1], line.y[-1]), xytext=(2, 2), textcoords="offset points", color=GREY)
+            x, y = (0.1 * part[0] + 0.9 * part[-1] for part in (line.x, line.y))
+            axes.annotate(line.tag, (x, y), (-3, 1), textcoords="offset points", ha="right", color=GREY)
     for place in panel.marks:
         axes.plot(*place, "o", color="#1b1f24", markersize=3.5)
     axes.set(xscale="log" if panel.log_abscissa else "linear", yscale="log" if panel.log else "linear")
+    if panel.names:
+        axes.set_yticks(range(len(panel.names)), panel.names)
+        axes.set_ylim(len(panel.names) - 0.5, -0.5)
     if panel.span is not None:
         axes.set_xlim(*panel.span)
     if panel.top is not None:

@@ -26,7 +26,7 @@ from mahovik.errors import InputError, UsageError, library
 from mahovik.nearest import suggestion
 
 if TYPE_CHECKING:
-    from mahovik.out.plots import Drawing
+    from mahovik.out.plots import Panel
 
 Array = NDArray[Any]
 
@@ -174,7 +174,7 @@ class Result(Mapping[str, Any]):
     messages   sentences for people, printed below the table
     ok         whether the verdict is good: False is exit status 1
     details    entries of `meta` that JSON has and tables for people leave out
-    drawings   panels of its picture: `out.plots.Panel`, or functions of the result and axes of matplotlib;
+    drawings   panels of its picture, `out.plots.Panel`;
                none: the columns of numbers over the index, or over `t`
     single     one row, whose arrays come without the axis of rows; whole: a long table has all its rows in text
     """
@@ -188,7 +188,7 @@ class Result(Mapping[str, Any]):
     messages: Sequence[str] = ()
     ok: bool = True
     details: Sequence[str] = ()
-    drawings: Sequence[Drawing] = ()
+    drawings: Sequence[Panel] = ()
     single: bool = False
     whole: bool = False
 
@@ -315,10 +315,10 @@ class Result(Mapping[str, Any]):
 
     def save(self, path: str | Path) -> None:
         """Write it to a file, by the end of its name: .csv, .json, .parquet, .svg or .png. Raises UsageError."""
-        from mahovik.writing import write
+        from mahovik.writing import format_of, write
 
         path = Path(path)
-        suffix = suffix_of(path)
+        suffix = format_of(path, SUFFIXES, "path")
         if suffix == ".json":
             write(path, self.to_json() + "\n")
         elif suffix == ".csv":
@@ -337,7 +337,7 @@ class Result(Mapping[str, Any]):
         else:
             from mahovik.out.plots import draw
 
-            write(path, draw(self.title, self._drawings(), suffix, self))
+            write(path, draw(self.title, self._drawings(), suffix))
 
     def _csv(self) -> str:
         text, (_, columns) = io.StringIO(), self._long()
@@ -355,10 +355,10 @@ class Result(Mapping[str, Any]):
         """
         from mahovik.out.plots import draw_on_axes
 
-        result = draw_on_axes(self.title, self._drawings(), ax, self)
+        result = draw_on_axes(self.title, self._drawings(), ax)
         return result if ax is None else ax
 
-    def _drawings(self) -> Sequence[Drawing]:
+    def _drawings(self) -> Sequence[Panel]:
         from mahovik.out.plots import column_panels
 
         if self.drawings:
@@ -514,16 +514,6 @@ def plain(value: Any) -> Any:
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {field.name: plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
     return str(value) if isinstance(value, Path) else value
-
-
-def suffix_of(path: Path, name: str = "path", formats: Sequence[str] = SUFFIXES) -> str:
-    """How an argument `name` ends, the name of a file to be written, one of `formats`. Raises UsageError."""
-    from mahovik.writing import format_of
-
-    suffix = format_of(path, formats, name)
-    if suffix in (".svg", ".png"):
-        library("matplotlib", "report")
-    return suffix
 
 
 def split_unit(text: str) -> tuple[str, str]:

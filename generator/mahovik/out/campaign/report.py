@@ -130,6 +130,6 @@ def write_report(campaign: Campaign, result: Result, path: Path) -> None:
     part = Part(
         "Quantities",
         html=result._repr_html_(),
-        panels=tuple(drawing for drawing in result.drawings if isinstance(drawing, Panel)),
+        panels=tuple(result.drawings),
     )
     write(path, page(campaign.name, [part], campaign.stand, [("campaign", campaign.path.name)]))

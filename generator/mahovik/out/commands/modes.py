@@ -164,7 +164,7 @@ def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
     if len(growing):
         messages.append(f"warning: unstable from {RPM * result.speed[growing[0]]:.6g} rpm: small motions grow")
     return Result(
-        f"natural frequencies of {stand.name} over the speed of {plan.names[plan.swept or 0]}",
+        f"natural frequencies of {stand.name} over the {plan.words}",
         (
             column("speed", "rad/s", result.speed, shown="rpm"),
             column("frequency", "Hz", result.natural[:, absent:], modes),
@@ -175,12 +175,12 @@ def _campbell(stand: Stand, speed: Any, steps: int) -> Result:
         meta={"orders": list(result.orders), "crossings": Result("orders meet modes", crossings)},
         messages=messages,
         details=("damping", "growth"),
-        drawings=(_diagram(result, absent, plan.names[plan.swept or 0] if sum(map(bool, plan.factor)) == 1 else ""),),
+        drawings=(_diagram(result, absent, plan.words),),
     )
 
 
-def _diagram(campbell: Campbell, absent: int, name: str) -> Panel:
-    """Natural frequencies, orders of the flywheels, dots where they meet."""
+def _diagram(campbell: Campbell, absent: int, words: str) -> Panel:
+    """Natural frequencies over a speed in words, orders of the flywheels, dots where they meet."""
     speed, top = RPM * campbell.speed, 1.15 * (float(np.nanmax(np.nan_to_num(campbell.natural))) or 1.0)
     ends = speed[[0, -1]]
     columns = range(absent, campbell.natural.shape[1])
@@ -190,7 +190,7 @@ def _diagram(campbell: Campbell, absent: int, name: str) -> Panel:
         seen = np.ptp(x) > 0.15 * np.ptp(ends)
         lines.append(Line("", x, np.abs(n * x / 60.0), None, dashed=True, tag=f"{n}×" * bool(seen)))
     return Panel(
-        "natural frequency, Hz", tuple(lines), abscissa=f"speed of {name}, rpm" if name else "common speed, rpm",
+        "natural frequency, Hz", tuple(lines), abscissa=f"{words}, rpm",
         height=1.6, top=top, span=(float(ends[0]), float(ends[1])),
         marks=tuple((RPM * crossing.speed, crossing.frequency) for crossing in campbell.crossings),
         note="dashed: orders " + ", ".join(f"{n}×" for n in campbell.orders),

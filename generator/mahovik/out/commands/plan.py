@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
+from mahovik.contract.quantities import RPM
 from mahovik.errors import UsageError
 from mahovik.out.arguments import (
     FileGiven,
@@ -24,6 +25,7 @@ from mahovik.out.arguments import (
     time_limit,
 )
 from mahovik.out.notices import Progress, notify
+from mahovik.out.plots import Line, Panel
 from mahovik.out.result import Column, Result, column
 from mahovik.writing import write
 
@@ -183,7 +185,7 @@ def _result(
         messages=[*(f"warning: {line}" for line in plan.warnings), *cut, *plan.words, *_details(report)],
         ok=plan.status == "OK",
         details=("interrupted", "effort", "programme", "stand", *(["winding"] if kind["kind"] == "slew" else [])),
-        drawings=() if programme is None else (_draw_speeds,),
+        drawings=[] if programme is None else [_speeds(programme)],
     )  # fmt: skip
 
 
@@ -203,10 +205,10 @@ def _details(report: Mapping[str, Any]) -> list[str]:
     return lines
 
 
-def _draw_speeds(result: Result, ax: Any) -> None:
+def _speeds(keys: Mapping[str, Any]) -> Panel:
     """The speeds of the flywheels over the period, or the duration."""
-    programme = programme_of(result["programme"])
+    programme = programme_of(keys)
     t = np.linspace(0.0, programme.span, 401)
-    ax.plot(t, programme.at(t).phi_dot, label=list(programme.flywheels))
-    ax.set(xlabel="time, s", title="speeds of the flywheels, rad/s")
-    ax.legend(loc="upper right", frameon=False)
+    speeds = zip(programme.flywheels, RPM * programme.at(t).phi_dot.T, strict=True)
+    lines = [Line(name, t, y, k) for k, (name, y) in enumerate(speeds)]
+    return Panel("speed of the flywheels, rpm", tuple(lines), height=1.6)

@@ -19,7 +19,6 @@ from mahovik.out.commands.modes import modes
 from mahovik.out.commands.verify import verify
 from mahovik.out.commands.vibration import vibration
 from mahovik.out.notices import Progress, notify
-from mahovik.out.plots import Panel
 from mahovik.out.plots import require as require_drawing
 from mahovik.out.report.page import Part, inline, page, table
 from mahovik.out.result import Result, column, columns_of
@@ -168,7 +167,7 @@ def modes_part(stand: Stand) -> Part | None:
         if 0.0 < 2.0 * last < end:  # somewhat beyond the last crossing
             diagram = modes(stand, speed=f"0..{last!r} rad/s", steps=steps)
         drawings = diagram.drawings if diagram["frequency"].size else ()
-        panels = tuple(replace(drawing, height=1.6) for drawing in drawings if isinstance(drawing, Panel))
+        panels = tuple(replace(drawing, height=1.6) for drawing in drawings)
     tables = (result.take(swinging, ("frequency", "damping", "motion"), ""),) if len(swinging) else ()
     summary = f"{ends} Hz at rest" if ends else ""
     return Part("Modes", words * bool(still), tables, panels, summary=summary)
@@ -190,11 +189,7 @@ def vibration_part(stand: Stand, points: Sequence[str]) -> Part | None:
         if rms.max() < STILL:
             remarks.append(f"Nothing shakes {point}: the flywheels are balanced.")
             continue
-        shown += [
-            replace(drawing, abscissa="common speed, rpm", height=1.6)
-            for drawing in result.drawings
-            if isinstance(drawing, Panel)
-        ]
+        shown += [replace(drawing, height=1.6) for drawing in result.drawings]
         speed = RPM * result["speeds"][int(rms.argmax())]
         summaries.append(f"{point} at most {rms.max():.3g} {unit} RMS at {speed:.4g} rpm")
     words = "All flywheels at one common speed. `mahovik vibration` has other speeds, quantities and orders."

@@ -9,6 +9,8 @@ from pathlib import Path
 from textwrap import shorten
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+import numpy as np
+
 from mahovik.contract.functions import ALL_WANTS, is_public
 from mahovik.errors import CheckError, ToolchainError, UsageError, library, whole_number
 from mahovik.nearest import names_in
@@ -25,6 +27,7 @@ from mahovik.out.arguments import (
     servo_of,
 )
 from mahovik.out.notices import Progress, notify, warn
+from mahovik.out.plots import Line, Panel
 from mahovik.out.result import Column, Result, column, columns_of
 from mahovik.writing import probe, write
 
@@ -37,6 +40,9 @@ if TYPE_CHECKING:
 
 MOST_FUNCTIONS = 20
 """Functions in the short table; a check that failed is always there."""
+
+MOST_BARS, LEAST_SHARE = 60, 1e-8
+"""Functions in the picture, and the share of its limit that a difference is drawn with at least."""
 
 CHECK_COLUMNS = (
     "judged", "quantity", "states", "skipped", "value", "limit", "second", "state", "verdict", "words",
@@ -355,7 +361,7 @@ def report_result(
         messages=messages,
         ok=report.passed,
         details=(*about, "rows", *(() if everything else ("states",)), *(more or {})),
-        drawings=(_draw_shares,),
+        drawings=[_shares(report.rows)] if any(row.limit for row in report.rows) else [],
     )
 
 
@@ -396,13 +402,19 @@ def _short_columns(rows: Sequence[Check], by: str) -> tuple[Column, ...]:
     return tuple(shown)
 
 
-def _draw_shares(result: Result, ax: Any) -> None:
-    """Differences over their limits, a bar each."""
-    import numpy as np
-
-    rows = [row for row in result.meta["rows"]._objects() if row["limit"]]
-    shares = [max(row["value"] or 0.0, row["second"] or 0.0) / row["limit"] for row in rows]
-    ax.barh(np.arange(len(rows)), np.maximum(shares, 1e-8))
-    ax.set_yticks(np.arange(len(rows)), [f"{row['judged']} {row['quantity']}" for row in rows], fontsize=5)
-    ax.set(xscale="log", title="difference as a share of its limit")
-    ax.axvline(1.0, color="black", linewidth=0.6)
+def _shares(rows: Sequence[Check]) -> Panel:
+    """The largest difference of each function as a share of its limit, a bar each; of what has none, of each check."""
+    shares = dict[str, float]()
+    for row in rows:
+        if row.limit:
+            name = row.judged or row.quantity
+            shares[name] = max(shares.get(name, LEAST_SHARE), min(row.share, 1.0 / LEAST_SHARE))
+    largest = sorted(shares.items(), key=lambda entry: -entry[1])[:MOST_BARS]
+    bars = [
+        Line("", np.array([LEAST_SHARE, share]), np.array([k, k]), width=5.0) for k, (_, share) in enumerate(largest)
+    ]
+    limit = Line("", np.ones(2), np.array([-1.0, len(bars)]), None, dashed=True)
+    return Panel(
+        "difference as a share of its limit", (*bars, limit), abscissa="share", height=0.3 + 0.085 * len(bars),
+        log_abscissa=True, names=tuple(name for name, _ in largest),
+    )  # fmt: skip

@@ -237,7 +237,7 @@ def _result(vibration: Study, band: Interval | None, meta: dict[str, Any], messa
         meta = about | {"swept": wheel, "largest": peak | {"frequency": largest.frequency}} | meta
         size, place = quantity_text(largest.value, unit), vibration.rpm(largest.step)
         messages = [f"largest amplitude {size} at {place}, {largest.frequency:.6g} Hz", *messages]
-        title, index = f"{title}, over the speed of {wheel}", "speeds"
+        title, index = f"{title}, over the {vibration.plan.words}", "speeds"
         columns = (
             column("speeds", "rad/s", vibration.value, shown="rpm"),
             *(column(name, unit, values, axes) for name, values in sums.items()),
@@ -295,5 +295,5 @@ def _picture(vibration: Study, lengths: Mapping[str, np.ndarray[Any, Any]], swep
     size = scale * np.stack([lengths[name] for name in names])[:, order]
     drawn = tuple(Line(words, x[order], y, k) for k, (words, y) in enumerate(zip(names.values(), size, strict=True)))
     steep = bool(np.nanmax(size[0]) > 50.0 * np.nanmedian(size[0]) > 0.0)
-    words, span = f"speed of {vibration.plan.names[vibration.plan.swept or 0]}, rpm", (float(x.min()), float(x.max()))
-    return [Panel(title, drawn, log=steep, abscissa=words, height=2.6, span=span)]
+    span = float(x.min()), float(x.max())
+    return [Panel(title, drawn, log=steep, abscissa=f"{vibration.plan.words}, rpm", height=2.6, span=span)]

@@ -75,6 +75,12 @@ class SpeedPlan:
     sweep: tuple[float, float] | None
     swept: int | None
 
+    @property
+    def words(self) -> str:
+        """What the swept speed is of: flywheels by name, or all."""
+        names = [name for name, k in zip(self.names, self.factor, strict=True) if k == 1.0]
+        return "common speed" if len(names) == len(self.names) > 1 else f"speed of {', '.join(names)}"
+
     def speeds(self, value: float) -> tuple[float, ...]:
         """Speeds (N, rad/s) for a value of the swept speed."""
         return tuple(c + k * value for c, k in zip(self.constant, self.factor, strict=True))
