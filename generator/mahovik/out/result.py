@@ -368,9 +368,8 @@ class Result(Mapping[str, Any]):
         if index is None or len(columns) < 2:
             raise UsageError(f"{self.title}: no picture shows it, expected .csv, .json or .parquet")
         if len(columns) > SHOWN and index[0] != "t":
-            raise UsageError(
-                f"{self.title}: {len(columns)} columns are too many for a picture; result.take(rows, names) has fewer"
-            )
+            words = f"{len(columns)} columns are too many to draw; result.take(rows, names) has fewer"
+            raise UsageError(f"{self.title}: {words}")
         return column_panels(index, [one for one in columns if one[0] != index[0]])
 
     # ---- text
