@@ -157,6 +157,9 @@ def test_no_state_is_left_out_where_rounding_would_decide_a_refusal() -> None:
 
 SMALL = [
     ("prepare", "check_inertia", r"-J\[5\] - ", "-J[5] + ", "impossible bodies"),
+    ("prepare", "frame_of_axes", r"across2 > \S+ \* zero2", "across2 > 0.0", "impossible bodies"),
+    ("state_from_coordinates", "state_from_coordinates", r"< 1\.0e-6", "< 1.0e-5", "SINGULAR_ATTITUDE at its bound"),
+    ("state_from_coordinates", "generalized", r"< 1\.0e-6", "< 1.0e-7", "SINGULAR_ATTITUDE at its bound"),
     ("inverse", "excessive", r"> options->most\[s\]", "> 1.0001 * options->most[s]", "EXCESSIVE at its bound"),
     (
         "inverse",
@@ -169,7 +172,7 @@ SMALL = [
 """Function, text that is changed, by what, and the row that shows it: faults that ordinary answers do not have."""
 
 
-@pytest.mark.parametrize(("function", "place", "pattern", "wrong", "row"), SMALL, ids=[row for *_, row in SMALL])
+@pytest.mark.parametrize(("function", "place", "pattern", "wrong", "row"), SMALL, ids=[place for _, place, *_ in SMALL])
 def test_a_fault_at_a_bound_is_noticed(
     function: str, place: str, pattern: str, wrong: str, row: str, tmp_path: Path
 ) -> None:

@@ -68,7 +68,7 @@ JUDGES: dict[str, FunctionJudge] = {
     "forward_jacobian": _JACOBIAN,
     "coupled_jacobian": _JACOBIAN,
     "quaternion": _value(value.quaternion_trials),
-    "state_from_coordinates": _value(value.coordinate_trials),
+    "state_from_coordinates": FunctionJudge("value", value.judge_coordinates),
     "wrap": FunctionJudge("promise", value.judge_wrap),
     "prepare": _PARAMETERS,
     "prepare_mounts": _PARAMETERS,

@@ -16,7 +16,7 @@ from typing import Any, cast
 import numpy as np
 
 from mahovik.contract.functions import FUNCTIONS
-from mahovik.contract.quantities import limits_of
+from mahovik.contract.quantities import BOUNDS, SINGULAR_BELOW, limits_of
 from mahovik.contract.status import status_words
 from mahovik.core.lower.limits import THRESHOLDS
 from mahovik.core.lower.values import parameters_of
@@ -203,6 +203,21 @@ def coordinate_trials(case: Case) -> Iterator[Trial]:
         yield Trial(name, at, arguments, _free_coordinates if hold is None else _held_coordinates, read)
 
 
+def judge_coordinates(case: Case, rows: Rows) -> None:
+    """Coordinates by (10); of a free carrier angles that are just singular, and just not, there and back."""
+    judge_trials(case, rows, coordinate_trials)
+    given = next(coordinate_trials(case)).arguments
+    singular = 0.0 if case.stand.angles == "euler" else math.pi / 2.0
+    for part in FAR_SIDES if case.stand.hold is None else ():
+        angles = case.nearest_numbers([0.3, singular - part * SINGULAR_BELOW, 0.2]).tolist()
+        back = case.backend.arguments(replace(rest_state(case.stand), angles=_vector(angles), quaternion=None))
+        for function, arguments in ((rows.function, {**given, "angles": angles}), ("generalized", back)):
+            if function in case.public:
+                status = status_words(case.backend.call(function, arguments)[0])
+                is_right = (status == "SINGULAR_ATTITUDE") == (part < 1.0)
+                rows.demand("SINGULAR_ATTITUDE at its bound", is_right, f"{function} at {part:g} of it", status)
+
+
 def _free_coordinates(stand: Stand, state: State, _: Any) -> Values:
     """Pose and motion for q' in place of V and q'' in place of V_dot. Raises StateError."""
     angles, q_dot, q_ddot = vector(_angles_of(state)), vector(state.V), vector(state.V_dot)
@@ -289,20 +304,38 @@ def _judge_bodies(case: Case, rows: Rows) -> None:
                 size = float(np.abs(J).max())
             numbers = {"mass": mass, "center_of_mass": c, "inertia": J[(0, 1, 2, 0, 0, 1), (0, 1, 2, 1, 2, 2)]}
             parameters = {**default, "carrier": default["carrier"] | numbers}
-            if case.count and number % 2:
+            tried = dict[str, tuple[Any, str]]()
+            if case.count:
                 first, *rest = default["flywheel"]
-                parameters = {**default, "flywheel": [{**first, "body": first["body"] | numbers}, *rest]}
-            tried = {"body": parameters}
+                if number % 2:
+                    parameters = {**default, "flywheel": [{**first, "body": first["body"] | numbers}, *rest]}
+                for what, place, status in _at_the_edge_of_places(case, first, part):
+                    tried[what] = {**default, "flywheel": [first | place, *rest]}, status
+            tried["body"] = parameters, due
             if layout.added_mass:
                 F = rng.normal(size=(6, 5))
                 gram = F @ F.T
                 unit = gram / np.sqrt(np.outer(np.diag(gram), np.diag(gram)))
                 added = (1.0 + part * tolerance) * unit - part * tolerance * np.eye(6)
-                tried["added mass"] = {**default, "added_mass": (added + added.T) / 2.0}
-            for what, values in tried.items():
-                status, _ = case.backend.call("prepare", {"parameters": values, "table": table})
-                name, words = f"{what} {number + 1} at {part:g} of the tolerance", f"{status_words(status)}, due {due}"
-                rows.demand("impossible bodies", status_words(status) == due, name, words)
+                tried["added mass"] = {**default, "added_mass": (added + added.T) / 2.0}, due
+            for what, (values, expected) in tried.items():
+                status = status_words(case.backend.call("prepare", {"parameters": values, "table": table})[0])
+                name = f"{what} {number + 1} at {part:g} of the tolerance"
+                rows.demand("impossible bodies", status == expected, name, f"{status}, due {expected}")
+
+
+def _at_the_edge_of_places(case: Case, wheel: Mapping[str, Any], part: float) -> Iterator[tuple[str, Any, str]]:
+    """Numbers of a flywheel's place that are just refused and just not, with the status that is due.
+
+    `zero` as near along the axis, and a flywheel as far away as the sum of inertias allows: in double nothing is.
+    """
+    thresholds, axis = THRESHOLDS[case.real], np.array(wheel["axis"])
+    across = np.cross(axis, np.eye(3)[np.argmin(np.abs(axis))])
+    zero = axis / np.linalg.norm(axis) + part * thresholds.parallel * across / np.linalg.norm(across)
+    yield "zero along the axis", {"zero": zero}, "OK" if part > 1.0 else "RANGE"
+    far = math.sqrt(part * thresholds.inertia / max(wheel["body"]["mass"], thresholds.least))
+    if far < BOUNDS["MAX_PARAMETER"].at(case.real):
+        yield "distance", {"position": [far, 0.0, 0.0]}, "RANGE" if part > 1.0 else "OK"
 
 
 def _with_other_parameters(stand: Stand, rng: np.random.Generator) -> Stand:
