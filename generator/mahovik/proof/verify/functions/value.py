@@ -206,12 +206,12 @@ def coordinate_trials(case: Case) -> Iterator[Trial]:
 def judge_coordinates(case: Case, rows: Rows) -> None:
     """Coordinates by (10); of a free carrier angles that are just singular, and just not, there and back."""
     judge_trials(case, rows, coordinate_trials)
-    given = next(coordinate_trials(case)).arguments
+    first = next(coordinate_trials(case)).arguments
     singular = 0.0 if case.stand.angles == "euler" else math.pi / 2.0
     for part in FAR_SIDES if case.stand.hold is None else ():
         angles = case.nearest_numbers([0.3, singular - part * SINGULAR_BELOW, 0.2]).tolist()
         back = case.backend.arguments(replace(rest_state(case.stand), angles=_vector(angles), quaternion=None))
-        for function, arguments in ((rows.function, {**given, "angles": angles}), ("generalized", back)):
+        for function, arguments in ((rows.function, {**first, "angles": angles}), ("generalized", back)):
             if function in case.public:
                 status = status_words(case.backend.call(function, arguments)[0])
                 is_right = (status == "SINGULAR_ATTITUDE") == (part < 1.0)
