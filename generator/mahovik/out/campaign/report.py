@@ -52,6 +52,8 @@ def summarise(campaign: Campaign, tables: Iterable[Any], chunks: int) -> Result:
     meta["sensitivity"] = _sensitivity(campaign, values)
     few = campaign.design.kind not in IN_BLOCKS and not meta["sensitivity"].count
     messages = [f"what a quantity depends on is estimated from {ENOUGH} samples on"] if few else []
+    if campaign.design.kind not in IN_BLOCKS:
+        messages.append("95 % from, to: the 95 % quantile is between them with 95 % confidence; -: too few samples")
     messages += [varied.remark for varied in campaign.draw.varied if varied.remark]
     panels = [_histogram(q.name, q.unit, values[q.name]) for q in campaign.quantities]
     return Result(

@@ -262,7 +262,7 @@ def _programme(
         case = ProgrammeCase.of(stand, required, course, tolerance)
         generate = partial(_generate, stand, course, required, None, name)
         checks += verify_compiled(stand, case, folder, name, generate)
-    return report(stand, f"programme of {required.name}", 0, len(checks), tolerance or 0.0, checks)
+    return report(stand, f"programme of {required.name}", None, len(checks), tolerance or 0.0, checks)
 
 
 def _log(stand: Stand, path: Path, only: tuple[str, ...]) -> Result:
@@ -353,8 +353,8 @@ def report_result(
         text = f"not compared, all=True says why: {', '.join(dict.fromkeys(absent))}"
         messages.insert(0, shorten(text, 100, placeholder=" ..."))
     return Result(
-        f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}   "
-        f"seed {report.seed}",
+        f"{report.judged} of {report.stand}   structure {report.structure}, physics {report.physics}"
+        + ("" if report.seed is None else f"   seed {report.seed}"),
         _short_columns(short, by) if not everything else checks.columns if checks.count else (),
         rows="rows" if everything else "nearest",
         meta=about | {"rows": checks} | dict(more or {}),

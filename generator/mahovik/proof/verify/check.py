@@ -204,7 +204,7 @@ class Report:
     structure: str
     physics: str
     judged: str
-    seed: int
+    seed: int | None
     states: int
     tolerance: float
     rows: tuple[Check, ...]
@@ -230,7 +230,7 @@ OTHER_TEXT = "its text is not what this version generates"
 
 
 def report(
-    stand: Stand, judged: str, seed: int, count: int, tolerance: float, rows: Sequence[Check], error: str = ""
+    stand: Stand, judged: str, seed: int | None, count: int, tolerance: float, rows: Sequence[Check], error: str = ""
 ) -> Report:
     """The report of these rows on a stand."""
     names = identities(stand)
