@@ -6,9 +6,9 @@ Of a law between E0 and the carrier `CarrierProgram`; of one that acts on a body
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 from mahovik.core.lower.function_set import FunctionSet
 from mahovik.core.lower.units import Member, Unit, members
@@ -26,6 +26,9 @@ ATTITUDE: Any = argument("attitude of the carrier", 9)
 WRENCH: Any = changed("wrench; this law is added to it", 6, unit="N, N m")
 OWN_TWIST: Any = argument("twist relative to the fluid, in the body's frame", 6)
 """Arguments of functions that add a wrench."""
+
+Run: TypeAlias = Callable[[str, Mapping[str, Any]], tuple[Any, dict[str, Any]]]
+"""What runs a function of the program: its name and inputs; its value and outputs."""
 
 THREE, SIX = range(3), range(6)
 CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
@@ -90,7 +93,7 @@ class CarrierProgram(LawProgram):
         return [Field(struct.name, struct, (count,)) for struct, count, _ in self.arrays(structure)]
 
     @abstractmethod
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """The numbers of its members, by name; `run` runs a function of the program."""
 
     def act(self, lib: FunctionSet, table: Any, x: Any, C: Place, F: Place, **more: Place) -> None:

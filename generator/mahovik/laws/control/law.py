@@ -58,7 +58,7 @@ class Control:
 Factor = Velocity | Control
 
 
-def _factor(raw: Any) -> Factor:
+def _factor(raw: object) -> Factor:
     if (factor := velocity(raw)) is not None:
         return factor
     inner, bars = without_bars(raw)
@@ -72,7 +72,7 @@ def _factor(raw: Any) -> Factor:
     return Control(match[1], what, bars)
 
 
-def _factors(raw: Any) -> tuple[Factor, ...]:
+def _factors(raw: object) -> tuple[Factor, ...]:
     if not isinstance(raw, list) or not 1 <= len(raw) <= MOST_FACTORS:
         shown = f"{len(raw)}" if isinstance(raw, list) else show(raw)
         raise QuantityError(f'expected one to four factors such as ["u", "r", "rudder.deflection"], found {shown}')

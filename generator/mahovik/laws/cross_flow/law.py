@@ -21,25 +21,25 @@ MOST_POINTS = 16
 Numbers = tuple[float, ...]
 
 
-def _numbers(raw: Any, dimension: Dimension) -> Numbers:
+def _numbers(raw: object, dimension: Dimension) -> Numbers:
     """A list of two numbers or more."""
     values = raw.get("value") if isinstance(raw, dict) else raw
     return vector(raw, (max(2, len(values) if isinstance(values, list) else 0),), dimension)
 
 
-def _sizes(raw: Any, dimension: Dimension) -> Numbers:
+def _sizes(raw: object, dimension: Dimension) -> Numbers:
     numbers = _numbers(raw, dimension)
     for size in numbers:
         require_bounds(size, dimension.si, 0.0)
     return numbers
 
 
-def _drags(raw: Any) -> Numbers:
+def _drags(raw: object) -> Numbers:
     """One number for all stations, or a list."""
     return _sizes(raw if isinstance(raw, list) else [raw, raw], units.PLAIN)
 
 
-def _points(raw: Any) -> int:
+def _points(raw: object) -> int:
     points = integer(raw)
     if not 1 <= points <= MOST_POINTS:
         raise QuantityError(f"expected 1 to {MOST_POINTS} points between two stations, found {points}")

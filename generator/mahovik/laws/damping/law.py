@@ -20,7 +20,7 @@ WITH_PRODUCTS = "with added-mass products"
 """Word for published derivatives that contain the products of added mass."""
 
 
-def _factors(raw: Any) -> tuple[Velocity, Velocity]:
+def _factors(raw: object) -> tuple[Velocity, Velocity]:
     if not isinstance(raw, list) or len(raw) != 2:
         shown = f"{len(raw)}" if isinstance(raw, list) else show(raw)
         raise QuantityError(f'expected two factors such as ["r", "|v|"], found {shown}')

@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.law import WRENCH, CarrierProgram, declared
+from mahovik.core.lower.law import WRENCH, CarrierProgram, Run, declared
 from mahovik.core.program.kernel import Reals, argument
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
@@ -33,7 +33,7 @@ class FrictionProgram(CarrierProgram):
         """One struct per freedom with friction."""
         return [(FRICTION, structure.law("frictions"), "rub")] if structure.law("frictions") else []
 
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """The numbers of the file, and the wrench along the freedom; without a rise any speed that is not zero."""
         assert stand.hold is not None
         along, rows = wrench_columns(stand.hold), []

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -46,7 +45,7 @@ def _leg_force() -> Expr:
     return ca.Function("leg_force", [leg, place, C, chart.q_dot[:6]], [force])
 
 
-def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
+def arguments(stand: Stand, state: State, C: Array) -> dict[str, Array]:
     """No inputs of its own. StateError if a leg has no length."""
     for leg in legs_of(stand):
         length = math.hypot(*(np.array(state.position) + C @ np.array(leg.carrier) - np.array(leg.ground)))

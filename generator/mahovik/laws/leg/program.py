@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, declared
+from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.program.expression import Status
 from mahovik.core.program.kernel import OK, RANGE, Reals, argument, reals
 from mahovik.core.program.types import Struct
@@ -27,7 +27,7 @@ class LegsProgram(CarrierProgram):
         """One struct per leg."""
         return [(LEG, structure.law("legs"), "add_leg")] if structure.law("legs") else []
 
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """Every leg as the file gives it."""
         return {"leg": [{f.name: getattr(leg, f.name) for f in LEG.fields} for leg in legs_of(stand)]}
 

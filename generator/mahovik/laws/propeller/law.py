@@ -20,7 +20,7 @@ MOST_SPEED = 1e5
 """Largest speed, rad/s, in the file and at run time: that of a flywheel."""
 
 
-def _polynomial(raw: Any) -> Vec3:
+def _polynomial(raw: object) -> Vec3:
     """Two coefficients, or three."""
     if not isinstance(raw, list) or len(raw) not in (2, 3):
         raise QuantityError("expected [k0, k1] or [k0, k1, k2] of K = k0 + k1 J + k2 |J| J")

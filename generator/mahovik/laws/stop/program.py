@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, declared
+from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.program.kernel import Reals, argument, inline
 from mahovik.core.program.types import Field, Kind, Struct
 from mahovik.core.program.vector import dot
@@ -67,7 +67,7 @@ class StopsProgram(CarrierProgram):
         kinds = ((SLIDE_STOP, "slide_stops", "stop_slide"), (TURN_STOP, "turn_stops", "stop_turn"))
         return [(struct, count, name) for struct, key, name in kinds if (count := structure.law(key))]
 
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """The numbers of the file, the wrench along the freedom, and its home pose."""
         hold = stand.hold
         assert hold is not None
@@ -123,7 +123,7 @@ class StopsProgram(CarrierProgram):
 LAW = StopsProgram()
 
 
-def _row(stop: Stop, hold: Hold, kind: str, direction: list[Any], C0: list[Any]) -> dict[str, Any]:
+def _row(stop: Stop, hold: Hold, kind: str, direction: list[float], C0: list[float]) -> dict[str, Any]:
     """Numbers of one stop; the moment of what turns is its axis."""
     row = {"direction": direction, "at": stop.at, "side": 1.0 if stop.above else -1.0}
     row |= {"stiffness": stop.stiffness, "damping": stop.damping}
@@ -133,6 +133,6 @@ def _row(stop: Stop, hold: Hold, kind: str, direction: list[Any], C0: list[Any])
     return row | {"axis": _rotate(C0, direction[:3]), "home": home}
 
 
-def _rotate(C: list[Any], a: list[Any]) -> list[Any]:
+def _rotate(C: list[float], a: list[float]) -> list[float]:
     """C a, in a fixed order of summation."""
     return [C[3 * i] * a[0] + C[3 * i + 1] * a[1] + C[3 * i + 2] * a[2] for i in range(3)]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import casadi as ca
 import numpy as np
 
@@ -28,7 +26,7 @@ def force(stand: Stand, inputs: dict[str, Expr]) -> Expr:
     return -(ca.DM(law.stiffness) @ inputs["displacement"] + ca.DM(law.damping) @ inputs["V"])
 
 
-def arguments(stand: Stand, state: State, C: Array) -> dict[str, Any]:
+def arguments(stand: Stand, state: State, C: Array) -> dict[str, Array]:
     """x (6; m, rad): place of O1 from equilibrium in E1, and the rotation vector from the equilibrium's axes."""
     law = stand.law(Suspension)
     if law is None:

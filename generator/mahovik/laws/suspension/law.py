@@ -32,7 +32,7 @@ STIFFNESS: Blocks = (
 )
 
 
-def _preload(raw: Any) -> bool:
+def _preload(raw: object) -> bool:
     if raw != "weight":
         raise QuantityError(f'expected "weight", found {show(raw)}')
     return True

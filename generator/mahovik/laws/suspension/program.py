@@ -7,7 +7,7 @@ from typing import Any
 
 from mahovik.core.lower import units
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, declared
+from mahovik.core.lower.law import ATTITUDE, WRENCH, CarrierProgram, Run, declared
 from mahovik.core.lower.units import Member, matrix, member, vector
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, argument, body, reals, result
@@ -37,7 +37,7 @@ class SuspensionProgram(CarrierProgram):
         """One struct."""
         return [Field("suspension", SUSPENSION)]
 
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """Numbers of the suspension; the equilibrium attitude as the program's own quaternion of the angles."""
         law = stand.law(Suspension)
         assert law is not None

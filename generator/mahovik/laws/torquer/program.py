@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from mahovik.core.lower.function_set import FunctionSet
-from mahovik.core.lower.law import WRENCH, CarrierProgram, declared
+from mahovik.core.lower.law import WRENCH, CarrierProgram, Run, declared
 from mahovik.core.lower.units import Member, vector
 from mahovik.core.program.expression import Place
 from mahovik.core.program.kernel import Reals, argument, body
@@ -39,7 +39,7 @@ class TorquersProgram(CarrierProgram):
         """The field, and the torquers."""
         return [*declared(Torquers), *super().fields(structure)]
 
-    def values(self, stand: Stand, run: Any) -> dict[str, Any]:
+    def values(self, stand: Stand, run: Run) -> dict[str, Any]:
         """Field and dipoles as the file gives them."""
         law = stand.law(Torquers)
         assert law is not None
